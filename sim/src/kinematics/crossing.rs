@@ -18,6 +18,10 @@ const LOW: f64 = 0.5;
 const ZERO: f64 = 1e-6;
 /// Crossings nearer to each other than this, in half steps, are one.
 const SAME: f64 = 1e-6;
+/// How far from the middle of a step crossings are near it.
+const NEAR: f64 = 1.5;
+/// So many crossings are told apart in a step.
+const MOST_CROSSINGS: usize = 6;
 /// How far equations without units may be open where the branch goes straight through a crossing. Where links differ by a part
 /// of 1e-11 the curve bends away instead.
 const OPEN: f64 = 1e-11;
@@ -37,10 +41,20 @@ pub(super) fn find_dip(path: &Path, piece: &Piece) -> Option<Dip> {
     dips(path, piece, &|x| path.volume(piece, x)).find(|dip| dip.x >= -1.0 && (dip.is_crossing || !dip.is_closed))
 }
 
-/// Whether there is another crossing in a step than that at `known`, however near to it.
-pub(super) fn has_another_crossing(path: &Path, piece: &Piece, known: f64) -> bool {
-    let without = |x: f64| path.volume(piece, x) - (x - known).abs().max(SAME).ln();
-    dips(path, piece, &without).any(|dip| dip.is_crossing && dip.x.abs() <= 1.0 && (dip.x - known).abs() > SAME)
+/// All crossings in a step or near its ends, in order, however near to each other: those that are known are divided out.
+pub(super) fn crossings(path: &Path, piece: &Piece) -> Vec<Dip> {
+    let mut known: Vec<Dip> = Vec::new();
+    for _ in 0..MOST_CROSSINGS {
+        let without =
+            |x: f64| path.volume(piece, x) - known.iter().map(|dip| (x - dip.x).abs().max(SAME).ln()).sum::<f64>();
+        let is_new = |dip: &Dip| {
+            dip.is_crossing && dip.x.abs() <= NEAR && known.iter().all(|other| (dip.x - other.x).abs() > SAME)
+        };
+        let Some(dip) = dips(path, piece, &without).find(is_new) else { break };
+        known.push(dip);
+    }
+    known.sort_by(|a, b| a.x.total_cmp(&b.x));
+    known
 }
 
 /// The dips of a step, in order. Where they are, is told by the logarithm of the product of all singular values: beside another

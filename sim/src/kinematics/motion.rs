@@ -14,8 +14,10 @@ use std::convert::Infallible;
 const BESIDE: f64 = 0.5;
 /// How near the drive itself leaves reactions open.
 const AT: f64 = 1e-9;
-/// The last coefficients of what goes through a crossing, beside its largest; a pole has coefficients that do not fall.
+/// How well what goes through a crossing is known there, beside its largest value; of a pole nothing is known.
 const SMOOTH: f64 = 1e-6;
+/// So many nodes are needed around crossings.
+const FEWEST: usize = 8;
 /// How far from a position of the curve the same may be found for a value of p.
 const SAME: f64 = 1e-6;
 /// What may be left of a constraint, of its terms.
@@ -23,32 +25,38 @@ const CLOSED: f64 = 1e-12;
 
 /// A quantity at the nodes of a step with a crossing.
 pub(super) struct Beside {
-    known: [Known<[f64; 1]>; NODES],
+    known: Vec<Known<[f64; 1]>>,
     has_pole: bool,
 }
 
 impl Beside {
-    /// That which has these values, where rounding is amplified by the inverse square of the distance to the crossing.
-    fn new(values: [f64; NODES], crossing: f64) -> Beside {
-        let nodes = nodes();
-        let weight = |x: f64| (x - crossing).powi(4);
-        let known = std::array::from_fn(|node| Known {
-            fraction: nodes[node],
-            weight: weight(nodes[node]),
-            values: [values[node]],
-        });
-        let series = Series::through(values);
-        Beside { known, has_pole: series.tail() > SMOOTH * series.largest() }
+    /// That which is known at nodes.
+    fn new(known: Vec<Known<[f64; 1]>>, crossings: &[f64]) -> Beside {
+        let largest = known.iter().fold(0.0f64, |most, known| most.max(known.values[0].abs()));
+        let values: Option<[f64; NODES]> =
+            <[_; NODES]>::try_from(&known[..]).ok().map(|known: [Known<_>; NODES]| known.map(|known| known.values[0]));
+        let mut beside = Beside { known, has_pole: false };
+        let foretold = || crossings.iter().fold(0.0f64, |most, x| most.max(beside.at(*x).1));
+        let lacking = values.map_or_else(foretold, |values| Series::through(values).tail());
+        beside.has_pole = !(lacking <= SMOOTH * largest);
+        beside
     }
 
-    fn at(&self, x: f64) -> f64 {
-        nearest_polynomial(&self.known, x, |value| value[0].abs()).0[0]
+    /// Its value, and about how far that may be off.
+    fn at(&self, x: f64) -> (f64, f64) {
+        let (value, off) = nearest_polynomial(&self.known, x, |value| value[0].abs());
+        (value[0], off)
     }
 }
 
 impl Piece {
     fn is_beside_crossing(&self, x: f64) -> bool {
-        self.crossing.is_some_and(|crossing| (x - crossing).abs() < BESIDE)
+        self.to_crossing(x) < BESIDE
+    }
+
+    /// How far it is to the nearest crossing, in half steps.
+    fn to_crossing(&self, x: f64) -> f64 {
+        self.crossings.iter().fold(f64::INFINITY, |least, crossing| least.min((x - crossing).abs()))
     }
 }
 
@@ -109,9 +117,9 @@ impl Path<'_> {
     pub(super) fn motion(&self, piece: &Piece, x: f64, p: f64) -> Result<AnyPrescribed, Failure> {
         let Some(q) = self.solve(piece, x, p) else { return Err(self.system.singular(&self.at(piece, x).0, p)) };
         self.check(&q, p)?;
-        match piece.crossing.filter(|_| piece.is_beside_crossing(x)) {
-            None => prescribed(self.system, &self.sizes, (&q, p), &[]),
-            Some(crossing) => self.beside(piece, x, (q, p), (x - crossing).abs()),
+        match piece.is_beside_crossing(x) {
+            false => prescribed(self.system, &self.sizes, (&q, p), &[]),
+            true => self.beside(piece, x, (q, p)),
         }
     }
 
@@ -142,14 +150,15 @@ impl Path<'_> {
     /// The motion beside a crossing, where the equations leave it open or amplify rounding: it goes straight on, as the
     /// polynomial through the nodes to both sides. A reaction that grows without bound towards the crossing is what the
     /// equations give, and infinite in it.
-    fn beside(&self, piece: &Piece, x: f64, (q, p): (Vec<f64>, f64), distance: f64) -> Result<AnyPrescribed, Failure> {
+    fn beside(&self, piece: &Piece, x: f64, (q, p): (Vec<f64>, f64)) -> Result<AnyPrescribed, Failure> {
         let singular = || self.system.singular(&q, p);
         let beside = piece.beside.get_or_init(|| self.nodes(piece)).as_ref().ok_or_else(singular)?;
-        let direct = if distance > AT { prescribed(self.system, &self.sizes, (&q, p), &[]).ok() } else { None };
+        let direct =
+            if piece.to_crossing(x) > AT { prescribed(self.system, &self.sizes, (&q, p), &[]).ok() } else { None };
         let direct = direct.map(|found| numbers(&found));
         let (n, m) = (q.len(), self.system.mechanism.description().constraints.len());
         let value = |(k, beside): (usize, &Beside)| match k >= 2 * n && beside.has_pole {
-            false => beside.at(x),
+            false => beside.at(x).0,
             true => direct.as_ref().map_or(f64::INFINITY, |direct| direct[k]),
         };
         let values: Vec<f64> = beside.iter().enumerate().map(value).collect();
@@ -168,16 +177,20 @@ impl Path<'_> {
         Ok(found.with_power(self.system))
     }
 
-    /// Speeds, accelerations, multipliers and forces through the nodes of a step.
+    /// Speeds, accelerations, multipliers and forces at the nodes of a step, of which rounding amplifies those near a crossing by
+    /// the inverse square of the regularity there.
     fn nodes(&self, piece: &Piece) -> Option<Vec<Beside>> {
         let at = |x: f64| {
             let (_, p) = self.at(piece, x);
             let q = self.solve(piece, x, p)?;
-            Some(numbers(&prescribed(self.system, &self.sizes, (&q, p), &[]).ok()?))
+            let values = numbers(&prescribed(self.system, &self.sizes, (&q, p), &[]).ok()?);
+            Some((x, self.regularity(piece, x).powi(4), values))
         };
-        let values: Vec<Vec<f64>> = nodes().into_iter().map(at).collect::<Option<_>>()?;
-        let beside = |k: usize| Beside::new(std::array::from_fn(|node| values[node][k]), piece.crossing.unwrap_or(0.0));
-        Some((0..values[0].len()).map(beside).collect())
+        let nodes: Vec<(f64, f64, Vec<f64>)> = nodes().into_iter().filter_map(at).collect();
+        let known = |k: usize| nodes.iter().map(move |(x, weight, values)| (*x, *weight, values[k]));
+        let known = |k: usize| known(k).map(|(fraction, weight, value)| Known { fraction, weight, values: [value] });
+        let beside = |k: usize| Beside::new(known(k).collect(), &piece.crossings);
+        (nodes.len() >= FEWEST).then(|| (0..nodes[0].2.len()).map(beside).collect())
     }
 }
 

@@ -6,7 +6,7 @@
 //! curve: what was stepped over cannot be another branch then.
 
 use super::algebra::{bordered, is_rounding, least_squares, singular_values};
-use super::crossing::{find_dip, has_another_crossing};
+use super::crossing::{crossings, find_dip};
 use super::motion::Beside;
 use super::series::{Series, nodes};
 use super::sizes::Sizes;
@@ -34,8 +34,10 @@ const LEAST_RESOLVED: f64 = 1e-9;
 /// A step so short may have a corner in it, as a table has or a modulus, and this part of it may be no polynomial.
 const SHORTEST: f64 = 1e-6;
 const CORNER: f64 = 0.01;
-/// How far from the middle of a step another branch may cross: nodes are 0.13 of half a step away.
+/// How far from the middle of a step another branch may cross: nodes are 0.13 of half a step away. Of several their middle
+/// counts, if they lie so near to each other that most nodes are far from all of them.
 const CENTRED: f64 = 0.02;
+const TOGETHER: f64 = 0.5;
 /// Half of the length of a step about a crossing, or a part of it, and how often it is laid anew. It is as long as may be:
 /// rounding is amplified by the square of the distance, and the motion is known from the ends of the step.
 const AROUND: f64 = 0.8;
@@ -62,8 +64,8 @@ pub(super) struct Piece {
     length: f64,
     /// z(x).
     pub(super) curve: Vec<Series>,
-    /// Where another branch crosses.
-    pub(super) crossing: Option<f64>,
+    /// Where other branches cross, in order.
+    pub(super) crossings: Vec<f64>,
     /// Where the drive turns back.
     pub(super) limit: Option<f64>,
     /// What is computed once of a step in which another branch crosses.
@@ -148,7 +150,7 @@ impl<'s> Path<'s> {
         Err(mechanism.failure(What::NotFollowed { driven }, self.system.time(p), &q))
     }
 
-    /// A step with a crossing in its middle that is about so far ahead of a point, or one that ends well before it; `None` where
+    /// A step with a crossing in its middle, or several near to each other, that is about so far ahead of a point, or one that ends well before it; `None` where
     /// the branch does not go straight on. It may begin before the point, never beyond it.
     fn across(&self, from: &Point, mut ahead: f64) -> Option<Piece> {
         let mut half = AROUND;
@@ -164,17 +166,20 @@ impl<'s> Path<'s> {
                 else {
                     break;
                 };
-                let Some(dip) = find_dip(self, &piece).filter(|dip| dip.is_crossing) else { break };
-                let is_centred = dip.x.abs() <= CENTRED;
+                let found = crossings(self, &piece);
+                let (Some(first), Some(last)) = (found.first(), found.last()) else { break };
+                let are_together = last.x - first.x <= TOGETHER;
+                let middle = if are_together { (first.x + last.x) / 2.0 } else { first.x };
+                let is_centred = middle.abs() <= CENTRED;
                 let is_earlier_crossing = from.tangent.dot(&(&piece.to.z - &from.z)) < half / 2.0;
-                if is_centred && !is_earlier_crossing && !has_another_crossing(self, &piece, dip.x) {
-                    piece.crossing = Some(dip.x);
-                    return dip.is_closed.then_some(piece);
+                if is_centred && are_together && !is_earlier_crossing {
+                    piece.crossings = found.iter().map(|dip| dip.x).collect();
+                    return found.iter().all(|dip| dip.is_closed).then_some(piece);
                 }
-                if is_centred || ahead + around * dip.x <= 0.0 {
+                if is_centred || ahead + around * middle <= 0.0 {
                     break;
                 }
-                ahead += around * dip.x;
+                ahead += around * middle;
             }
             half /= 2.0;
         }
@@ -209,7 +214,15 @@ impl<'s> Path<'s> {
             return None;
         }
         let curve = self.curve(from, &to, length, limits)?;
-        Some(Piece { from: from.clone(), to, length, curve, crossing: None, limit: None, beside: OnceCell::new() })
+        Some(Piece {
+            from: from.clone(),
+            to,
+            length,
+            curve,
+            crossings: Vec::new(),
+            limit: None,
+            beside: OnceCell::new(),
+        })
     }
 
     /// The curve between two points, if it is a polynomial to rounding.

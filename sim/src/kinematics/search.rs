@@ -237,9 +237,11 @@ impl<'s> Search<'s> {
 
     /// Takes out what grows without bound towards a singular place.
     fn drop_unbounded(&mut self, piece: &Piece, [from, to]: [f64; 2], open: &mut Pending) -> Result<(), Failure> {
-        let singular = piece.crossing.or(piece.limit).filter(|x| (from..=to).contains(x));
-        let Some(singular) = singular.filter(|_| !open.is_empty()) else { return Ok(()) };
-        for side in [-1.0, 1.0] {
+        if open.is_empty() {
+            return Ok(());
+        }
+        let singular = piece.crossings.iter().copied().chain(piece.limit).filter(|x| (from..=to).contains(x));
+        for (singular, side) in singular.flat_map(|x| [(x, -1.0), (x, 1.0)]) {
             let places = TOWARDS.map(|distance| singular + side * distance);
             if places.iter().any(|x| !(-1.0..=1.0).contains(x)) || piece.limit.is_some_and(|limit| places[0] > limit) {
                 continue;

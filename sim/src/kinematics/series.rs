@@ -62,11 +62,6 @@ impl Series {
         self.0[NODES - 1].abs().max(self.0[NODES - 2].abs())
     }
 
-    /// The largest of its coefficients.
-    pub(super) fn largest(&self) -> f64 {
-        self.0.iter().fold(0.0, |most, c| most.max(c.abs()))
-    }
-
     /// Where it turns between -1 and 1, in order.
     pub(super) fn turns(&self) -> Vec<f64> {
         let rate = self.rate();

@@ -148,10 +148,9 @@ impl<'s> Followed<'s> {
             if path.reached(&piece) > 0.0 || piece.limit.is_some() {
                 search.look(&piece, [0.0, end].map(|p| path.locate(&piece, p)))?;
             }
-            let crossing = piece.crossing.map(|x| path.at(&piece, x));
-            if let Some((positions, p)) = crossing.filter(|(_, p)| (0.0..=end).contains(p)) {
-                self.branches.push(SpecialPosition { value: path.system.laws[0].at(p), positions });
-            }
+            let crossings = piece.crossings.iter().map(|x| path.at(&piece, *x));
+            let branch = |(positions, p)| SpecialPosition { value: path.system.laws[0].at(p), positions };
+            self.branches.extend(crossings.filter(|(_, p)| (0.0..=end).contains(p)).map(branch));
             if let Some(x) = piece.limit
                 && self.motion.len() <= self.sweep.steps
             {
