@@ -173,6 +173,7 @@ fn adaptive_steps<M: Mechanism>(
             if watch(&mut crossing.step(motion, [from, to]))?.is_break() {
                 return Ok(());
             }
+            headway.comes(to.state.time - now);
             swap(&mut from, &mut to);
             continue;
         }

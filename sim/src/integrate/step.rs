@@ -74,10 +74,11 @@ impl<M: Mechanism> Step<'_, M> {
             let (state, accelerations) = match k {
                 0 => (self.from.state, self.from.accelerations),
                 LAST => (self.reached.state, self.reached.accelerations),
-                _ => match self.find(self.from.state.time + fraction * self.made())? {
-                    found if found.is_singular => continue,
-                    found => (found.kept, self.motion.sample(found.kept)?.accelerations),
-                },
+                _ => {
+                    let state = self.find(self.from.state.time + fraction * self.made())?.kept;
+                    let Ok(sample) = self.motion.sample(state) else { continue };
+                    (state, sample.accelerations)
+                }
             };
             let sine = weakest_constraint(self.motion, &state).map_or(1.0, |(_, sine)| sine);
             // Rounding is amplified by the inverse square of the sine.
