@@ -150,8 +150,8 @@ impl<'s> Path<'s> {
         Err(mechanism.failure(What::NotFollowed { driven }, self.system.time(p), &q))
     }
 
-    /// A step with a crossing in its middle, or several near to each other, that is about so far ahead of a point, or one that ends well before it; `None` where
-    /// the branch does not go straight on. It may begin before the point, never beyond it.
+    /// A step with a crossing in its middle, or several near to each other, that is about so far ahead of a point, or one that
+    /// ends well before it; `None` where the branch does not go straight on. It may begin before the point, never beyond it.
     fn across(&self, from: &Point, mut ahead: f64) -> Option<Piece> {
         let mut half = AROUND;
         while half > SMALLEST_STEP {
