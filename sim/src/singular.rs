@@ -29,6 +29,8 @@ pub struct Singularity {
 
 /// Below this sine a projection would spoil what a step knows better: rounding of 1e-16 times 1/s^2 is 1e-12.
 pub(crate) const AT: f64 = 0.01;
+/// Below this one reactions are lost: they follow from accelerations.
+pub(crate) const IN: f64 = 1e-3;
 /// Below this one accelerations may be known better by those on both sides, as they follow from positions and speeds that have
 /// been projected.
 pub(crate) const BESIDE: f64 = 0.03;

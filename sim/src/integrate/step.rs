@@ -37,7 +37,8 @@ impl<M: Mechanism> Step<'_, M> {
 
     /// The state at a time inside it with what follows from it. Beside a singular position the equations of motion determine
     /// that badly, and in it not at all: there accelerations are those that regular positions of the step make likely, unless
-    /// that is known no better. In it reactions, which have a pole, and power are those of the nearer end.
+    /// that is known no better. Reactions, which may have a pole, and power are what the equations give; where these are lost in
+    /// rounding, those of the nearer end.
     ///
     /// # Errors
     /// As the projection and the right-hand side.
@@ -57,6 +58,9 @@ impl<M: Mechanism> Step<'_, M> {
             Ok(direct) if !found.is_singular => return Ok(Sample { accelerations, ..direct }),
             Err(failure) if !found.is_singular => return Err(failure),
             _ => {}
+        }
+        if let (Ok(direct), false) = (self.motion.sample(found.kept), found.is_lost) {
+            return Ok(Sample { state: found.interpolated, accelerations, ..direct });
         }
         let nearer = if fraction < 0.5 { self.from } else { self.reached };
         Ok(Sample { state: found.interpolated, accelerations, ..*nearer })
@@ -101,7 +105,7 @@ impl<M: Mechanism> Step<'_, M> {
     fn find(&mut self, time: f64) -> Result<Inside<M>, Failure> {
         if time == self.to.state.time {
             let end = self.to.state;
-            return Ok(Inside { kept: end, interpolated: end, is_singular: false, is_beside: false });
+            return Ok(Inside { kept: end, interpolated: end, is_singular: false, is_beside: false, is_lost: false });
         }
         let mut kept = self.method.inside(self.motion, self.from, self.reached, self.fraction(time))?;
         kept.time = time;
@@ -109,10 +113,10 @@ impl<M: Mechanism> Step<'_, M> {
         match self.motion.keep(&mut kept) {
             Ok(()) => {
                 let (is_singular, is_beside) = (self.motion.is_at_singularity(), self.motion.is_beside_singularity());
-                Ok(Inside { kept, interpolated, is_singular, is_beside })
+                Ok(Inside { kept, interpolated, is_singular, is_beside, is_lost: self.motion.is_in_singularity() })
             }
             Err(Failure { what: What::SingularPosition { .. }, .. }) => {
-                Ok(Inside { kept: interpolated, interpolated, is_singular: true, is_beside: true })
+                Ok(Inside { kept: interpolated, interpolated, is_singular: true, is_beside: true, is_lost: true })
             }
             Err(failure) => Err(failure),
         }
@@ -129,4 +133,6 @@ struct Inside<M: Mechanism> {
     is_singular: bool,
     /// Whether accelerations may be known better by those along the motion.
     is_beside: bool,
+    /// Whether rounding leaves nothing of reactions.
+    is_lost: bool,
 }
