@@ -4,8 +4,7 @@ use super::arguments::{Voice, WrittenArguments};
 use super::files::Files;
 use super::given::{mechanism_with, start_with};
 use super::quantity::parse_quantity;
-use super::{Stop, folder, signals, unknown};
-use crate::failure::What;
+use super::{Stop, folder, unknown};
 use crate::kinematics::{prescribed_coordinate, quotient};
 use crate::show::{self, SWEEP_FIGURES};
 use crate::{
@@ -114,8 +113,7 @@ impl KinematicsArguments {
         };
         let speed = self.speed(description, driven, declared)?;
         let held = self.hold.iter().map(|text| hold(description, now, text)).collect::<Result<_, _>>()?;
-        let interrupt = Some(&signals::INTERRUPTED);
-        Ok(Sweep { driven, from, to, speed, steps: self.steps as usize, held, interrupt })
+        Ok(Sweep { driven, from, to, speed, steps: self.steps as usize, held, interrupt: None })
     }
 
     fn speed(&self, description: &'static Description, driven: Driven, declared: Option<f64>) -> Result<f64, Stop> {
@@ -178,7 +176,7 @@ pub(super) fn kinematics_command<M: Mechanism>(arguments: &KinematicsArguments, 
     let directory = arguments.out.clone();
     let directory = directory.unwrap_or_else(|| format!("out/{}-kinematics", description.name).into());
     let files = Files::new(description, &directory, &SWEEP_FIGURES)?;
-    let found = signals::interruptible(|| kinematics(mechanism, &start, &sweep))?;
+    let found = kinematics(mechanism, &start, &sweep)?;
     let draw =
         |table: &Table, directory: &Path| show::sweep_figures(&found, table, directory, arguments.written.size.show());
     tell(&Found::new(&found), &found.table(), (arguments, files), &draw, voice)
@@ -246,8 +244,7 @@ fn tell(
     }
     files.finish();
     files.say(voice, summary, &format!("{}{}", report(found), files.line()))?;
-    let is_interrupted = found.failure.is_some_and(|failure| failure.what == What::Interrupted);
-    files.check(found.failure.iter().map(ToString::to_string).collect(), is_interrupted)
+    files.check(found.failure.iter().map(ToString::to_string).collect(), false)
 }
 
 /// What was found, in declared units.
