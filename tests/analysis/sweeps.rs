@@ -16,15 +16,7 @@ pub(crate) fn driven<M: Mechanism>(
 }
 
 pub(crate) fn sweep<M: Mechanism>(name: &str, [from, to]: [f64; 2], speed: f64, steps: usize) -> Sweep {
-    Sweep {
-        driven: Driven::find(&M::DESCRIPTION, name).unwrap(),
-        from,
-        to,
-        speed,
-        steps,
-        held: Vec::new(),
-        interrupt: None,
-    }
+    Sweep { driven: Driven::find(&M::DESCRIPTION, name).unwrap(), from, to, speed, steps, held: Vec::new() }
 }
 
 /// The place of an output.

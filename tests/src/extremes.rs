@@ -26,15 +26,7 @@ pub fn beside_a_turn(sweeps: impl IntoIterator<Item = (f64, usize)>) -> Vec<(Str
 
 fn extremes(to: f64, steps: usize) -> Extremes {
     let mechanism = QuickReturn::default();
-    let sweep = Sweep {
-        driven: Driven::Coordinate(0),
-        from: 0.0,
-        to,
-        speed: 2.5 * PI,
-        steps,
-        held: Vec::new(),
-        interrupt: None,
-    };
+    let sweep = Sweep { driven: Driven::Coordinate(0), from: 0.0, to, speed: 2.5 * PI, steps, held: Vec::new() };
     let found = kinematics(mechanism, &declared_start(&mechanism), &sweep);
     found.map_or_else(|_| none(), |found| found.extremes)
 }

@@ -113,7 +113,7 @@ impl KinematicsArguments {
         };
         let speed = self.speed(description, driven, declared)?;
         let held = self.hold.iter().map(|text| hold(description, now, text)).collect::<Result<_, _>>()?;
-        Ok(Sweep { driven, from, to, speed, steps: self.steps as usize, held, interrupt: None })
+        Ok(Sweep { driven, from, to, speed, steps: self.steps as usize, held })
     }
 
     fn speed(&self, description: &'static Description, driven: Driven, declared: Option<f64>) -> Result<f64, Stop> {

@@ -9,13 +9,12 @@ use crate::any::AnyMechanism;
 use crate::failure::{Failure, What};
 use crate::mobility::Mobility;
 use std::rc::Rc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What is driven is where it should be when less than this part of it is missing.
 const THERE: f64 = 1e-14;
 
 /// How a mechanism is driven.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Sweep {
     /// What is driven.
     pub driven: Driven,
@@ -29,8 +28,6 @@ pub struct Sweep {
     pub steps: usize,
     /// What is held where: a drive for each further degree of freedom.
     pub held: Vec<(Driven, f64)>,
-    /// Ends the sweep with what it has once it is set.
-    pub interrupt: Option<&'static AtomicBool>,
 }
 
 impl Sweep {
@@ -141,7 +138,6 @@ impl<'s> Followed<'s> {
     fn follow(&mut self, mut from: Point, search: &mut Search<'s>) -> Result<(), Failure> {
         let (path, end, mut length) = (self.path, self.sweep.parameter(self.sweep.steps), f64::INFINITY);
         loop {
-            self.check_interrupt(&from)?;
             let piece = Rc::new(path.next(&from, &mut length)?);
             self.record(&piece)?;
             // The curve may begin before the sweep does.
@@ -166,19 +162,10 @@ impl<'s> Followed<'s> {
         }
     }
 
-    fn check_interrupt(&self, at: &Point) -> Result<(), Failure> {
-        if !self.sweep.interrupt.is_some_and(|interrupt| interrupt.load(Ordering::Relaxed)) {
-            return Ok(());
-        }
-        let (system, (q, p)) = (self.path.system, self.path.place(&at.z));
-        Err(system.mechanism.failure(What::Interrupted, system.time(p), &q))
-    }
-
     /// The rows in a step.
     fn record(&mut self, piece: &Piece) -> Result<(), Failure> {
         let reached = piece.limit.map_or_else(|| self.path.reached(piece), |x| self.path.at(piece, x).1);
         while self.motion.len() <= self.sweep.steps && self.sweep.parameter(self.motion.len()) <= reached {
-            self.check_interrupt(&piece.from)?;
             let p = self.sweep.parameter(self.motion.len());
             match self.path.motion(piece, self.path.locate(piece, p), p) {
                 Ok(motion) => self.motion.push(motion),

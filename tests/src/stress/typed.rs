@@ -64,7 +64,7 @@ impl<M: Mechanism> Form for Typed<M> {
         let (mechanism, start) = declared::<M>(parameters);
         let [from, to, speed] = span;
         let driven = first_angle(const { &M::DESCRIPTION }).unwrap_or(Driven::Coordinate(0));
-        let sweep = Sweep { driven, from, to, speed, steps: rows, held: vec![], interrupt: None };
+        let sweep = Sweep { driven, from, to, speed, steps: rows, held: vec![] };
         caught(|| {
             let swept = kinematics(mechanism, &start, &sweep)?;
             if let Some(failure) = swept.trajectory.failure {
