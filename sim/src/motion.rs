@@ -6,7 +6,7 @@ use crate::measures::Measures;
 use crate::partition::Partition;
 use crate::project::{by_mass, project, project_measured, rates, smallest_by_inertia};
 use crate::settings::Stabilisation;
-use crate::singular::{AT, BESIDE, IN, weakest_constraint};
+use crate::singular::weakest_constraint;
 use crate::trajectory::{Sample, State};
 use crate::velocity_variables::{determine_speeds, has_generalized_speeds};
 use sim_kernel::{Array, Mechanism};
@@ -200,19 +200,9 @@ impl<'m, M: Mechanism> Motion<'m, M> {
         if self.measures.is_redundant() { sine / self.widest.get() } else { sine }
     }
 
-    /// Whether that state was known better before it was kept, so near is a singular position.
-    pub(crate) fn is_at_singularity(&self) -> bool {
-        self.relative(self.least_sine()) < AT
-    }
-
-    /// Whether rounding leaves nothing of reactions there.
-    pub(crate) fn is_in_singularity(&self) -> bool {
-        self.relative(self.least_sine()) < IN
-    }
-
-    /// Whether accelerations there may be known better by those along the motion.
-    pub(crate) fn is_beside_singularity(&self) -> bool {
-        self.relative(self.least_sine()) < BESIDE
+    /// The [`least_sine`](Motion::least_sine), as it counts.
+    pub(crate) fn relative_sine(&self) -> f64 {
+        self.relative(self.least_sine())
     }
 
     /// Has states inside a step brought onto the constraints too, or no longer.

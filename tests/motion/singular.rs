@@ -243,6 +243,42 @@ fn steps_do_not_end_where_the_motion_is_not_determined() {
     }
 }
 
+/// The largest difference of a parallelogram's accelerations from those of its crank alone, relative to the largest of these.
+fn accelerations_off(settings: &Settings, start: f64) -> f64 {
+    let run = run_with(Parallelogram { start, ..Default::default() }, settings).unwrap();
+    let exact = Settings { rows: settings.rows, ..Settings::adaptive(Method::Dop853, settings.end, 1e-13) };
+    let alone = run_with(ParallelogramAlone { start, ..Default::default() }, &exact).unwrap();
+    assert_eq!((&run.trajectory.failure, run.trajectory.samples.len()), (&None, alone.trajectory.samples.len()));
+    let (mut worst, mut largest) = (0.0f64, 0.0f64);
+    for (sample, alone) in run.trajectory.samples.iter().zip(&alone.trajectory.samples) {
+        let expected = [alone.accelerations[0], 0.0, alone.accelerations[0]];
+        worst = sample.accelerations.iter().zip(expected).fold(worst, |worst, (a, b)| worst.max((a - b).abs()));
+        largest = largest.max(alone.accelerations[0].abs());
+    }
+    worst / largest
+}
+
+/// What is known from one side of a flat position alone, at the end of a run, would be known badly.
+#[test]
+fn runs_end_and_begin_beside_singular_positions() {
+    let long = Settings::adaptive(Method::Dop853, 0.5, 1e-12);
+    let flat = run_with(Parallelogram::default(), &long).unwrap().steps.singularities[0].time;
+    let mut worst = [0.0f64; 2];
+    for method in [Method::Dop853, Method::Dopri5] {
+        for stabilisation in [Stabilisation::Projection, Stabilisation::MassProjection, Stabilisation::Partitioning] {
+            for aside in [-1e-1, -1e-2, 1e-2, 1e-1] {
+                let rows = Rows::Even(50);
+                let until = |end: f64| Settings { stabilisation, rows, ..Settings::adaptive(method, end, 1e-11) };
+                worst[0] = worst[0].max(accelerations_off(&until(flat + aside / 100.0), 1.0));
+                worst[1] = worst[1].max(accelerations_off(&until(0.1), PI + aside));
+            }
+        }
+    }
+    println!("at the end {:.1e}, at the start {:.1e}", worst[0], worst[1]);
+    // A hundred times the tolerance at the end; at the start rounding over the cube of the sine, 3e-3.
+    assert!(worst[0] < 1e-9 && worst[1] < 1e-7, "{worst:?}");
+}
+
 /// A bead cannot go on beyond a cusp: the run ends there, says why, and keeps what it has.
 #[test]
 fn a_cusp_ends_the_run_with_an_explanation() {

@@ -26,7 +26,7 @@ use crate::failure::{Failure, What};
 use crate::gimbal;
 use crate::motion::Motion;
 use crate::settings::{Stepping, Tolerance};
-use crate::singular::{Singularity, weakest_constraint};
+use crate::singular::{AT, Singularity, weakest_constraint};
 use crate::trajectory::{Sample, State};
 use crate::velocity_variables::has_generalized_speeds;
 use control::{Controller, initial_step};
@@ -264,7 +264,7 @@ fn attempt<M: Mechanism>(
     motion.keep(&mut end)?;
     *to = motion.sample_in_place(end)?;
     let moved = |tolerance: &Tolerance| tolerance.norm(motion.measures(), &before, &end, &difference(&before, &end));
-    let most_moved = if motion.is_at_singularity() { MOST_MOVED_THERE } else { MOST_MOVED };
+    let most_moved = if motion.relative_sine() < AT { MOST_MOVED_THERE } else { MOST_MOVED };
     Ok(tolerance.map_or(error, |tolerance| error.max(moved(tolerance) / most_moved)))
 }
 

@@ -4,7 +4,7 @@ use super::method::Advance;
 use crate::failure::{Failure, What};
 use crate::motion::Motion;
 use crate::nearest::{Known, nearest_polynomial};
-use crate::singular::weakest_constraint;
+use crate::singular::{AT, BESIDE, IN, weakest_constraint};
 use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 
@@ -32,7 +32,7 @@ impl<M: Mechanism> Step<'_, M> {
     /// # Errors
     /// As the projection and the right-hand side.
     pub fn at(&mut self, time: f64) -> Result<State<M>, Failure> {
-        self.find(time).map(|found| if found.is_singular { found.interpolated } else { found.kept })
+        self.find(time).map(Inside::state)
     }
 
     /// The state at a time inside it with what follows from it. Beside a singular position the equations of motion determine
@@ -44,8 +44,9 @@ impl<M: Mechanism> Step<'_, M> {
     /// As the projection and the right-hand side.
     pub fn sample(&mut self, time: f64) -> Result<Sample<M>, Failure> {
         let found = self.find(time)?;
-        if !found.is_beside {
-            return self.motion.sample(found.kept);
+        let direct = self.motion.sample(found.kept);
+        if found.sine >= BESIDE {
+            return direct;
         }
         let fraction = self.fraction(time);
         let (accelerations, known_to) = self.accelerations_across(fraction)?;
@@ -53,22 +54,19 @@ impl<M: Mechanism> Step<'_, M> {
             let off = |i: usize| direct.accelerations[i] - accelerations[i];
             self.motion.measures().size(&M::Q::from_fn(off))
         };
-        match self.motion.sample(found.kept) {
-            Ok(direct) if off(&direct) <= known_to => return Ok(direct),
-            Ok(direct) if !found.is_singular => return Ok(Sample { accelerations, ..direct }),
-            Err(failure) if !found.is_singular => return Err(failure),
-            _ => {}
+        match direct {
+            Ok(direct) if off(&direct) <= known_to => Ok(direct),
+            Ok(direct) if found.sine >= IN => Ok(Sample { state: found.state(), accelerations, ..direct }),
+            Err(failure) if found.sine >= AT => Err(failure),
+            _ => {
+                let nearer = if fraction < 0.5 { self.from } else { self.reached };
+                Ok(Sample { state: found.state(), accelerations, ..*nearer })
+            }
         }
-        if let (Ok(direct), false) = (self.motion.sample(found.kept), found.is_lost) {
-            return Ok(Sample { state: found.interpolated, accelerations, ..direct });
-        }
-        let nearer = if fraction < 0.5 { self.from } else { self.reached };
-        Ok(Sample { state: found.interpolated, accelerations, ..*nearer })
     }
 
-    /// The accelerations at a fraction of this step that is at a singular position, by the polynomial nearest to those at
-    /// regular positions on both sides of it: along the motion they are smooth, and known the better the farther away. With it
-    /// about how well that knows them.
+    /// The accelerations at a fraction of this step that is beside a singular position, by the polynomial nearest to those in all
+    /// of it: along the motion they are smooth, and known the better the farther away. With it about how well that knows them.
     fn accelerations_across(&mut self, fraction: f64) -> Result<(M::Q, f64), Failure> {
         const LAST: usize = 10;
         let mut known = [Known { fraction: 0.0, weight: 0.0, values: self.from.accelerations }; LAST + 1];
@@ -105,18 +103,15 @@ impl<M: Mechanism> Step<'_, M> {
     fn find(&mut self, time: f64) -> Result<Inside<M>, Failure> {
         if time == self.to.state.time {
             let end = self.to.state;
-            return Ok(Inside { kept: end, interpolated: end, is_singular: false, is_beside: false, is_lost: false });
+            return Ok(Inside { kept: end, interpolated: end, sine: f64::INFINITY });
         }
         let mut kept = self.method.inside(self.motion, self.from, self.reached, self.fraction(time))?;
         kept.time = time;
         let interpolated = kept;
         match self.motion.keep(&mut kept) {
-            Ok(()) => {
-                let (is_singular, is_beside) = (self.motion.is_at_singularity(), self.motion.is_beside_singularity());
-                Ok(Inside { kept, interpolated, is_singular, is_beside, is_lost: self.motion.is_in_singularity() })
-            }
+            Ok(()) => Ok(Inside { kept, interpolated, sine: self.motion.relative_sine() }),
             Err(Failure { what: What::SingularPosition { .. }, .. }) => {
-                Ok(Inside { kept: interpolated, interpolated, is_singular: true, is_beside: true, is_lost: true })
+                Ok(Inside { kept: interpolated, interpolated, sine: 0.0 })
             }
             Err(failure) => Err(failure),
         }
@@ -129,10 +124,13 @@ struct Inside<M: Mechanism> {
     kept: State<M>,
     /// As the method has it.
     interpolated: State<M>,
-    /// Whether that is known better than what is on the constraints.
-    is_singular: bool,
-    /// Whether accelerations may be known better by those along the motion.
-    is_beside: bool,
-    /// Whether rounding leaves nothing of reactions.
-    is_lost: bool,
+    /// The smallest sine between a constraint and those before it.
+    sine: f64,
+}
+
+impl<M: Mechanism> Inside<M> {
+    /// The one that is known better.
+    fn state(self) -> State<M> {
+        if self.sine < AT { self.interpolated } else { self.kept }
+    }
 }
