@@ -67,6 +67,48 @@ fn crossings_of_even_order_are_named_and_no_row_is_left_out() {
     }
 }
 
+mechanism! {
+    /// Two parallelograms on one shaft, the second ahead by a small angle: each is flat a little after the other.
+    OneAheadOfTheOther;
+    coordinates { crank [rad]; coupler_a [rad]; rocker_a [rad]; coupler_b [rad]; rocker_b [rad]; }
+    parameters { a [m] = 0.2; b [m] = 0.6; ahead [rad] = 0.01; J [kg*m^2] = 0.1; }
+    let A = a*[cos(crank), sin(crank)];
+    let B = a*[cos(crank + ahead), sin(crank + ahead)];
+    bodies { shaft: inertia J, angle crank; one: inertia J, angle rocker_a; two: inertia J, angle rocker_b; }
+    constraints {
+        loop_a: A + b*[cos(coupler_a), sin(coupler_a)] = [b, 0] + a*[cos(rocker_a), sin(rocker_a)];
+        loop_b: B + b*[cos(coupler_b), sin(coupler_b)] = [b, 0] + a*[cos(rocker_b), sin(rocker_b)];
+    }
+    initial { crank = 0.5; dot(crank) = 1; guess coupler_a = 0; guess rocker_a = 0.5; guess coupler_b = 0; guess rocker_b = 0.5; }
+}
+
+/// Rows between two crossings and beside them have all their digits, however near the two are.
+#[test]
+fn crossings_near_each_other_are_told_apart() {
+    let sizes = [(0.2, 0.6), (2e-4, 3e-4), (100.0, 150.0)];
+    for ((a, b), ahead) in sizes.into_iter().cycle().zip([1e-6, 1e-4, 0.01, 0.3]) {
+        let linkage = OneAheadOfTheOther { a, b, ahead, ..OneAheadOfTheOther::default() };
+        let found = driven(linkage, "crank", [2.5, 3.5], 1.0, 200);
+        assert_eq!((&found.trajectory.failure, found.values.len()), (&None, 201), "{ahead}");
+        let crossings = found.branches.iter().map(|branch| branch.value);
+        let expected = [PI - ahead, PI];
+        assert!(crossings.zip(expected).all(|(at, expected)| (at - expected).abs() < 1e-9), "{ahead}");
+        assert_eq!(found.branches.len(), 2, "{ahead}");
+        let mut worst = [0.0f64; 3];
+        let mut off = |k: usize, off: f64| worst[k] = worst[k].max(off.abs());
+        for sample in &found.trajectory.samples {
+            let [crank, coupler_a, rocker_a, coupler_b, rocker_b] = sample.state.positions;
+            let angles = [coupler_a, rocker_a - crank, coupler_b, rocker_b - crank - ahead];
+            angles.into_iter().for_each(|angle| off(0, angle));
+            sample.state.speeds.iter().zip([1.0, 0.0, 1.0, 0.0, 1.0]).for_each(|(u, expected)| off(1, u - expected));
+            sample.accelerations.iter().for_each(|acceleration| off(2, *acceleration));
+        }
+        println!("{ahead:.0e} rad: {worst:?}");
+        // Positions to rounding; speeds and accelerations are each solved from what is before them.
+        assert!(worst[0] < 1e-13 && worst[1] < 1e-12 && worst[2] < 1e-11, "{ahead}: {worst:?}");
+    }
+}
+
 /// The angle of the rocker on the branch to one side of the line from the crank pin to its pivot, and its distance to that line.
 fn rocker([a, b, c, d]: [f64; 4], crank: f64, side: f64) -> (f64, f64) {
     let (x, y) = (a * crank.cos() - d, a * crank.sin());
