@@ -7,7 +7,7 @@ use crate::events::Occurrence;
 use crate::failure::Failure;
 use crate::inertia::check_inertias;
 use crate::integrate::{
-    Advance, Course, DOPRI5, Dop853, EULER, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5, Steps, integrate,
+    Advance, Course, DOPRI5, Dop853, EULER, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5, Steps, first_sample, integrate,
 };
 use crate::measures::Measures;
 use crate::mobility::{Mobility, check_masses, mobility};
@@ -150,7 +150,7 @@ fn run_phases<M: Mechanism>(
         let span = settings.until(control.holds_until(settings.end), begin);
         let motion = Motion::new(&mechanism, settings.stabilisation, measures);
         motion.start(&state);
-        let ended = motion.sample(state).and_then(|sample| {
+        let ended = first_sample(&motion, state).and_then(|sample| {
             if is_phase {
                 recorder.start(&motion, sample)?;
             }

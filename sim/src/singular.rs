@@ -33,7 +33,7 @@ pub(crate) const AT: f64 = 0.01;
 pub(crate) const IN: f64 = 1e-3;
 /// Below this one accelerations may be known better by those on both sides, as they follow from positions and speeds that have
 /// been projected.
-pub(crate) const BESIDE: f64 = 0.03;
+pub(crate) const BESIDE: f64 = 0.1;
 /// A row of C_q that vanishes within this part of its length does so but for the error of what it was foretold from.
 const FORETOLD: f64 = 0.1;
 /// The same where it was found inside a step that was made.
@@ -42,6 +42,11 @@ const FOUND: f64 = 0.01;
 const DEPENDENT: f64 = 1e-9;
 /// How near before a singular position the step over it may start, in units of the longest.
 const APPROACH: f64 = 0.9;
+
+/// By how much such a step is made longer where its end would lie beside the next singular position, and what of the least
+/// sine is far enough.
+const LONGER: [f64; 5] = [1.0, 1.25, 1.5, 1.75, 2.0];
+const FAR_ENOUGH: f64 = 0.7;
 
 /// How far the sines at the ends of steps are foretold, in steps as long as the last.
 const FORESIGHT: f64 = 3.0;
@@ -85,9 +90,27 @@ pub(crate) fn look_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie
     let now = from.state.time;
     match singularity_ahead(motion, from, lie) {
         None => Ahead::Nothing,
-        Some((ahead, h)) if ahead <= lie.gap * h => Ahead::Over(now + ahead / lie.gap),
+        Some((ahead, h)) if ahead <= lie.gap * h => Ahead::Over(now + far_enough(motion, from, lie, ahead / lie.gap)),
         Some((ahead, h)) => Ahead::UpTo(now + ahead - APPROACH * lie.gap * h),
     }
+}
+
+/// How long a step over a singular position is made that ends beside the next one: over that too.
+fn far_enough<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie, length: f64) -> f64 {
+    let followed = Followed::at(motion, &from.state);
+    let least_sine = |longer: f64| {
+        let ahead = longer * length;
+        let parts = followed.parts(from.state.time + ahead, &foretold(&from.state, &from.accelerations, ahead));
+        (0..M::L::LEN).map(|row| followed.sine(row, &parts)).filter(|sine| *sine > 0.0).fold(f64::INFINITY, f64::min)
+    };
+    let is_far = |longer: &f64| least_sine(*longer) >= FAR_ENOUGH * lie.least_sine;
+    let best = || LONGER.into_iter().max_by(|a, b| least_sine(*a).total_cmp(&least_sine(*b)));
+    length * LONGER.into_iter().find(is_far).or_else(best).unwrap_or(1.0)
+}
+
+/// The positions so long after a state, foretold from positions, speeds and accelerations.
+pub(crate) fn foretold<M: Mechanism>(state: &State<M>, accelerations: &M::Q, ahead: f64) -> M::Q {
+    M::Q::from_fn(|i| state.positions[i] + ahead * (state.speeds[i] + ahead / 2.0 * accelerations[i]))
 }
 
 /// The time to the first singular position within about a step, foretold from positions, speeds and accelerations, and how
@@ -95,10 +118,7 @@ pub(crate) fn look_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie
 fn singularity_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie) -> Option<(f64, f64)> {
     let state = &from.state;
     let followed = Followed::at(motion, state);
-    let rows = |ahead: f64| {
-        let position = |i: usize| state.positions[i] + ahead * (state.speeds[i] + ahead / 2.0 * from.accelerations[i]);
-        followed.parts(state.time + ahead, &M::Q::from_fn(position))
-    };
+    let rows = |ahead: f64| followed.parts(state.time + ahead, &foretold(&from.state, &from.accelerations, ahead));
     let (here, next) = (rows(0.0), rows(lie.longest));
     let of_row = |row: usize| {
         let along = |rows: &M::LQ| inner(&rows[row], &here[row]);

@@ -55,6 +55,11 @@ impl<M: Mechanism> Crossing<M> {
         self.sines = [self.sines[1], motion.least_sine()];
     }
 
+    /// The smallest sine at the end of the last step.
+    pub(super) fn end_sine(&self, motion: &Motion<M>) -> f64 {
+        motion.relative(self.sines[1])
+    }
+
     /// Whether a singular position may lie within the next steps.
     pub(super) fn may_be_ahead(&self, motion: &Motion<M>) -> bool {
         may_be_ahead(self.sines.map(|sine| motion.relative(sine)))
@@ -124,7 +129,8 @@ impl<M: Mechanism> Crossing<M> {
 
     /// The step over a singular position that has been made.
     pub(super) fn step<'s>(&'s mut self, motion: &'s Motion<M>, [from, to]: [&'s Sample<M>; 2]) -> Step<'s, M> {
-        Step { motion, method: &mut self.method, from, to, reached: self.reached.as_ref().unwrap_or(to) }
+        let (end_sine, reached) = (self.end_sine(motion), self.reached.as_ref().unwrap_or(to));
+        Step { motion, method: &mut self.method, from, to, reached, end_sine }
     }
 }
 

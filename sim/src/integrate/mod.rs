@@ -1,5 +1,6 @@
 //! Integration step by step: each step is attempted by a method, projected, and shown to whoever watches.
 
+mod beside;
 mod control;
 mod crossing;
 mod dop853;
@@ -14,6 +15,7 @@ mod radau;
 mod step;
 mod tableau;
 
+pub(crate) use beside::first_sample;
 pub use dop853::Dop853;
 pub use dop853_tableau::DOP853;
 pub use explicit::ExplicitRungeKutta;
@@ -129,7 +131,7 @@ fn equal_steps<M: Mechanism>(
                     if is_near {
                         steps.note(motion, method, [from, to], 1)?;
                     }
-                    watch(&mut Step { motion, method, from, to, reached: to })?
+                    watch(&mut Step { motion, method, from, to, reached: to, end_sine: crossing.end_sine(motion) })?
                 }
             };
             if ended.is_break() {
@@ -188,7 +190,9 @@ fn adaptive_steps<M: Mechanism>(
                 steps.accepted += 1;
                 // These steps may be so long that nothing foretells what they pass.
                 steps.note(motion, method, [from, to], 1)?;
-                if watch(&mut Step { motion, method, from, to, reached: to })?.is_break() {
+                if watch(&mut Step { motion, method, from, to, reached: to, end_sine: crossing.end_sine(motion) })?
+                    .is_break()
+                {
                     return Ok(());
                 }
                 headway.comes(time - now);

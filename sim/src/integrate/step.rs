@@ -1,12 +1,12 @@
 //! A step that was made, and what is inside it.
 
+use super::beside::better_known;
 use super::method::Advance;
 use crate::failure::{Failure, What};
 use crate::motion::Motion;
-use crate::nearest::{Known, nearest_polynomial};
-use crate::singular::{AT, BESIDE, IN, weakest_constraint};
+use crate::singular::{AT, BESIDE, IN};
 use crate::trajectory::{Sample, State};
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::Mechanism;
 
 /// A step that was made.
 pub struct Step<'s, M: Mechanism> {
@@ -18,6 +18,8 @@ pub struct Step<'s, M: Mechanism> {
     pub to: &'s Sample<M>,
     /// Where the method has gone to: beyond the end where that lies beside a singular position.
     pub(super) reached: &'s Sample<M>,
+    /// The smallest sine between a constraint and those before it at its end.
+    pub(super) end_sine: f64,
     pub(super) method: &'s mut dyn Advance<M>,
 }
 
@@ -32,7 +34,7 @@ impl<M: Mechanism> Step<'_, M> {
     /// # Errors
     /// As the projection and the right-hand side.
     pub fn at(&mut self, time: f64) -> Result<State<M>, Failure> {
-        self.find(time).map(Inside::state)
+        self.find(time).map(|found| found.state())
     }
 
     /// The state at a time inside it with what follows from it. Beside a singular position the equations of motion determine
@@ -44,51 +46,20 @@ impl<M: Mechanism> Step<'_, M> {
     /// As the projection and the right-hand side.
     pub fn sample(&mut self, time: f64) -> Result<Sample<M>, Failure> {
         let found = self.find(time)?;
-        let direct = self.motion.sample(found.kept);
+        let direct = if time == self.to.state.time { Ok(*self.to) } else { self.motion.sample(found.kept) };
         if found.sine >= BESIDE {
             return direct;
         }
-        let fraction = self.fraction(time);
-        let (accelerations, known_to) = self.accelerations_across(fraction)?;
-        let off = |direct: &Sample<M>| {
-            let off = |i: usize| direct.accelerations[i] - accelerations[i];
-            self.motion.measures().size(&M::Q::from_fn(off))
+        let nearer = if self.fraction(time) < 0.5 { self.from } else { self.reached };
+        let known = direct.as_ref().ok().map(|direct| direct.accelerations);
+        let Some(accelerations) = better_known(self.motion, found.state(), nearer.accelerations, known) else {
+            return direct;
         };
         match direct {
-            Ok(direct) if off(&direct) <= known_to => Ok(direct),
             Ok(direct) if found.sine >= IN => Ok(Sample { state: found.state(), accelerations, ..direct }),
             Err(failure) if found.sine >= AT => Err(failure),
-            _ => {
-                let nearer = if fraction < 0.5 { self.from } else { self.reached };
-                Ok(Sample { state: found.state(), accelerations, ..*nearer })
-            }
+            _ => Ok(Sample { state: found.state(), accelerations, ..*nearer }),
         }
-    }
-
-    /// The accelerations at a fraction of this step that is beside a singular position, by the polynomial nearest to those in all
-    /// of it: along the motion they are smooth, and known the better the farther away. With it about how well that knows them.
-    fn accelerations_across(&mut self, fraction: f64) -> Result<(M::Q, f64), Failure> {
-        const LAST: usize = 10;
-        let mut known = [Known { fraction: 0.0, weight: 0.0, values: self.from.accelerations }; LAST + 1];
-        let mut count = 0;
-        for k in 0..=LAST {
-            let fraction = k as f64 / LAST as f64;
-            let (state, accelerations) = match k {
-                0 => (self.from.state, self.from.accelerations),
-                LAST => (self.reached.state, self.reached.accelerations),
-                _ => {
-                    let state = self.find(self.from.state.time + fraction * self.made())?.kept;
-                    let Ok(sample) = self.motion.sample(state) else { continue };
-                    (state, sample.accelerations)
-                }
-            };
-            let sine = weakest_constraint(self.motion, &state).map_or(1.0, |(_, sine)| sine);
-            // Rounding is amplified by the inverse square of the sine.
-            known[count] = Known { fraction, weight: sine.powi(4), values: accelerations };
-            count += 1;
-        }
-        let size = |change: &M::Q| self.motion.measures().size(change);
-        Ok(nearest_polynomial(&known[..count], fraction, size))
     }
 
     /// How long a step the method has made, in seconds.
@@ -103,7 +74,7 @@ impl<M: Mechanism> Step<'_, M> {
     fn find(&mut self, time: f64) -> Result<Inside<M>, Failure> {
         if time == self.to.state.time {
             let end = self.to.state;
-            return Ok(Inside { kept: end, interpolated: end, sine: f64::INFINITY });
+            return Ok(Inside { kept: end, interpolated: end, sine: self.end_sine });
         }
         let mut kept = self.method.inside(self.motion, self.from, self.reached, self.fraction(time))?;
         kept.time = time;
@@ -130,7 +101,7 @@ struct Inside<M: Mechanism> {
 
 impl<M: Mechanism> Inside<M> {
     /// The one that is known better.
-    fn state(self) -> State<M> {
+    fn state(&self) -> State<M> {
         if self.sine < AT { self.interpolated } else { self.kept }
     }
 }

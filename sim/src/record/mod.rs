@@ -228,14 +228,13 @@ impl<M: Mechanism> Recorder<M> {
     fn record(&mut self, step: &mut Step<M>, until: f64) -> Result<(), Failure> {
         let Some(grid) = &mut self.grid else {
             if until == step.to.state.time {
-                self.samples.push(*step.to);
+                self.samples.push(step.sample(until)?);
             }
             return Ok(());
         };
         grid.prepare([step.from.state.time, until], &mut self.samples, &mut self.phases);
         while let Some(time) = grid.next_time().filter(|time| *time <= until) {
-            let sample = if time == step.to.state.time { *step.to } else { step.sample(time)? };
-            self.samples.push(sample);
+            self.samples.push(step.sample(time)?);
             grid.advance();
         }
         Ok(())
