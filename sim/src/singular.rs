@@ -43,9 +43,9 @@ const DEPENDENT: f64 = 1e-9;
 /// How near before a singular position the step over it may start, in units of the longest.
 const APPROACH: f64 = 0.9;
 
-/// By how much such a step is made longer where its end would lie beside the next singular position, and what of the least
-/// sine is far enough.
-const LONGER: [f64; 5] = [1.0, 1.25, 1.5, 1.75, 2.0];
+/// By how much such a step is made longer where its end would lie beside the next singular position, or beside this one, as
+/// that lies just ahead; and what of the least sine is far enough.
+const LONGER: [f64; 9] = [1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 5.0, 16.0, 64.0];
 const FAR_ENOUGH: f64 = 0.7;
 
 /// How far the sines at the ends of steps are foretold, in steps as long as the last.
@@ -95,7 +95,7 @@ pub(crate) fn look_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie
     }
 }
 
-/// How long a step over a singular position is made that ends beside the next one: over that too.
+/// How long a step over a singular position is made: its end lies beside none.
 fn far_enough<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie, length: f64) -> f64 {
     let followed = Followed::at(motion, &from.state);
     let least_sine = |longer: f64| {

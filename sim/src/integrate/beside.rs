@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::motion::Motion;
 use crate::nearest::{Known, MOST_KNOWN, nearest_polynomial};
 use crate::project::{inner, project};
-use crate::singular::{BESIDE, Followed, foretold};
+use crate::singular::{BESIDE, Followed, foretold, weakest_constraint};
 use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 use std::f64::consts::PI;
@@ -98,14 +98,17 @@ pub(super) fn better_known<M: Mechanism>(
 }
 
 /// The sample that a motion starts with: where that is beside a singular position, with the accelerations that are known better.
+/// The motion then takes note of how long rows of C_q are around it.
 ///
 /// # Errors
 /// As the right-hand side.
 pub(crate) fn first_sample<M: Mechanism>(motion: &Motion<M>, state: State<M>) -> Result<Sample<M>, Failure> {
     let direct = motion.sample(state)?;
-    let is_beside = |around: Around<M>| around.least_sine(&state) < BESIDE;
-    if !Around::new(motion, state, direct.accelerations).is_some_and(is_beside) {
-        return Ok(direct);
+    let is_beside = |around: &Around<M>| around.least_sine(&state) < BESIDE;
+    let Some(around) = Around::new(motion, state, direct.accelerations).filter(is_beside) else { return Ok(direct) };
+    for ahead in [-around.reach, around.reach] {
+        let positions = foretold(&state, &direct.accelerations, ahead);
+        weakest_constraint(motion, &State { time: state.time + ahead, positions, ..state });
     }
     let better = better_known(motion, state, direct.accelerations, Some(direct.accelerations));
     Ok(Sample { accelerations: better.unwrap_or(direct.accelerations), ..direct })

@@ -38,7 +38,7 @@ impl<M: Mechanism> Step<'_, M> {
     }
 
     /// The state at a time inside it with what follows from it. Beside a singular position the equations of motion determine
-    /// that badly, and in it not at all: there accelerations are those that regular positions of the step make likely, unless
+    /// that badly, and in it not at all: there accelerations are those that regular positions on both sides make likely, unless
     /// that is known no better. Reactions, which may have a pole, and power are what the equations give; where these are lost in
     /// rounding, those of the nearer end.
     ///
