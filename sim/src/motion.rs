@@ -205,6 +205,11 @@ impl<'m, M: Mechanism> Motion<'m, M> {
         self.relative(self.least_sine())
     }
 
+    /// Whether states are brought onto the constraints at all.
+    pub(crate) fn keeps_constraints(&self) -> bool {
+        !matches!(self.stabilisation, Stabilisation::Baumgarte(_) | Stabilisation::None)
+    }
+
     /// Has states inside a step brought onto the constraints too, or no longer.
     pub(crate) fn keep_stages(&self, keeps: bool) {
         self.keeps_stages

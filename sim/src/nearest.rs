@@ -5,7 +5,7 @@ use sim_kernel::Array;
 /// So many values are looked at, at most.
 pub(crate) const MOST_KNOWN: usize = 12;
 
-/// Values at a fraction of a step, with the inverse of their variance.
+/// Values at a fraction of an interval, with the inverse of their variance.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Known<A> {
     pub(crate) fraction: f64,

@@ -2,7 +2,7 @@
 //!
 //! Branches of the configuration space cross there. Speeds do not jump, so the motion goes straight on along its own; but
 //! with s the sine of the angle between a row of C_q and those before it, rounding of positions is amplified by 1/s and
-//! that of speeds by 1/s^2. Steps are therefore laid so that such a position falls between stages and far from all of them.
+//! that of speeds by 1/s^2. Steps are therefore laid so that such a position falls between stages.
 //!
 //! Sines are taken of C_q D: each coordinate is counted in what it is measured by, so that they are the same for a linkage of
 //! 1 mm and for one of 100 m.
@@ -43,10 +43,13 @@ const DEPENDENT: f64 = 1e-9;
 /// How near before a singular position the step over it may start, in units of the longest.
 const APPROACH: f64 = 0.9;
 
-/// By how much such a step is made longer where its end would lie beside the next singular position, or beside this one, as
-/// that lies just ahead; and what of the least sine is far enough.
-const LONGER: [f64; 9] = [1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 5.0, 16.0, 64.0];
+/// By what a step over a singular position is made longer if its end would lie beside the next one, or beside this one as that
+/// is just ahead: they keep it away from stages.
+const LONGER: [f64; 8] = [1.25, 1.6, 1.75, 2.1, 2.8, 5.3, 16.0, 64.0];
+/// What of the least sine is far enough at its end.
 const FAR_ENOUGH: f64 = 0.7;
+/// By how much a sine that is not must be larger at another end, for the step to be made longer.
+const MUCH_FARTHER: f64 = 2.0;
 
 /// How far the sines at the ends of steps are foretold, in steps as long as the last.
 const FORESIGHT: f64 = 3.0;
@@ -95,7 +98,7 @@ pub(crate) fn look_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie
     }
 }
 
-/// How long a step over a singular position is made: its end lies beside none.
+/// How long a step over a singular position is made, so that its end is far enough from any.
 fn far_enough<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie, length: f64) -> f64 {
     let followed = Followed::at(motion, &from.state);
     let least_sine = |longer: f64| {
@@ -103,9 +106,17 @@ fn far_enough<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie, len
         let parts = followed.parts(from.state.time + ahead, &foretold(&from.state, &from.accelerations, ahead));
         (0..M::L::LEN).map(|row| followed.sine(row, &parts)).filter(|sine| *sine > 0.0).fold(f64::INFINITY, f64::min)
     };
-    let is_far = |longer: &f64| least_sine(*longer) >= FAR_ENOUGH * lie.least_sine;
-    let best = || LONGER.into_iter().max_by(|a, b| least_sine(*a).total_cmp(&least_sine(*b)));
-    length * LONGER.into_iter().find(is_far).or_else(best).unwrap_or(1.0)
+    let mut best = (1.0, least_sine(1.0));
+    for longer in LONGER {
+        if best.1 >= FAR_ENOUGH * lie.least_sine {
+            break;
+        }
+        let sine = least_sine(longer);
+        if sine >= MUCH_FARTHER * best.1 {
+            best = (longer, sine);
+        }
+    }
+    best.0 * length
 }
 
 /// The positions so long after a state, foretold from positions, speeds and accelerations.

@@ -68,7 +68,7 @@ fn crossings_of_even_order_are_named_and_no_row_is_left_out() {
 }
 
 mechanism! {
-    /// Two parallelograms on one shaft, the second ahead by a small angle: each is flat a little after the other.
+    /// Two parallelograms on one shaft, the second ahead by a small angle: it is flat a little before the first.
     OneAheadOfTheOther;
     coordinates { crank [rad]; coupler_a [rad]; rocker_a [rad]; coupler_b [rad]; rocker_b [rad]; }
     parameters { a [m] = 0.2; b [m] = 0.6; ahead [rad] = 0.01; J [kg*m^2] = 0.1; }
@@ -82,7 +82,7 @@ mechanism! {
     initial { crank = 0.5; dot(crank) = 1; guess coupler_a = 0; guess rocker_a = 0.5; guess coupler_b = 0; guess rocker_b = 0.5; }
 }
 
-/// Rows between two crossings and beside them have all their digits, however near the two are.
+/// Rows between two crossings and beside them are as good as others, however near the two are.
 #[test]
 fn crossings_near_each_other_are_told_apart() {
     let sizes = [(0.2, 0.6), (2e-4, 3e-4), (100.0, 150.0)];

@@ -9,32 +9,29 @@ use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 use std::f64::consts::PI;
 
-/// How far is looked to both sides, in what coordinates are measured by.
+/// How far to look to either side, in the measures of the coordinates.
 const REACH: f64 = 0.25;
-
-/// What projection moves by more than this part of that may lie on another branch.
+/// A node that projection moves by more than this fraction of REACH may be on another branch.
 const ASTRAY: f64 = 0.1;
-
-/// What lies to both sides of a state, as far as is looked.
+/// How well smooth accelerations are known by their neighbourhood, relative to what they are or centripetal ones would be: near a
+/// dead point, which is no crossing, they are not smooth.
+const SMOOTH: f64 = 1e-7;
+/// The neighbourhood of a state.
 struct Around<'a, 'm, M: Mechanism> {
     motion: &'a Motion<'m, M>,
     followed: Followed<'a, 'm, M>,
-    /// The state and the accelerations that foretell what lies around it.
-    centre: (State<M>, M::Q),
-    /// In seconds.
+    state: State<M>,
+    /// Those that foretell it.
+    accelerations: M::Q,
+    /// How far it extends to either side, in seconds.
     reach: f64,
-    /// The squares of the longest that the independent part of each row of C_q D is there.
+    /// The largest squared length in it of the independent part of each row of C_q D.
     longest: M::L,
 }
 
 impl<'a, 'm, M: Mechanism> Around<'a, 'm, M> {
-    /// Nothing where nothing moves.
-    fn new(motion: &'a Motion<'m, M>, state: State<M>, accelerations: M::Q) -> Option<Around<'a, 'm, M>> {
-        let [speed, acceleration] = [state.speeds, accelerations].map(|rates| motion.measures().size(&rates));
-        let reach = (REACH / speed).min((REACH / acceleration).sqrt());
-        if M::L::LEN == 0 || !reach.is_finite() {
-            return None;
-        }
+    /// The neighbourhood of a state up to a distance in seconds, foretold from these accelerations.
+    fn new(motion: &'a Motion<'m, M>, state: State<M>, accelerations: M::Q, reach: f64) -> Around<'a, 'm, M> {
         let followed = Followed::at(motion, &state);
         let squares = |ahead: f64| {
             let parts = followed.parts(state.time + ahead, &foretold(&state, &accelerations, ahead));
@@ -42,74 +39,105 @@ impl<'a, 'm, M: Mechanism> Around<'a, 'm, M> {
         };
         let [before, here, after] = [-reach, 0.0, reach].map(squares);
         let longest = M::L::from_fn(|row| before[row].max(here[row]).max(after[row]));
-        Some(Around { motion, followed, centre: (state, accelerations), reach, longest })
+        Around { motion, followed, state, accelerations, reach, longest }
     }
 
-    /// The smallest sine of the angle between a row of C_q D and those before it; rows count beside the longest around.
+    /// The smallest sine of the angle between a row of C_q D and those before it; rows count relative to the longest in the
+    /// neighbourhood.
     fn least_sine(&self, state: &State<M>) -> f64 {
         let parts = self.followed.parts(state.time, &state.positions);
         let sine = |row: usize| (inner(&parts[row], &parts[row]) / self.longest[row]).sqrt();
-        (0..M::L::LEN).map(sine).filter(|sine| *sine > 0.0).fold(f64::INFINITY, f64::min)
+        (0..M::L::LEN).filter(|row| self.longest[*row] > 0.0).map(sine).fold(f64::INFINITY, f64::min)
     }
 
-    /// The accelerations at the state, by the polynomial nearest to those around it: along the branch they are smooth, and known
-    /// the better the farther from the singular position. With it about how well that knows them. States to both sides need not
-    /// be those of the motion, but lie on its branch.
-    fn accelerations(&self) -> (M::Q, f64) {
-        let (state, accelerations) = &self.centre;
-        let mut known = [Known { fraction: 0.0, weight: 0.0, values: *accelerations }; MOST_KNOWN];
+    /// The polynomial nearest to the accelerations in the neighbourhood: along the branch they are smooth, and known the better
+    /// the farther from the singular position. With it about how well that knows them. The states there need not be those of
+    /// the motion, but lie on its branch.
+    fn extrapolated(&self) -> (M::Q, f64) {
+        let (state, measures) = (&self.state, self.motion.measures());
+        let mut known = [Known { fraction: 0.0, weight: 0.0, values: self.accelerations }; MOST_KNOWN];
         let mut count = 0;
         for node in 0..MOST_KNOWN {
             // Chebyshev's, denser towards the ends.
             let fraction = ((node as f64 + 0.5) / MOST_KNOWN as f64 * PI).cos();
             let ahead = fraction * self.reach;
-            let mut there = State {
-                time: state.time + ahead,
-                positions: foretold(state, accelerations, ahead),
-                speeds: M::Q::from_fn(|i| state.speeds[i] + ahead * accelerations[i]),
-                ..*state
-            };
-            let guess = there.positions;
-            let kept = project(self.motion.mechanism(), self.motion.measures(), &mut there);
-            let moved = M::Q::from_fn(|i| there.positions[i] - guess[i]);
-            if self.motion.measures().size(&moved) > ASTRAY * REACH {
+            let guess = foretold(state, &self.accelerations, ahead);
+            let speeds = M::Q::from_fn(|i| state.speeds[i] + ahead * self.accelerations[i]);
+            let mut there = State { time: state.time + ahead, positions: guess, speeds, ..*state };
+            let kept = project(self.motion.mechanism(), measures, &mut there);
+            if measures.size(&M::Q::from_fn(|i| there.positions[i] - guess[i])) > ASTRAY * REACH {
                 continue;
             }
             let Ok(sample) = kept.and_then(|()| self.motion.sample(there)) else { continue };
             // Rounding is amplified by the inverse square of the sine.
-            known[count] = Known { fraction, weight: self.least_sine(&there).powi(4), values: sample.accelerations };
+            let weight = self.least_sine(&there).powi(4);
+            known[count] = Known { fraction, weight, values: sample.accelerations };
             count += 1;
         }
-        nearest_polynomial(&known[..count], 0.0, |change: &M::Q| self.motion.measures().size(change))
+        nearest_polynomial(&known[..count], 0.0, |change: &M::Q| measures.size(change))
     }
 }
 
-/// The accelerations that what lies around a state beside a singular position makes likely, where these are known better than
-/// those that the equations of motion give, if they do. `rough` ones foretell what lies around.
-pub(super) fn better_known<M: Mechanism>(
-    motion: &Motion<M>,
-    state: State<M>,
-    rough: M::Q,
-    direct: Option<M::Q>,
-) -> Option<M::Q> {
-    let (accelerations, known_to) = Around::new(motion, state, rough)?.accelerations();
-    let off = |direct: M::Q| motion.measures().size(&M::Q::from_fn(|i| direct[i] - accelerations[i]));
-    direct.is_none_or(|direct| off(direct) > known_to).then_some(accelerations)
+/// How far smooth accelerations may be extrapolated, in seconds. `None` if nothing moves, or if states are not brought onto the
+/// constraints.
+fn natural_reach<M: Mechanism>(motion: &Motion<M>, state: &State<M>, accelerations: &M::Q) -> Option<f64> {
+    let [speed, acceleration] = [&state.speeds, accelerations].map(|rates| motion.measures().size(rates));
+    let reach = (REACH / speed).min((REACH / acceleration).sqrt());
+    (M::L::LEN > 0 && motion.keeps_constraints() && reach.is_finite()).then_some(reach)
 }
 
-/// The sample that a motion starts with: where that is beside a singular position, with the accelerations that are known better.
-/// The motion then takes note of how long rows of C_q are around it.
+/// Accelerations at a state beside a singular position that are more accurate than those that the equations of motion give, if
+/// there are. `rough` ones foretell the neighbourhood, and over `resolved` seconds to both sides the motion is known to be
+/// smooth.
+pub(super) fn better_accelerations<M: Mechanism>(
+    motion: &Motion<M>,
+    state: State<M>,
+    direct: Option<M::Q>,
+    rough: M::Q,
+    resolved: f64,
+) -> Option<M::Q> {
+    let size = |rates: &M::Q| motion.measures().size(rates);
+    let reach = natural_reach(motion, &state, &rough)?;
+    let mut best = (rough, f64::INFINITY);
+    let scale = size(&rough) + size(&state.speeds).powi(2);
+    for reach in [reach.max(resolved), resolved].into_iter().filter(|reach| *reach > 0.0) {
+        let found = Around::new(motion, state, rough, reach).extrapolated();
+        if found.1 < best.1 && found.0.iter().all(|acceleration| acceleration.is_finite()) {
+            best = found;
+        }
+        if best.1 <= SMOOTH * scale {
+            break;
+        }
+    }
+    let (found, known_to) = best;
+    let is_better = |direct: M::Q| {
+        let off = size(&M::Q::from_fn(|i| direct[i] - found[i]));
+        known_to <= SMOOTH * scale && known_to < off
+    };
+    (known_to.is_finite() && direct.is_none_or(is_better)).then_some(found)
+}
+
+/// The sample that a motion starts with: beside a singular position with accelerations that are more accurate than those that
+/// the equations of motion give. The motion takes note of how long rows of C_q are.
 ///
 /// # Errors
 /// As the right-hand side.
 pub(crate) fn first_sample<M: Mechanism>(motion: &Motion<M>, state: State<M>) -> Result<Sample<M>, Failure> {
     let direct = motion.sample(state)?;
-    let is_beside = |around: &Around<M>| around.least_sine(&state) < BESIDE;
-    let Some(around) = Around::new(motion, state, direct.accelerations).filter(is_beside) else { return Ok(direct) };
-    for ahead in [-around.reach, around.reach] {
-        let positions = foretold(&state, &direct.accelerations, ahead);
-        weakest_constraint(motion, &State { time: state.time + ahead, positions, ..state });
+    let note = |state: State<M>| {
+        weakest_constraint(motion, &state);
+    };
+    note(state);
+    let Some(reach) = natural_reach(motion, &state, &direct.accelerations) else { return Ok(direct) };
+    let sine = Around::new(motion, state, direct.accelerations, reach).least_sine(&state);
+    if sine >= BESIDE {
+        return Ok(direct);
     }
-    let better = better_known(motion, state, direct.accelerations, Some(direct.accelerations));
-    Ok(Sample { accelerations: better.unwrap_or(direct.accelerations), ..direct })
+    for ahead in [-reach, reach] {
+        let positions = foretold(&state, &direct.accelerations, ahead);
+        note(State { time: state.time + ahead, positions, ..state });
+    }
+    let known = direct.accelerations;
+    let better = better_accelerations(motion, state, Some(known), known, 0.0);
+    Ok(Sample { accelerations: better.unwrap_or(known), ..direct })
 }

@@ -1,6 +1,6 @@
 //! A step that was made, and what is inside it.
 
-use super::beside::better_known;
+use super::beside::better_accelerations;
 use super::method::Advance;
 use crate::failure::{Failure, What};
 use crate::motion::Motion;
@@ -18,7 +18,7 @@ pub struct Step<'s, M: Mechanism> {
     pub to: &'s Sample<M>,
     /// Where the method has gone to: beyond the end where that lies beside a singular position.
     pub(super) reached: &'s Sample<M>,
-    /// The smallest sine between a constraint and those before it at its end.
+    /// The smallest sine between a constraint and those before it at `to`.
     pub(super) end_sine: f64,
     pub(super) method: &'s mut dyn Advance<M>,
 }
@@ -50,14 +50,15 @@ impl<M: Mechanism> Step<'_, M> {
         if found.sine >= BESIDE {
             return direct;
         }
+        if direct.is_err() && found.sine >= AT {
+            return direct;
+        }
         let nearer = if self.fraction(time) < 0.5 { self.from } else { self.reached };
         let known = direct.as_ref().ok().map(|direct| direct.accelerations);
-        let Some(accelerations) = better_known(self.motion, found.state(), nearer.accelerations, known) else {
-            return direct;
-        };
+        let better = better_accelerations(self.motion, found.state(), known, nearer.accelerations, self.made() / 2.0);
+        let Some(accelerations) = better else { return direct };
         match direct {
             Ok(direct) if found.sine >= IN => Ok(Sample { state: found.state(), accelerations, ..direct }),
-            Err(failure) if found.sine >= AT => Err(failure),
             _ => Ok(Sample { state: found.state(), accelerations, ..*nearer }),
         }
     }

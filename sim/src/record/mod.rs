@@ -187,7 +187,7 @@ impl<M: Mechanism> Recorder<M> {
         };
         let last = self.samples.last().map_or(self.begin, |sample| sample.state.time);
         match (&mut self.grid, state.time > last) {
-            (_, true) => self.push(step.motion.sample(state)?),
+            (_, true) => self.push(Sample { state, ..step.sample(state.time)? }),
             (Some(grid), false) => grid.keep_last(),
             (None, false) => {}
         }
