@@ -15,8 +15,8 @@ use sim_kernel::Mechanism;
 /// at. Where such a step is not good enough it is halved, at most so often.
 const LEAST_SINE: f64 = 0.1;
 const MOST_HALVINGS: i32 = 5;
-/// A step that is not shorter than this part of the one before it is as long as that.
-const SHORTER: f64 = 0.9;
+/// An error this large is not rounding's: the step is too long.
+const NOT_ROUNDING: f64 = 100.0;
 /// What such a step is good to at most. Rounding in its accelerations grows with the inverse cube of that sine.
 const TOLERANCE: f64 = 1.25e-12;
 
@@ -85,32 +85,29 @@ impl<M: Mechanism> Crossing<M> {
         tolerance: &Tolerance,
         steps: &mut Steps,
     ) -> Result<Way, Failure> {
-        let now = from.state.time;
-        let (mut lie, mut shortest) = (Lie { longest, gap: self.method.gap(), least_sine: LEAST_SINE }, f64::INFINITY);
-        let (mut possible, mut is_rounding) = (TOLERANCE, false);
-        while lie.least_sine >= LEAST_SINE * 0.5f64.powi(MOST_HALVINGS) {
+        let (mut halvings, mut shortened, mut longest) = (0, 0, longest);
+        while halvings <= MOST_HALVINGS {
+            let lie = Lie { longest, gap: self.method.gap(), least_sine: LEAST_SINE * 0.5f64.powi(halvings) };
+            let possible = TOLERANCE * 8f64.powi(halvings);
+            let absolute = tolerance.absolute.max(possible) * rate(motion, from).max(1.0);
+            let relaxed = Tolerance { relative: tolerance.relative.max(possible), absolute };
             let time = match look_ahead(motion, from, &lie) {
                 Ahead::Over(time) => time,
                 Ahead::UpTo(time) => return Ok(Way::UpTo(time)),
                 Ahead::Nothing => return Ok(Way::On),
             };
-            if is_rounding || time - now > SHORTER * shortest {
-                // As short as the least sine lets it be: what it lacks is rounding.
-                is_rounding = true;
-                lie.least_sine /= 2.0;
-                possible *= 8.0;
-            }
-            shortest = time - now;
-            let absolute = tolerance.absolute.max(possible) * rate(motion, from).max(1.0);
-            let relaxed = Tolerance { relative: tolerance.relative.max(possible), absolute };
             motion.keep_stages(true);
             let attempted = attempt(motion, &mut self.method, from, time, Some(&relaxed), to);
             motion.keep_stages(false);
             match attempted {
                 Ok(error) if error <= 1.0 => return self.check(motion, (from, to), end, steps),
-                _ => steps.rejected += 1,
+                Ok(error) if error > NOT_ROUNDING && shortened < MOST_HALVINGS => {
+                    longest /= 2.0;
+                    shortened += 1;
+                }
+                _ => halvings += 1,
             }
-            lie.longest /= 2.0;
+            steps.rejected += 1;
         }
         Ok(Way::On)
     }
