@@ -44,8 +44,8 @@ const DEPENDENT: f64 = 1e-9;
 const APPROACH: f64 = 0.9;
 
 /// By what a step over a singular position is made longer if its end would lie beside the next one, or beside this one as that
-/// is just ahead: they keep it away from stages.
-const LONGER: [f64; 8] = [1.25, 1.6, 1.75, 2.1, 2.8, 5.3, 16.0, 64.0];
+/// is just ahead: they keep it in wide gaps between stages.
+const LONGER: [f64; 4] = [1.25, 2.6, 18.0, 64.0];
 /// What of the least sine is far enough at its end.
 const FAR_ENOUGH: f64 = 0.7;
 /// By how much a sine that is not must be larger at another end, for the step to be made longer.

@@ -16,6 +16,7 @@ const ASTRAY: f64 = 0.1;
 /// How well smooth accelerations are known by their neighbourhood, relative to what they are or centripetal ones would be: near a
 /// dead point, which is no crossing, they are not smooth.
 const SMOOTH: f64 = 1e-6;
+
 /// The neighbourhood of a state.
 struct Around<'a, 'm, M: Mechanism> {
     motion: &'a Motion<'m, M>,

@@ -15,8 +15,10 @@ use sim_kernel::Mechanism;
 /// at. Where such a step is not good enough it is halved, at most so often.
 const LEAST_SINE: f64 = 0.1;
 const MOST_HALVINGS: i32 = 5;
-/// An error this large is not rounding's: the step is too long.
+/// An error this large is not rounding's: the step is too long, and is made shorter while that is possible, which is to at most
+/// this part of what it was.
 const NOT_ROUNDING: f64 = 100.0;
+const SHORTER: f64 = 0.9;
 /// What such a step is good to at most. Rounding in its accelerations grows with the inverse cube of that sine.
 const TOLERANCE: f64 = 1.25e-12;
 
@@ -85,7 +87,7 @@ impl<M: Mechanism> Crossing<M> {
         tolerance: &Tolerance,
         steps: &mut Steps,
     ) -> Result<Way, Failure> {
-        let (mut halvings, mut shortened, mut longest) = (0, 0, longest);
+        let (mut halvings, mut length, mut longest) = (0, f64::INFINITY, longest);
         while halvings <= MOST_HALVINGS {
             let lie = Lie { longest, gap: self.method.gap(), least_sine: LEAST_SINE * 0.5f64.powi(halvings) };
             let possible = TOLERANCE * 8f64.powi(halvings);
@@ -96,15 +98,14 @@ impl<M: Mechanism> Crossing<M> {
                 Ahead::UpTo(time) => return Ok(Way::UpTo(time)),
                 Ahead::Nothing => return Ok(Way::On),
             };
+            let (before, now) = (length, from.state.time);
+            length = time - now;
             motion.keep_stages(true);
             let attempted = attempt(motion, &mut self.method, from, time, Some(&relaxed), to);
             motion.keep_stages(false);
             match attempted {
                 Ok(error) if error <= 1.0 => return self.check(motion, (from, to), end, steps),
-                Ok(error) if error > NOT_ROUNDING && shortened < MOST_HALVINGS => {
-                    longest /= 2.0;
-                    shortened += 1;
-                }
+                Ok(error) if error > NOT_ROUNDING && length < SHORTER * before => longest /= 2.0,
                 _ => halvings += 1,
             }
             steps.rejected += 1;
