@@ -104,7 +104,7 @@ fn far_enough<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie, len
     let least_sine = |longer: f64| {
         let ahead = longer * length;
         let parts = followed.parts(from.state.time + ahead, &foretold(&from.state, &from.accelerations, ahead));
-        (0..M::L::LEN).map(|row| followed.sine(row, &parts)).filter(|sine| *sine > 0.0).fold(f64::INFINITY, f64::min)
+        followed.weakest(&parts).map_or(f64::INFINITY, |(_, sine)| sine)
     };
     let mut best = (1.0, least_sine(1.0));
     for longer in LONGER {
@@ -209,6 +209,12 @@ impl<'a, 'm, M: Mechanism> Followed<'a, 'm, M> {
         }
     }
 
+    /// The row nearest to depending on those before it, of those that do not everywhere, with its sine.
+    fn weakest(&self, parts: &M::LQ) -> Option<(usize, f64)> {
+        let sines = (0..M::L::LEN).map(|row| (row, self.sine(row, parts))).filter(|(_, sine)| *sine > 0.0);
+        sines.min_by(|(_, a), (_, b)| a.total_cmp(b))
+    }
+
     /// The constraint that a row is, or that has the largest part in it.
     fn constraint(&self, row: usize) -> &'static str {
         constraint_name::<M>(self.reduction.as_ref().map_or(row, |reduction| reduction.leading(row)))
@@ -257,8 +263,7 @@ pub(crate) fn weakest_constraint<M: Mechanism>(motion: &Motion<M>, state: &State
         let lengths = parts.iter().map(|part| inner(part, part).sqrt()).filter(|length| *length > 0.0);
         motion.widen(lengths.fold(f64::INFINITY, f64::min));
     }
-    let sines = (0..M::L::LEN).map(|row| (row, followed.sine(row, &parts))).filter(|(_, sine)| *sine > 0.0);
-    sines.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(row, sine)| (followed.constraint(row), sine))
+    followed.weakest(&parts).map(|(row, sine)| (followed.constraint(row), sine))
 }
 
 /// The part of each row that is orthogonal to those before it; zero for one that depends on them everywhere. The k-th row is

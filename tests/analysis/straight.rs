@@ -109,6 +109,25 @@ fn crossings_near_each_other_are_told_apart() {
     }
 }
 
+/// What is known of the motion beside a crossing is known from both sides of it, where the sweep begins or ends there too. These
+/// are of such lengths that the last step would be a short one.
+#[test]
+fn sweeps_begin_and_end_beside_crossings() {
+    let gap = 0.01;
+    for far in (0..10).map(|k| 0.15 + 0.002 * f64::from(k)) {
+        for range in [[FRAC_PI_2 - gap - far, FRAC_PI_2 - gap], [FRAC_PI_2 + gap, FRAC_PI_2 + gap + far]] {
+            let linkage = Parallelograms { l: 0.01, ..Parallelograms::default() };
+            let found = driven(linkage, "th_0", range, 1.0, 3);
+            assert_eq!((&found.trajectory.failure, found.values.len()), (&None, 4), "{range:?}");
+            let seconds = found.trajectory.samples.iter().flat_map(|sample| sample.accelerations);
+            let off = seconds.fold(0.0f64, |most, second| most.max(second.abs()));
+            println!("{range:?}: {off:e}");
+            // The equations alone give 4e-11: rounding is amplified by the inverse cube of the sine, which is about the gap.
+            assert!(off < 1e-11, "{off:e}");
+        }
+    }
+}
+
 /// The angle of the rocker on the branch to one side of the line from the crank pin to its pivot, and its distance to that line.
 fn rocker([a, b, c, d]: [f64; 4], crank: f64, side: f64) -> (f64, f64) {
     let (x, y) = (a * crank.cos() - d, a * crank.sin());

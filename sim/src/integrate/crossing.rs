@@ -150,7 +150,8 @@ fn rate<M: Mechanism>(motion: &Motion<M>, at: &Sample<M>) -> f64 {
 }
 
 impl Steps {
-    /// Notes the singular positions that a step has passed, each of so many parts of it at most one.
+    /// Notes the singular positions that a step has passed, each of so many parts of it at most one. A step looked at as a whole
+    /// is an ordinary one: most of them are told quickly to have passed none.
     pub(super) fn note<M: Mechanism>(
         &mut self,
         motion: &Motion<M>,

@@ -128,7 +128,19 @@ impl<'s> Path<'s> {
     /// # Errors
     /// [`What::NotFollowed`] if no step is small enough.
     pub(super) fn next(&self, from: &Point, length: &mut f64) -> Result<Piece, Failure> {
-        let mut tried = length.min(LONGEST_STEP).min(self.to_the_end(from));
+        let (longest, to_the_end) = (length.min(LONGEST_STEP), self.to_the_end(from));
+        let mut piece = self.followed(from, longest.min(to_the_end))?;
+        // What is known of the motion beside a crossing is known from both sides of it, beyond the end too.
+        if to_the_end < longest && piece.crossings.is_empty() && piece.to.condition >= NEAR {
+            piece = self.followed(from, longest).unwrap_or(piece);
+        }
+        *length = 1.5 * piece.length;
+        Ok(self.with_limit(piece))
+    }
+
+    /// A step of at most this length, or one over a crossing.
+    fn followed(&self, from: &Point, longest: f64) -> Result<Piece, Failure> {
+        let mut tried = longest;
         while tried > SMALLEST_STEP {
             let Some(piece) = self.step(from, tried, ALONG) else {
                 tried /= 2.0;
@@ -140,8 +152,7 @@ impl<'s> Path<'s> {
                 _ => Some(piece),
             };
             if let Some(piece) = found {
-                *length = 1.5 * piece.length;
-                return Ok(self.with_limit(piece));
+                return Ok(piece);
             }
             tried /= 2.0;
         }

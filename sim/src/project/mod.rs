@@ -291,6 +291,7 @@ fn factorise<M: Mechanism, R: Rows<M>>(
     })
 }
 
+/// Seldom needed: out of line it does not widen the loop that calls it.
 #[inline(never)]
 fn factorise_again<M: Mechanism, R: Rows<M>>(
     columns: &R::Jacobian,
