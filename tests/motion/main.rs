@@ -24,6 +24,7 @@ mod order;
 mod pendulum;
 mod quick_return;
 mod records;
+mod results;
 mod scaled;
 mod singular;
 mod singular_start;

@@ -1,0 +1,128 @@
+//! What each shipped model gives is what it was, to the last bit: `results.txt` has a line for its default run, for one with equal
+//! steps, and for an implicit one that keeps the constraints in another way. A commit that changes one says why. `cargo results`
+//! accepts all changes.
+
+use sim::{Mechanism, Method, Run, Settings, Stabilisation, Table};
+use std::fs;
+use std::path::PathBuf;
+use tests::run_with;
+
+/// What a run gave.
+#[derive(Clone, Debug, PartialEq)]
+struct Fingerprint {
+    /// Its model and settings.
+    run: String,
+    /// Of every number and name in its table.
+    hash: u64,
+    rows: usize,
+    /// Accepted steps and right-hand sides.
+    steps: u64,
+    evaluations: u64,
+    /// The last row, so that a change of it can be told.
+    last: Vec<f64>,
+}
+
+impl Fingerprint {
+    fn of<M: Mechanism>(run: &str, settings: &Settings) -> Fingerprint {
+        let found: Run<M> = run_with(M::defaults(), settings).unwrap();
+        let table = Table::of(&found.mechanism, &found.trajectory);
+        let mut hash = Fnv::new();
+        for column in &table.columns {
+            hash.add(column.header().as_bytes());
+            column.values.iter().for_each(|value| hash.add(&value.to_le_bytes()));
+        }
+        Fingerprint {
+            run: format!("{}:{run}", M::DESCRIPTION.name),
+            hash: hash.0,
+            rows: found.trajectory.samples.len(),
+            steps: found.steps.accepted,
+            evaluations: found.evaluations,
+            last: table.columns.iter().filter_map(|column| column.values.last().copied()).collect(),
+        }
+    }
+
+    fn line(&self) -> String {
+        let last: Vec<String> = self.last.iter().map(|value| format!("{value:e}")).collect();
+        let Fingerprint { run, hash, rows, steps, evaluations, .. } = self;
+        format!("{run} {hash:016x} rows {rows} steps {steps} evaluations {evaluations} last {}\n", last.join(" "))
+    }
+
+    fn parsed(line: &str) -> Fingerprint {
+        let words: Vec<&str> = line.split(' ').collect();
+        let number = |place: usize| words[place].parse::<u64>().unwrap();
+        Fingerprint {
+            run: words[0].to_owned(),
+            hash: u64::from_str_radix(words[1], 16).unwrap(),
+            rows: number(3) as usize,
+            steps: number(5),
+            evaluations: number(7),
+            last: words[9..].iter().map(|word| word.parse().unwrap()).collect(),
+        }
+    }
+
+    /// How it differs from another, if it does.
+    fn difference(&self, before: &Fingerprint) -> Option<String> {
+        let relative = |(new, old): (&f64, &f64)| (new - old).abs() / old.abs().max(f64::MIN_POSITIVE);
+        let largest = self.last.iter().zip(&before.last).map(relative).fold(0.0, f64::max);
+        let counts = |print: &Fingerprint| [print.rows as u64, print.steps, print.evaluations];
+        (self != before).then(|| {
+            let [new, old] = [self, before].map(counts);
+            format!(
+                "{}: rows, steps, evaluations {old:?} are {new:?}, the last row changes by {largest:.1e}\n",
+                self.run
+            )
+        })
+    }
+}
+
+/// FNV-1a, 64 bits (RFC 9923).
+struct Fnv(u64);
+
+impl Fnv {
+    fn new() -> Fnv {
+        Fnv(0xcbf2_9ce4_8422_2325)
+    }
+
+    fn add(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+}
+
+fn of_model<M: Mechanism>() -> [Fingerprint; 3] {
+    let implicit =
+        Settings { stabilisation: Stabilisation::Partitioning, ..Settings::adaptive(Method::Radau5, 0.5, 1e-6) };
+    [
+        Fingerprint::of::<M>("default", &Settings::new(2.0)),
+        Fingerprint::of::<M>("equal-steps", &Settings::equal_steps(Method::Rk4, 2.0, 500)),
+        Fingerprint::of::<M>("implicit", &implicit),
+    ]
+}
+
+macro_rules! fingerprints {
+    ($($model:ty),*) => { [$(of_model::<$model>()),*].concat() };
+}
+
+fn file() -> PathBuf {
+    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/motion/results.txt"))
+}
+
+#[test]
+fn shipped_models_give_the_same_bits() {
+    let text = fs::read_to_string(file()).unwrap();
+    let before: Vec<Fingerprint> = text.lines().map(Fingerprint::parsed).collect();
+    let now: Vec<Fingerprint> = models::all_models!(fingerprints);
+    let names = |prints: &[Fingerprint]| prints.iter().map(|print| print.run.clone()).collect::<Vec<_>>();
+    assert_eq!(names(&now), names(&before));
+    let differences: String = now.iter().zip(&before).filter_map(|(now, before)| now.difference(before)).collect();
+    assert!(differences.is_empty(), "{differences}`cargo results` accepts the changes");
+}
+
+/// Takes what is computed now as right.
+#[test]
+#[ignore = "writes what the other test compares with"]
+fn accept() {
+    let now: Vec<Fingerprint> = models::all_models!(fingerprints);
+    fs::write(file(), now.iter().map(Fingerprint::line).collect::<String>()).unwrap();
+}
