@@ -27,7 +27,7 @@ fn main() -> Result<(), Failure> {
     let mechanism = models::QuickReturn::default();
     let start = assemble(&mechanism, &declared_start(&mechanism))?;
     let measures = Measures::at(&mechanism, start.time, &start.positions);
-    let motion = Motion::new(&mechanism, Stabilisation::Projection, measures);
+    let motion = Motion::new(mechanism, Stabilisation::Projection, measures);
     let start = motion.sample(start)?;
     let course = Course { begin: 0.0, end: 2.0, stepping: Stepping::Equal(20_000), interrupt: None };
     let (mut steps, mut last) = (Steps::default(), start);

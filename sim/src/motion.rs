@@ -14,8 +14,8 @@ use std::cell::{Cell, RefCell};
 
 /// A mechanism in motion: its right-hand side, its stabilisation, and what they have been asked.
 #[derive(Debug)]
-pub struct Motion<'m, M: Mechanism> {
-    mechanism: &'m M,
+pub struct Motion<M: Mechanism> {
+    mechanism: M,
     prepared: M::Prepared,
     stabilisation: Stabilisation,
     partition: RefCell<Partition<M>>,
@@ -35,9 +35,9 @@ pub struct Motion<'m, M: Mechanism> {
     farthest_of_speeds: Cell<M::Q>,
 }
 
-impl<'m, M: Mechanism> Motion<'m, M> {
+impl<M: Mechanism> Motion<M> {
     /// The motion of a mechanism, kept on its constraints in this way, with what it is measured by.
-    pub fn new(mechanism: &'m M, stabilisation: Stabilisation, measures: Measures<M>) -> Motion<'m, M> {
+    pub fn new(mechanism: M, stabilisation: Stabilisation, measures: Measures<M>) -> Motion<M> {
         Motion {
             mechanism,
             prepared: mechanism.prepare(),
@@ -60,8 +60,8 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     }
 
     /// The mechanism.
-    pub fn mechanism(&self) -> &'m M {
-        self.mechanism
+    pub fn mechanism(&self) -> &M {
+        &self.mechanism
     }
 
     /// What its equations of motion need of the parameters.
@@ -93,11 +93,11 @@ impl<'m, M: Mechanism> Motion<'m, M> {
             state = self.brought_to_constraints(state)?;
         }
         let mut dynamics = match self.measures.is_redundant() {
-            false => solve_equations(self.mechanism, &self.prepared, state.time, &state.positions, &state.speeds)?,
-            true => accelerate_redundant(self.mechanism, &self.measures, state.time, state.positions, state.speeds)?,
+            false => solve_equations(&self.mechanism, &self.prepared, state.time, &state.positions, &state.speeds)?,
+            true => accelerate_redundant(&self.mechanism, &self.measures, state.time, state.positions, state.speeds)?,
         };
         if let Stabilisation::Baumgarte(rate) = self.stabilisation {
-            let push = baumgarte(self.mechanism, &self.measures, state, rate)?;
+            let push = baumgarte(&self.mechanism, &self.measures, state, rate)?;
             dynamics.accelerations = M::Q::from_fn(|i| dynamics.accelerations[i] - push[i]);
         }
         Ok(Sample::new(state, &dynamics, self.mechanism.inputs()))
@@ -107,8 +107,8 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     #[cold]
     fn brought_to_constraints(&self, mut state: State<M>) -> Result<State<M>, Failure> {
         let bring = |state: &mut State<M>| match self.stabilisation {
-            Stabilisation::Partitioning => self.partition.borrow().follow(self.mechanism, &self.measures, state),
-            _ => project(self.mechanism, &self.measures, state),
+            Stabilisation::Partitioning => self.partition.borrow().follow(&self.mechanism, &self.measures, state),
+            _ => project(&self.mechanism, &self.measures, state),
         };
         match self.is_in_generalized_speeds() {
             false => bring(&mut state)?,
@@ -170,15 +170,15 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     fn bring(&self, state: &mut State<M>) -> Result<(), Failure> {
         match self.stabilisation {
             Stabilisation::Projection => {
-                let closeness = project_measured(self.mechanism, &self.measures, state, &self.longest)?;
+                let closeness = project_measured(&self.mechanism, &self.measures, state, &self.longest)?;
                 self.closeness.set(closeness);
                 if self.measures.is_redundant() {
                     self.widen(1.0 / closeness.sqrt());
                 }
                 return Ok(());
             }
-            Stabilisation::MassProjection => by_mass(self.mechanism, &self.measures, state)?,
-            Stabilisation::Partitioning => self.partition.borrow().follow(self.mechanism, &self.measures, state)?,
+            Stabilisation::MassProjection => by_mass(&self.mechanism, &self.measures, state)?,
+            Stabilisation::Partitioning => self.partition.borrow().follow(&self.mechanism, &self.measures, state)?,
             Stabilisation::Baumgarte(_) | Stabilisation::None => {}
         }
         let sine = weakest_constraint(self, state).map_or(f64::INFINITY, |(_, sine)| sine);
@@ -249,13 +249,13 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     /// Makes ready for states near this one: chooses what is independent by it.
     pub fn start(&self, state: &State<M>) {
         if self.stabilisation == Stabilisation::Partitioning {
-            self.partition.borrow_mut().choose(self.mechanism, &self.measures, state.time, &state.positions);
+            self.partition.borrow_mut().choose(&self.mechanism, &self.measures, state.time, &state.positions);
         }
     }
 
     /// Chooses whether the step from a sample to a time is made in generalised speeds, if its method can.
     pub(crate) fn choose_velocity_variables(&self, from: &Sample<M>, time: f64, may_be_in_speeds: bool) {
-        let determine = || determine_speeds(self.mechanism, &self.measures, (from, time), &self.farthest_of_speeds);
+        let determine = || determine_speeds(&self.mechanism, &self.measures, (from, time), &self.farthest_of_speeds);
         self.is_in_speeds.set(may_be_in_speeds && determine());
     }
 
@@ -263,7 +263,7 @@ impl<'m, M: Mechanism> Motion<'m, M> {
     #[inline]
     pub fn prepare(&self, from: &Sample<M>, time: f64) {
         if self.stabilisation == Stabilisation::Partitioning {
-            self.partition.borrow_mut().renew(self.mechanism, &self.measures, from, time);
+            self.partition.borrow_mut().renew(&self.mechanism, &self.measures, from, time);
         }
     }
 }

@@ -76,7 +76,7 @@ pub fn poincare<M: Mechanism>(
         let mechanism = phase.map_or(mechanism, |phase| phase.mechanism);
         phases.extend(phase.map(|phase| Phase { first: samples.len(), ..*phase }));
         let measures = Measures::at(&mechanism, event.state.time, &event.state.positions);
-        samples.push(Motion::new(&mechanism, settings.stabilisation, measures).sample(event.state)?);
+        samples.push(Motion::new(mechanism, settings.stabilisation, measures).sample(event.state)?);
     }
     let states: Vec<At<f64>> = samples.iter().map(At::sample).collect();
     Ok(Section {

@@ -145,10 +145,10 @@ fn run_phases<M: Mechanism>(
             measures = Measures::with_mobility(&mechanism, state.time, &state.positions, &found);
         }
         mechanism = control.ask(mechanism, &state, |mechanism| {
-            Motion::new(mechanism, settings.stabilisation, measures).sample(state)
+            Motion::new(*mechanism, settings.stabilisation, measures).sample(state)
         })?;
         let span = settings.until(control.holds_until(settings.end), begin);
-        let motion = Motion::new(&mechanism, settings.stabilisation, measures);
+        let motion = Motion::new(mechanism, settings.stabilisation, measures);
         motion.start(&state);
         let ended = first_sample(&motion, state).and_then(|sample| {
             if is_phase {

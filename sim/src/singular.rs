@@ -150,14 +150,14 @@ fn singularity_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &L
 
 /// The rows of C_q D whose independence is followed: those declared, or where some are redundant, combinations of them that
 /// are not and that stay the same.
-pub(crate) struct Followed<'a, 'm, M: Mechanism> {
-    motion: &'a Motion<'m, M>,
+pub(crate) struct Followed<'a, M: Mechanism> {
+    motion: &'a Motion<M>,
     reduction: Option<Reduction<M>>,
 }
 
-impl<'a, 'm, M: Mechanism> Followed<'a, 'm, M> {
+impl<'a, M: Mechanism> Followed<'a, M> {
     /// Those at a state.
-    pub(crate) fn at(motion: &'a Motion<'m, M>, state: &State<M>) -> Followed<'a, 'm, M> {
+    pub(crate) fn at(motion: &'a Motion<M>, state: &State<M>) -> Followed<'a, M> {
         let measures = motion.measures();
         let reduction = measures.is_redundant().then(|| {
             let jacobian = motion.mechanism().constraint_jacobian(state.time, &state.positions);

@@ -96,7 +96,7 @@ fn ten_thousand_steps<A: Advance<QuickReturn>>(
     start: State<QuickReturn>,
 ) {
     let measures = Measures::at(mechanism, start.time, &start.positions);
-    let motion = Motion::new(mechanism, stabilisation, measures);
+    let motion = Motion::new(*mechanism, stabilisation, measures);
     motion.start(&start);
     let first = motion.sample(start).unwrap();
     let mut events = EventSearch::new(0.0);

@@ -94,7 +94,7 @@ fn error_inside<A: Advance<QuickReturn>>(mut method: A, h: f64) -> Pair {
     let mechanism = QuickReturn::default();
     let start = assemble(&mechanism, &declared_start(&mechanism)).unwrap();
     let measures = Measures::at(&mechanism, start.time, &start.positions);
-    let motion = Motion::new(&mechanism, Stabilisation::Projection, measures);
+    let motion = Motion::new(mechanism, Stabilisation::Projection, measures);
     let first = motion.sample(start).unwrap();
     let course = Course { begin: 0.0, end: h, stepping: Stepping::Equal(1), interrupt: None };
     let mut inside = Vec::new();

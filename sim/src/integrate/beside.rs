@@ -18,9 +18,9 @@ const ASTRAY: f64 = 0.1;
 const SMOOTH: f64 = 1e-6;
 
 /// The neighbourhood of a state.
-struct Around<'a, 'm, M: Mechanism> {
-    motion: &'a Motion<'m, M>,
-    followed: Followed<'a, 'm, M>,
+struct Around<'a, M: Mechanism> {
+    motion: &'a Motion<M>,
+    followed: Followed<'a, M>,
     state: State<M>,
     /// Those that foretell it.
     accelerations: M::Q,
@@ -30,9 +30,9 @@ struct Around<'a, 'm, M: Mechanism> {
     longest: M::L,
 }
 
-impl<'a, 'm, M: Mechanism> Around<'a, 'm, M> {
+impl<'a, M: Mechanism> Around<'a, M> {
     /// The neighbourhood of a state up to a distance in seconds, foretold from these accelerations.
-    fn new(motion: &'a Motion<'m, M>, state: State<M>, accelerations: M::Q, reach: f64) -> Around<'a, 'm, M> {
+    fn new(motion: &'a Motion<M>, state: State<M>, accelerations: M::Q, reach: f64) -> Around<'a, M> {
         let followed = Followed::at(motion, &state);
         let squares = |ahead: f64| {
             let parts = followed.parts(state.time + ahead, &foretold(&state, &accelerations, ahead));

@@ -1,6 +1,6 @@
 //! Steps over singular positions.
 
-use super::attempt;
+use super::attempt::attempt;
 use super::dop853::Dop853;
 use super::method::Advance;
 use super::{Step, Steps};

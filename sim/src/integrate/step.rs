@@ -11,7 +11,7 @@ use sim_kernel::Mechanism;
 /// A step that was made.
 pub struct Step<'s, M: Mechanism> {
     /// The motion.
-    pub motion: &'s Motion<'s, M>,
+    pub motion: &'s Motion<M>,
     /// Its start.
     pub from: &'s Sample<M>,
     /// Its end, on the constraints.

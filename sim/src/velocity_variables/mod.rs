@@ -51,7 +51,7 @@ impl<M: Mechanism> Integrated<M> {
 }
 
 /// Where speeds follow from velocity variables.
-impl<M: Mechanism> Motion<'_, M> {
+impl<M: Mechanism> Motion<M> {
     /// A state as what is integrated.
     #[inline(always)]
     pub(crate) fn integrated(&self, state: &State<M>) -> Integrated<M> {

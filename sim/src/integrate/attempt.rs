@@ -1,0 +1,68 @@
+//! One step that is attempted, and why it fails.
+
+use super::method::{Advance, Attempt};
+use crate::failure::{Failure, What};
+use crate::gimbal;
+use crate::motion::Motion;
+use crate::settings::Tolerance;
+use crate::singular::{AT, weakest_constraint};
+use crate::trajectory::{Sample, State};
+use crate::velocity_variables::has_generalized_speeds;
+use sim_kernel::{Array, Mechanism};
+
+/// How far projection may move the end of a step, in units of the tolerance: further is another branch of the motion.
+const MOST_MOVED: f64 = 1000.0;
+/// The same in a singular position, where rounding moves it.
+const MOST_MOVED_THERE: f64 = 1.0;
+
+/// The differences of positions and speeds.
+fn difference<M: Mechanism>(a: &State<M>, b: &State<M>) -> (M::Q, M::Q) {
+    (M::Q::from_fn(|i| a.positions[i] - b.positions[i]), M::Q::from_fn(|i| a.speeds[i] - b.speeds[i]))
+}
+
+/// One step, with its end on the constraints; gives the estimate of its error.
+#[inline]
+pub(super) fn attempt<M: Mechanism>(
+    motion: &Motion<M>,
+    method: &mut dyn Advance<M>,
+    from: &Sample<M>,
+    time: f64,
+    tolerance: Option<&Tolerance>,
+    to: &mut Sample<M>,
+) -> Result<f64, Failure> {
+    motion.prepare(from, time);
+    if has_generalized_speeds::<M>() {
+        motion.choose_velocity_variables(from, time, method.is_explicit());
+    }
+    let Attempt { mut end, error } = match method.step(motion, from, time, tolerance) {
+        Err(failure) if motion.falls_back(&failure) => method.step(motion, from, time, tolerance)?,
+        made => made?,
+    };
+    if !(error <= 1.0) {
+        return Ok(error);
+    }
+    let before = end;
+    motion.keep(&mut end)?;
+    *to = motion.sample_in_place(end)?;
+    let moved = |tolerance: &Tolerance| tolerance.norm(motion.measures(), &before, &end, &difference(&before, &end));
+    let most_moved = if motion.relative_sine() < AT { MOST_MOVED_THERE } else { MOST_MOVED };
+    Ok(tolerance.map_or(error, |tolerance| error.max(moved(tolerance) / most_moved)))
+}
+
+/// A constraint whose rows are this near to depending on others, as a sine, explains why a step fails.
+const NEARLY_SINGULAR: f64 = 1e-2;
+
+/// Why no step is small enough: a singular position, what the last attempt failed with, or the tolerance.
+pub(super) fn too_small<M: Mechanism>(motion: &Motion<M>, at: &State<M>, step: f64, cause: Option<Failure>) -> Failure {
+    let cause = cause.unwrap_or_else(|| Failure::at::<M>(What::StepTooSmall { step }, at.time, &at.positions));
+    gimbal::explained(explained(motion, at, cause), motion.mechanism(), at.time, &at.positions)
+}
+
+/// A failure that a singular position explains, as such.
+pub(super) fn explained<M: Mechanism>(motion: &Motion<M>, at: &State<M>, failure: Failure) -> Failure {
+    let has_reason = matches!(failure.what, What::NotFinite { .. } | What::Interrupted);
+    match weakest_constraint(motion, at).filter(|(_, sine)| !has_reason && *sine < NEARLY_SINGULAR) {
+        Some((constraint, _)) => Failure::at::<M>(What::SingularPosition { constraint }, at.time, &at.positions),
+        None => failure,
+    }
+}

@@ -1,0 +1,239 @@
+//! Steps, one after the other.
+
+use super::attempt::{attempt, explained, too_small};
+use super::control::{Controller, initial_step};
+use super::crossing::{Crossing, Way};
+use super::headway::Headway;
+use super::method::Advance;
+use super::{Course, Step, Steps};
+use crate::failure::{Failure, What};
+use crate::motion::Motion;
+use crate::settings::{Stepping, Tolerance};
+use crate::trajectory::Sample;
+use sim_kernel::Mechanism;
+use std::sync::atomic::Ordering;
+
+/// What steps over singular positions are good to between equal steps.
+const EXACT: Tolerance = Tolerance::new(1e-12);
+
+/// How far a motion has come, and how long its next step may be.
+pub(crate) struct Stepper<M: Mechanism> {
+    course: Course,
+    /// Both ends of a step stay where they are, and the next one starts where the last ended.
+    ends: [Sample<M>; 2],
+    /// Which of them is the start of the last step.
+    from: usize,
+    last: Option<Made>,
+    crossing: Crossing<M>,
+    pace: Pace,
+}
+
+/// How the last step was made.
+#[derive(Clone, Copy, PartialEq)]
+enum Made {
+    /// By the method.
+    Normally,
+    /// Over a singular position.
+    Across,
+}
+
+/// How long steps are.
+enum Pace {
+    /// The so-many-th of equal ones is the next.
+    Equal { count: usize, step: usize },
+    /// As long as the tolerance allows.
+    Adaptive(Adaptive),
+}
+
+struct Adaptive {
+    tolerance: Tolerance,
+    controller: Controller,
+    /// The length of the next step, in seconds.
+    h: f64,
+    /// That of the first.
+    first: f64,
+    headway: Headway,
+}
+
+impl<M: Mechanism> Stepper<M> {
+    /// From a sample on the constraints.
+    ///
+    /// # Errors
+    /// [`What::NoErrorEstimate`], and as the right-hand side.
+    pub(crate) fn new(
+        motion: &Motion<M>,
+        method: &dyn Advance<M>,
+        course: &Course,
+        start: Sample<M>,
+    ) -> Result<Stepper<M>, Failure> {
+        let pace = match (course.stepping, method.control_order()) {
+            (Stepping::Equal(count), _) => Pace::Equal { count, step: 1 },
+            (Stepping::Adaptive(tolerance), Some(order)) => {
+                motion.start(&start.state);
+                let h = initial_step(motion, &start, course.end - start.state.time, order, &tolerance)?;
+                let headway = Headway::from(start.state.time);
+                Pace::Adaptive(Adaptive { tolerance, controller: Controller::new(order), h, first: h, headway })
+            }
+            (Stepping::Adaptive(_), None) => {
+                return Err(Failure::at::<M>(What::NoErrorEstimate, start.state.time, &start.state.positions));
+            }
+        };
+        Ok(Stepper { course: *course, ends: [start; 2], from: 0, last: None, crossing: Crossing::new(), pace })
+    }
+
+    /// Makes the next step; `None` at the end of the course.
+    ///
+    /// # Errors
+    /// The first failure that smaller steps do not avoid.
+    pub(crate) fn next<'s>(
+        &'s mut self,
+        motion: &'s Motion<M>,
+        method: &'s mut dyn Advance<M>,
+        steps: &mut Steps,
+    ) -> Result<Option<Step<'s, M>>, Failure> {
+        if self.last.take().is_some() {
+            self.from = 1 - self.from;
+        }
+        let [first, second] = &mut self.ends;
+        let ends = if self.from == 0 { [first, second] } else { [second, first] };
+        let (course, crossing) = (&self.course, &mut self.crossing);
+        self.last = match &mut self.pace {
+            Pace::Equal { count, step } => equal_step(motion, method, course, (*count, step), ends, crossing, steps)?,
+            Pace::Adaptive(adaptive) => adaptive.step(motion, method, course, ends, crossing, steps)?,
+        };
+        Ok(self.last_step(motion, method))
+    }
+
+    /// The last step.
+    fn last_step<'s>(&'s mut self, motion: &'s Motion<M>, method: &'s mut dyn Advance<M>) -> Option<Step<'s, M>> {
+        let ends @ [from, to] = [&self.ends[self.from], &self.ends[1 - self.from]];
+        Some(match self.last? {
+            Made::Across => self.crossing.step(motion, ends),
+            Made::Normally => {
+                let end_sine = self.crossing.end_sine(motion);
+                Step { motion, method, from, to, reached: to, end_sine }
+            }
+        })
+    }
+}
+
+/// Makes the next of so many equal steps.
+fn equal_step<M: Mechanism>(
+    motion: &Motion<M>,
+    method: &mut dyn Advance<M>,
+    course: &Course,
+    (count, step): (usize, &mut usize),
+    [from, to]: [&mut Sample<M>; 2],
+    crossing: &mut Crossing<M>,
+    steps: &mut Steps,
+) -> Result<Option<Made>, Failure> {
+    let Some(goal) = next_goal(course, count, step, from.state.time) else { return Ok(None) };
+    check_interrupt(course, from)?;
+    let length = (course.end - course.begin) / count as f64;
+    let is_near = crossing.may_be_ahead(motion);
+    let way = match is_near {
+        true => crossing.lead(motion, [from, to], [length, course.end], &EXACT, steps)?,
+        false => Way::On,
+    };
+    let time = match way {
+        Way::Crossed => {
+            crossing.ended(motion);
+            return Ok(Some(Made::Across));
+        }
+        Way::UpTo(time) => goal.min(time),
+        Way::On => goal,
+    };
+    let made = attempt(motion, method, from, time, None, to);
+    made.map_err(|failure| explained(motion, &from.state, failure))?;
+    crossing.ended(motion);
+    steps.accepted += 1;
+    if is_near {
+        steps.note(motion, method, [from, to], 1)?;
+    }
+    Ok(Some(Made::Normally))
+}
+
+/// Where the next of so many equal steps ends.
+fn next_goal(course: &Course, count: usize, step: &mut usize, now: f64) -> Option<f64> {
+    let Course { begin, end, .. } = *course;
+    let length = (end - begin) / count as f64;
+    while *step <= count {
+        // From the start each time, so that times do not accumulate rounding.
+        let goal = if *step == count { end } else { begin + (end - begin) * (*step as f64 / count as f64) };
+        // A step over a singular position may end near one of these times or beyond it, which is then left out.
+        let rest = if *step < count { 0.1 * length } else { 4.0 * f64::EPSILON * goal.abs() };
+        if goal - now > rest {
+            return Some(goal);
+        }
+        *step += 1;
+    }
+    None
+}
+
+impl Adaptive {
+    /// Makes a step that is good to the tolerance.
+    fn step<M: Mechanism>(
+        &mut self,
+        motion: &Motion<M>,
+        method: &mut dyn Advance<M>,
+        course: &Course,
+        [from, to]: [&mut Sample<M>; 2],
+        crossing: &mut Crossing<M>,
+        steps: &mut Steps,
+    ) -> Result<Option<Made>, Failure> {
+        let (now, tolerance) = (from.state.time, self.tolerance);
+        while now < course.end {
+            check_interrupt(course, from)?;
+            if self.headway.is_lost(now) {
+                return Err(too_small(motion, &from.state, self.h, None));
+            }
+            // The last step is not followed by a tiny one.
+            let wanted = if now + 1.01 * self.h >= course.end { course.end } else { now + self.h };
+            let way = match crossing.may_be_ahead(motion) {
+                true => crossing.lead(motion, [from, to], [wanted - now, course.end], &tolerance, steps)?,
+                false => Way::On,
+            };
+            let time = match way {
+                Way::Crossed => {
+                    crossing.ended(motion);
+                    self.headway.comes(to.state.time - now);
+                    return Ok(Some(Made::Across));
+                }
+                Way::UpTo(time) => wanted.min(time),
+                Way::On => wanted,
+            };
+            match attempt(motion, method, from, time, Some(&tolerance), to) {
+                Ok(error) if error <= 1.0 && crossing.is_surprised(motion) => {
+                    steps.rejected += 1;
+                    self.h = (time - now) / 2.0;
+                }
+                Ok(error) if error <= 1.0 => {
+                    crossing.ended(motion);
+                    steps.accepted += 1;
+                    // These steps may be so long that nothing foretells what they pass.
+                    steps.note(motion, method, [from, to], 1)?;
+                    self.headway.comes(time - now);
+                    let next = (time - now) * self.controller.accepted(error);
+                    // A step that was cut short says little of how long they may be.
+                    self.h = if time < wanted { next.max(self.h) } else { next };
+                    return Ok(Some(Made::Normally));
+                }
+                refused => {
+                    steps.rejected += 1;
+                    self.h = (time - now) * self.controller.rejected(refused.as_ref().ok().copied());
+                    if self.h < f64::EPSILON * (16.0 * now.abs()).max(self.first) {
+                        return Err(too_small(motion, &from.state, self.h, refused.err()));
+                    }
+                }
+            }
+        }
+        Ok(None)
+    }
+}
+
+fn check_interrupt<M: Mechanism>(course: &Course, at: &Sample<M>) -> Result<(), Failure> {
+    match course.interrupt.is_some_and(|interrupt| interrupt.load(Ordering::Relaxed)) {
+        true => Err(Failure::at::<M>(What::Interrupted, at.state.time, &at.state.positions)),
+        false => Ok(()),
+    }
+}
