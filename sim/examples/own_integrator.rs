@@ -29,7 +29,7 @@ fn main() -> Result<(), Failure> {
     let measures = Measures::at(&mechanism, start.time, &start.positions);
     let motion = Motion::new(mechanism, Stabilisation::Projection, measures);
     let start = motion.sample(start)?;
-    let course = Course { begin: 0.0, end: 2.0, stepping: Stepping::Equal(20_000), interrupt: None };
+    let course = Course { begin: 0.0, end: 2.0, stepping: Stepping::Equal(20_000) };
     let (mut steps, mut last) = (Steps::default(), start);
     integrate(&motion, &mut Midpoint, &course, start, &mut steps, |step| {
         last = *step.to;

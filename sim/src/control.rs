@@ -1,7 +1,8 @@
 //! Inputs that a program sets while a motion runs.
 
 use crate::failure::Failure;
-use crate::trajectory::{Sample, State};
+use crate::run::Simulation;
+use crate::trajectory::Sample;
 use sim_kernel::Mechanism;
 
 /// The law of a controller: the inputs that follow from a sample.
@@ -45,20 +46,15 @@ impl<'r, 'c, M: Mechanism> Control<'r, 'c, M> {
         period.map_or(end, |period| (self.begin + f64::from(self.asked) * period).min(end))
     }
 
-    /// The mechanism with the inputs that the controller sets at a state, if a period ends there. It sees a sample that
-    /// follows from the inputs so far.
+    /// Sets the inputs of a motion if a period ends where it is. The controller sees a sample that follows from the inputs so far.
     ///
     /// # Errors
     /// As the sample.
-    pub(crate) fn ask(
-        &mut self,
-        mechanism: M,
-        at: &State<M>,
-        sample: impl FnOnce(&M) -> Result<Sample<M>, Failure>,
-    ) -> Result<M, Failure> {
-        let is_due = at.time >= self.holds_until(f64::INFINITY);
-        let Some(controller) = self.controller.as_mut().filter(|_| is_due) else { return Ok(mechanism) };
+    pub(crate) fn ask(&mut self, simulation: &mut Simulation<M>) -> Result<(), Failure> {
+        let is_due = simulation.state().time >= self.holds_until(f64::INFINITY);
+        let Some(controller) = self.controller.as_mut().filter(|_| is_due) else { return Ok(()) };
         self.asked += 1;
-        Ok(mechanism.with_inputs((controller.law)(&sample(&mechanism)?)))
+        simulation.set_inputs((controller.law)(&simulation.sample()?));
+        Ok(())
     }
 }

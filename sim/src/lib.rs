@@ -95,7 +95,7 @@ pub use motion::Motion;
 pub use poincare::{Period, Section, Sectioning, poincare};
 pub use project::{project, project_positions, project_velocities, rates};
 pub use record::{DeadPoint, dead_points};
-pub use run::{DOUBTFUL_BALANCE, Run, run, run_controlled};
+pub use run::{DOUBTFUL_BALANCE, Run, Simulation, run, run_controlled};
 pub use settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
 pub use sim_kernel::{
     self, Array, Description, Dual, Dynamics, GeneralizedSpeeds, Input, Lanes, Mechanism, Scalar, mechanism,

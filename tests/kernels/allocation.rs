@@ -101,7 +101,7 @@ fn ten_thousand_steps<A: Advance<QuickReturn>>(
     let first = motion.sample(start).unwrap();
     let mut events = EventSearch::new(0.0);
     let mut steps = Steps::default();
-    let course = Course { begin: 0.0, end, stepping, interrupt: None };
+    let course = Course { begin: 0.0, end, stepping };
     let counted = allocations(|| {
         integrate(&motion, &mut method, &course, first, &mut steps, |step| {
             events.search(step)?;

@@ -96,7 +96,7 @@ fn error_inside<A: Advance<QuickReturn>>(mut method: A, h: f64) -> Pair {
     let measures = Measures::at(&mechanism, start.time, &start.positions);
     let motion = Motion::new(mechanism, Stabilisation::Projection, measures);
     let first = motion.sample(start).unwrap();
-    let course = Course { begin: 0.0, end: h, stepping: Stepping::Equal(1), interrupt: None };
+    let course = Course { begin: 0.0, end: h, stepping: Stepping::Equal(1) };
     let mut inside = Vec::new();
     integrate(&motion, &mut method, &course, first, &mut Steps::default(), |step| {
         for fraction in [0.15, 0.3, 0.45, 0.6, 0.75, 0.9] {

@@ -163,7 +163,7 @@ fn a_wrong_method_fails_beside_another() {
     let mechanism = QuickReturn::default();
     let measures = Measures::at(&mechanism, 0.0, &start().positions);
     let motion = Motion::new(mechanism, Stabilisation::Projection, measures);
-    let course = Course { begin: 0.0, end: 0.5, stepping: Stepping::Equal(1024), interrupt: None };
+    let course = Course { begin: 0.0, end: 0.5, stepping: Stepping::Equal(1024) };
     let (mut spoiled, first) = (good.clone(), motion.sample(start()).unwrap());
     spoiled.trajectory.samples = vec![first];
     let mut method = ExplicitRungeKutta::new(Box::leak(Box::new(wrong)));

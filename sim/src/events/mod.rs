@@ -5,8 +5,10 @@
 //! its extremum there.
 
 mod conditions;
+mod handler;
 
 pub(crate) use conditions::{conditions, moved, tolerance};
+pub(crate) use handler::EventHandler;
 
 use crate::act::Change;
 use crate::failure::{Failure, What};

@@ -8,6 +8,7 @@ mod dop853;
 mod dop853_tableau;
 mod explicit;
 mod headway;
+mod integrator;
 mod lu;
 mod method;
 #[cfg(test)]
@@ -21,6 +22,7 @@ pub(crate) use beside::first_sample;
 pub use dop853::Dop853;
 pub use dop853_tableau::DOP853;
 pub use explicit::ExplicitRungeKutta;
+pub(crate) use integrator::Integrator;
 pub use method::{Advance, Attempt};
 pub use radau::Radau5;
 pub use step::Step;
@@ -34,7 +36,6 @@ use crate::singular::Singularity;
 use crate::trajectory::Sample;
 use sim_kernel::Mechanism;
 use std::ops::ControlFlow;
-use std::sync::atomic::AtomicBool;
 
 /// How many steps were made.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -48,7 +49,7 @@ pub struct Steps {
 }
 
 /// When and how far to integrate.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Course {
     /// Where equal steps are counted from, in seconds.
     pub begin: f64,
@@ -56,8 +57,6 @@ pub struct Course {
     pub end: f64,
     /// How long the steps are.
     pub stepping: Stepping,
-    /// Ends the integration once it is true.
-    pub interrupt: Option<&'static AtomicBool>,
 }
 
 /// Integrates from a sample on the constraints. Every step goes to `watch`, which may end the integration.

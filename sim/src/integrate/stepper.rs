@@ -11,7 +11,6 @@ use crate::motion::Motion;
 use crate::settings::{Stepping, Tolerance};
 use crate::trajectory::Sample;
 use sim_kernel::Mechanism;
-use std::sync::atomic::Ordering;
 
 /// What steps over singular positions are good to between equal steps.
 const EXACT: Tolerance = Tolerance::new(1e-12);
@@ -81,6 +80,16 @@ impl<M: Mechanism> Stepper<M> {
         Ok(Stepper { course: *course, ends: [start; 2], from: 0, last: None, crossing: Crossing::new(), pace })
     }
 
+    /// Goes on by another course, which may end elsewhere.
+    pub(crate) fn head_for(&mut self, course: &Course) {
+        if let (Pace::Equal { count, step }, Stepping::Equal(new)) = (&mut self.pace, course.stepping)
+            && *course != self.course
+        {
+            (*count, *step) = (new, 1);
+        }
+        self.course = *course;
+    }
+
     /// Makes the next step; `None` at the end of the course.
     ///
     /// # Errors
@@ -128,7 +137,6 @@ fn equal_step<M: Mechanism>(
     steps: &mut Steps,
 ) -> Result<Option<Made>, Failure> {
     let Some(goal) = next_goal(course, count, step, from.state.time) else { return Ok(None) };
-    check_interrupt(course, from)?;
     let length = (course.end - course.begin) / count as f64;
     let is_near = crossing.may_be_ahead(motion);
     let way = match is_near {
@@ -183,7 +191,6 @@ impl Adaptive {
     ) -> Result<Option<Made>, Failure> {
         let (now, tolerance) = (from.state.time, self.tolerance);
         while now < course.end {
-            check_interrupt(course, from)?;
             if self.headway.is_lost(now) {
                 return Err(too_small(motion, &from.state, self.h, None));
             }
@@ -228,12 +235,5 @@ impl Adaptive {
             }
         }
         Ok(None)
-    }
-}
-
-fn check_interrupt<M: Mechanism>(course: &Course, at: &Sample<M>) -> Result<(), Failure> {
-    match course.interrupt.is_some_and(|interrupt| interrupt.load(Ordering::Relaxed)) {
-        true => Err(Failure::at::<M>(What::Interrupted, at.state.time, &at.state.positions)),
-        false => Ok(()),
     }
 }

@@ -145,7 +145,7 @@ fn span<M: Mechanism>(mechanism: &M, start: &Start<M>, end: f64) -> Result<f64, 
     let first = assemble(mechanism, start)?;
     let measures = Measures::at(mechanism, first.time, &first.positions);
     let motion = Motion::new(*mechanism, Stabilisation::Projection, measures);
-    let course = Course { begin: 0.0, end, stepping: Stepping::Adaptive(Tolerance::new(TOLERANCE)), interrupt: None };
+    let course = Course { begin: 0.0, end, stepping: Stepping::Adaptive(Tolerance::new(TOLERANCE)) };
     let (mut steps, mut count, mut reached) = (Steps::default(), 0, first.time);
     integrate(&motion, &mut Dop853::new(), &course, motion.sample(first)?, &mut steps, |step| {
         (count, reached) = (count + 1, step.to.state.time);

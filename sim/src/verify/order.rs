@@ -89,7 +89,7 @@ fn states<M: Mechanism>(
 ) -> Result<Vec<Sample<M>>, Failure> {
     let measures = Measures::at(mechanism, start.time, &start.positions);
     let motion = Motion::new(*mechanism, Stabilisation::Projection, measures);
-    let course = Course { begin: start.time, end, stepping: Stepping::Equal(steps), interrupt: None };
+    let course = Course { begin: start.time, end, stepping: Stepping::Equal(steps) };
     // A step may be split, so times are told by their middles.
     let time = |k: usize| start.time + (end - start.time) * (k as f64 + 0.5) / steps as f64;
     let mut found: Vec<Sample<M>> = Vec::new();

@@ -1,20 +1,19 @@
-//! A whole run: assemble, integrate, locate events, record, balance.
+//! A whole run: a simulation that is recorded, and its balance.
 
-use crate::assemble::{Start, assemble};
+mod simulation;
+
+pub use simulation::Simulation;
+
+use crate::assemble::Start;
 use crate::control::{Control, Controller};
 use crate::equations::residuals;
 use crate::events::Occurrence;
-use crate::failure::Failure;
-use crate::inertia::check_inertias;
-use crate::integrate::{
-    Advance, Course, DOPRI5, Dop853, EULER, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5, Steps, first_sample, integrate,
-};
-use crate::measures::Measures;
-use crate::mobility::{Mobility, check_masses, mobility};
-use crate::motion::Motion;
+use crate::failure::{Failure, What};
+use crate::integrate::Steps;
+use crate::mobility::Mobility;
 use crate::record::{DeadPoint, Recorder};
-use crate::settings::{Method, Settings};
-use crate::trajectory::{Sample, State, Trajectory};
+use crate::settings::Settings;
+use crate::trajectory::{State, Trajectory};
 use sim_kernel::Mechanism;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
@@ -88,30 +87,27 @@ fn run_with<M: Mechanism>(
     settings: &Settings,
     controller: Option<&mut Controller<M>>,
 ) -> Result<Run<M>, Failure> {
-    let first = assemble(&mechanism, start)?;
-    check_masses(&mechanism, first.time, &first.positions)?;
-    check_inertias(&mechanism, first.time, &first.positions)?;
-    let mobility = mobility(&mechanism, first.time, &first.positions);
-    mobility.check_regular::<M>(first.time, &first.positions)?;
+    let mut simulation = Simulation::new(mechanism, start, settings)?;
+    let first = *simulation.state();
+    let mobility = simulation.mobility().clone();
     let mut recorder = Recorder::new(settings, first.time);
     recorder.make_room().map_err(|what| Failure::at::<M>(what, first.time, &first.positions))?;
     recorder.seek_dead_points(&mechanism, &first, &mobility);
-    let (mut steps, mut evaluations) = (Steps::default(), 0);
     let clock = Instant::now();
-    let control = Control::new(controller, first.time);
-    let ended = run_phases(mechanism, first, settings, control, &mut recorder, &mut steps, &mut evaluations);
+    let ended = record(&mut simulation, settings, Control::new(controller, first.time), &mut recorder);
     recorder.finish();
     let dead_points = recorder.dead_points();
     let integration_time = clock.elapsed();
     let trajectory = Trajectory { samples: recorder.samples, phases: recorder.phases, failure: ended.err() };
     let (position_residual, velocity_residual) = largest_residuals(&mechanism, &trajectory);
     let energy_balance = energy_balance(&mechanism, &trajectory, recorder.largest_work);
-    let energy_taken = trajectory.phases.last().map_or(0.0, |phase| phase.energy_taken);
+    let (energy_taken, evaluations) = (simulation.energy_taken(), simulation.evaluations());
+    let (events, steps) = simulation.conclude();
     Ok(Run {
         mechanism,
         settings: *settings,
         trajectory,
-        events: recorder.events.found,
+        events,
         dead_points,
         mobility,
         steps,
@@ -124,87 +120,27 @@ fn run_with<M: Mechanism>(
     })
 }
 
-/// The motion from one event that changes something to the next, and from one period of the controller to the next; each is
-/// integrated afresh.
-fn run_phases<M: Mechanism>(
-    mut mechanism: M,
-    mut state: State<M>,
+/// Advances a motion to its end, from one period of the controller to the next.
+fn record<M: Mechanism>(
+    simulation: &mut Simulation<M>,
     settings: &Settings,
     mut control: Control<M>,
     recorder: &mut Recorder<M>,
-    steps: &mut Steps,
-    evaluations: &mut u64,
 ) -> Result<(), Failure> {
-    let begin = state.time;
-    let mut is_phase = true;
-    let mut measures = Measures::of_independent(&mechanism, state.time, &state.positions);
     loop {
-        if is_phase {
-            let found = mobility(&mechanism, state.time, &state.positions);
-            found.check_regular::<M>(state.time, &state.positions)?;
-            measures = Measures::with_mobility(&mechanism, state.time, &state.positions, &found);
+        let State { time, positions, .. } = simulation.state();
+        if settings.interrupt.is_some_and(|interrupt| interrupt.load(Ordering::Relaxed)) {
+            return Err(Failure::at::<M>(What::Interrupted, *time, positions));
         }
-        mechanism = control.ask(mechanism, &state, |mechanism| {
-            Motion::new(*mechanism, settings.stabilisation, measures).sample(state)
-        })?;
-        let span = settings.until(control.holds_until(settings.end), begin);
-        let motion = Motion::new(mechanism, settings.stabilisation, measures);
-        motion.start(&state);
-        let ended = first_sample(&motion, state).and_then(|sample| {
-            if is_phase {
-                recorder.start(&motion, sample)?;
-            }
-            match recorder.goes_on() {
-                true => integrate_by(settings.method, &motion, &span, sample, steps, recorder),
-                false => Ok(()),
-            }
-        });
-        *evaluations += motion.evaluations();
-        ended?;
-        (mechanism, state, is_phase) = match (recorder.next_phase(), recorder.reached()) {
-            (Some((mechanism, state)), _) => (mechanism, state, true),
-            (None, Some(reached)) if reached.time < settings.end => (mechanism, reached, false),
-            _ => return Ok(()),
-        };
-    }
-}
-
-fn integrate_by<M: Mechanism>(
-    method: Method,
-    motion: &Motion<M>,
-    settings: &Settings,
-    start: Sample<M>,
-    steps: &mut Steps,
-    recorder: &mut Recorder<M>,
-) -> Result<(), Failure> {
-    let explicit = |tableau| ExplicitRungeKutta::new(tableau);
-    match method {
-        Method::Euler => integrate_with(&mut explicit(&EULER), motion, settings, start, steps, recorder),
-        Method::Heun => integrate_with(&mut explicit(&HEUN), motion, settings, start, steps, recorder),
-        Method::Rk3 => integrate_with(&mut explicit(&RK3), motion, settings, start, steps, recorder),
-        Method::Rk4 => integrate_with(&mut explicit(&RK4), motion, settings, start, steps, recorder),
-        Method::Dopri5 => integrate_with(&mut explicit(&DOPRI5), motion, settings, start, steps, recorder),
-        Method::Dop853 => integrate_with(&mut Dop853::new(), motion, settings, start, steps, recorder),
-        Method::Radau5 => integrate_with(&mut Radau5::new(), motion, settings, start, steps, recorder),
-    }
-}
-
-fn integrate_with<M: Mechanism>(
-    method: &mut dyn Advance<M>,
-    motion: &Motion<M>,
-    settings: &Settings,
-    start: Sample<M>,
-    steps: &mut Steps,
-    recorder: &mut Recorder<M>,
-) -> Result<(), Failure> {
-    let Settings { end, stepping, interrupt, .. } = *settings;
-    let course = Course { begin: recorder.begin(), end, stepping, interrupt };
-    integrate(motion, method, &course, start, steps, |step| {
         if let Some(progress) = settings.progress {
-            progress.store(step.to.state.time.to_bits(), Ordering::Relaxed);
+            progress.store(time.to_bits(), Ordering::Relaxed);
         }
-        recorder.watch(step)
-    })
+        control.ask(simulation)?;
+        let goes_on = simulation.advance(control.holds_until(settings.end), recorder)?;
+        if !goes_on && simulation.has_ended() {
+            return Ok(());
+        }
+    }
 }
 
 fn largest_residuals<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) -> (f64, f64) {

@@ -1,0 +1,244 @@
+//! What events do to a motion: they change its mechanism and state, or end it.
+
+use super::{Crossing, EventSearch, Occurrence, tolerance};
+use crate::act::act;
+use crate::failure::{Failure, What};
+use crate::insertion::sort_few;
+use crate::integrate::Step;
+use crate::motion::Motion;
+use crate::onset::Onset;
+use crate::settings::{Settings, StopAt};
+use crate::trajectory::{Sample, State};
+use sim_kernel::event::{self, Direction, Event};
+use sim_kernel::{Array, Mechanism};
+use std::collections::VecDeque;
+
+/// So many events that change something within an instant, and they chatter.
+const MOST_AT_ONCE: usize = 32;
+/// The instant, as a part of the whole time.
+const INSTANT: f64 = 1e-9;
+
+/// Finds the events of a motion and does what they say.
+pub(crate) struct EventHandler<M: Mechanism> {
+    search: EventSearch<M>,
+    stop: Option<StopAt>,
+    /// How long the motion is to last, in seconds, and when that ends.
+    span: f64,
+    end: f64,
+    /// How often each event has happened that does something.
+    counts: Vec<usize>,
+    /// When each of them has last happened.
+    last: Vec<f64>,
+    /// When the last of all happened.
+    acted: VecDeque<f64>,
+    /// The kinetic energy that events have taken, in joules.
+    energy_taken: f64,
+    /// The first occurrence of those that are to act.
+    acting: Option<usize>,
+    /// What the next phase starts from.
+    next_phase: Option<(M, State<M>)>,
+    /// Whether an event has ended the motion.
+    has_ended: bool,
+}
+
+/// Whether any event does something.
+const fn any_acts(events: &[Event]) -> bool {
+    let mut i = 0;
+    while i < events.len() {
+        if !events[i].steps.is_empty() {
+            return true;
+        }
+        i += 1;
+    }
+    false
+}
+
+impl<M: Mechanism> EventHandler<M> {
+    /// For a motion that begins then.
+    pub(crate) fn new(settings: &Settings, begin: f64) -> EventHandler<M> {
+        EventHandler {
+            search: EventSearch::new(begin),
+            stop: settings.stop,
+            span: settings.end - begin,
+            end: settings.end,
+            counts: vec![0; M::Events::LEN],
+            last: vec![f64::NEG_INFINITY; M::Events::LEN],
+            acted: VecDeque::new(),
+            energy_taken: 0.0,
+            acting: None,
+            next_phase: None,
+            has_ended: false,
+        }
+    }
+
+    /// All that has happened.
+    pub(crate) fn found(&self) -> &[Occurrence<M>] {
+        &self.search.found
+    }
+
+    /// The same, in the end.
+    pub(crate) fn into_found(self) -> Vec<Occurrence<M>> {
+        self.search.found
+    }
+
+    /// The kinetic energy that events have taken, in joules.
+    pub(crate) fn energy_taken(&self) -> f64 {
+        self.energy_taken
+    }
+
+    /// Whether an event has ended the motion.
+    pub(crate) fn has_ended(&self) -> bool {
+        self.has_ended
+    }
+
+    /// What the next phase starts from, if there is one.
+    pub(crate) fn next_phase(&mut self) -> Option<(M, State<M>)> {
+        self.next_phase.take()
+    }
+
+    /// Starts a phase: does what events say that happen there.
+    ///
+    /// # Errors
+    /// As what events do.
+    pub(crate) fn start(&mut self, motion: &Motion<M>, sample: &Sample<M>) -> Result<(), Failure> {
+        if self.has_ended {
+            return Ok(());
+        }
+        let onset = match const { any_acts(M::DESCRIPTION.events) } {
+            true => Some(Onset::of(motion, sample, self.span)?),
+            false => None,
+        };
+        self.search.restart(sample.state.time, onset);
+        let at = self.search.found.len();
+        for event in 0..M::Events::LEN {
+            if onset.is_some_and(|onset| self.is_due(&onset, event, sample.state.time)) {
+                self.happen_at_start(event, sample)?;
+            }
+        }
+        if self.search.found.len() > at { self.act_from(motion.mechanism(), at) } else { Ok(()) }
+    }
+
+    /// Searches a step. Where an event in it changes something or ends the motion, the step counts as far as the state there.
+    ///
+    /// # Errors
+    /// As [`EventSearch::search`].
+    pub(crate) fn search(&mut self, step: &mut Step<M>) -> Result<Option<State<M>>, Failure> {
+        let first = self.search.found.len();
+        self.search.search(step)?;
+        let acting = self.first_acting(first);
+        let stop = self.stopping_state();
+        self.acting = acting.filter(|_| stop.is_none());
+        Ok(stop.or(acting.map(|at| self.search.found[at].state)))
+    }
+
+    /// Does what the events in the last step say, which counts no further.
+    ///
+    /// # Errors
+    /// As what events do.
+    pub(crate) fn act(&mut self, mechanism: &M) -> Result<(), Failure> {
+        match self.acting.take() {
+            Some(at) => self.act_from(mechanism, at)?,
+            None => self.has_ended = true,
+        }
+        Ok(())
+    }
+
+    /// Where the event that ends the motion has happened.
+    fn stopping_state(&mut self) -> Option<State<M>> {
+        let stop = self.stop?;
+        let mut occurrences = self.search.found.iter().enumerate().filter(|(_, event)| event.event == stop.event);
+        let (at, event) = occurrences.nth(stop.occurrence.checked_sub(1)?)?;
+        let state = event.state;
+        self.search.found.truncate(at + 1);
+        Some(state)
+    }
+
+    /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and goes on
+    /// through zero. Where the event has just happened that is only so if it was an impact, which should have turned it
+    /// back, or if the condition returns to zero within an instant.
+    fn is_due(&self, onset: &Onset<M>, index: usize, time: f64) -> bool {
+        let described = &const { &M::DESCRIPTION }.events[index];
+        let through = match described.direction {
+            Direction::Rising => 1.0,
+            Direction::Falling => -1.0,
+            Direction::Both => return false,
+        };
+        let sign = onset.sign(index);
+        let just_happened = time - self.last[index] < self.instant();
+        let goes_on = match just_happened {
+            true if sign == through => described.steps.iter().any(|step| matches!(step, event::Step::Impact(_))),
+            true => sign == -through && onset.returns_after(index) < self.instant(),
+            false => sign == through,
+        };
+        !described.steps.is_empty() && onset.holds(index) && goes_on
+    }
+
+    fn happen_at_start(&mut self, event: usize, sample: &Sample<M>) -> Result<(), Failure> {
+        let described = &const { &M::DESCRIPTION }.events[event];
+        let (name, state) = (described.name, sample.state);
+        if state.time - self.last[event] < self.instant() {
+            let what = What::Accumulating { event: name, count: self.counts[event] + 1 };
+            return Err(Failure::at::<M>(what, state.time, &state.positions));
+        }
+        let crossing = if described.direction == Direction::Rising { Crossing::Rising } else { Crossing::Falling };
+        self.search.found.push(Occurrence { event, name, crossing, state, change: None });
+        Ok(())
+    }
+
+    /// What happens within this time happens at once.
+    fn instant(&self) -> f64 {
+        (INSTANT * self.span).max(100.0 * tolerance(self.end))
+    }
+
+    /// The first occurrence in a step that does something. What happens after it is forgotten, but for what happens at
+    /// the same time.
+    fn first_acting(&mut self, first: usize) -> Option<usize> {
+        let found = &mut self.search.found;
+        let does_something = |event: &Occurrence<M>| !M::DESCRIPTION.events[event.event].steps.is_empty();
+        let at = first + found[first..].iter().position(does_something)?;
+        let time = found[at].state.time;
+        let same = found[at..].iter().take_while(|event| event.state.time - time <= 2.0 * tolerance(time)).count();
+        found.truncate(at + same);
+        sort_few(&mut found[at..], |a, b| a.event.cmp(&b.event));
+        Some(at)
+    }
+
+    /// Does what the occurrences from here on say, one after the other.
+    fn act_from(&mut self, mechanism: &M, at: usize) -> Result<(), Failure> {
+        let mut mechanism = *mechanism;
+        let mut state = self.search.found[at].state;
+        let mut changes = false;
+        for index in at..self.search.found.len() {
+            let (event, name) = (self.search.found[index].event, self.search.found[index].name);
+            let described = &M::DESCRIPTION.events[event];
+            if described.steps.is_empty() {
+                continue;
+            }
+            self.counts[event] += 1;
+            self.last[event] = state.time;
+            self.note_time(&state, name, self.counts[event])?;
+            let change = act(&mechanism, &state, described, self.counts[event])?;
+            (mechanism, state) = (change.mechanism, change.state);
+            self.has_ended |= change.ends;
+            self.energy_taken += change.energy_taken;
+            changes |= described.steps.iter().any(|step| !matches!(step, event::Step::Stop(_)));
+            self.search.found[index].change = Some(change);
+        }
+        // An event that is to stop the run later changes nothing, but the phase has ended there.
+        self.next_phase = (changes || !self.has_ended).then_some((mechanism, state));
+        Ok(())
+    }
+
+    /// Refuses events that happen again and again within an instant.
+    fn note_time(&mut self, state: &State<M>, event: &'static str, count: usize) -> Result<(), Failure> {
+        self.acted.push_back(state.time);
+        if self.acted.len() <= MOST_AT_ONCE {
+            return Ok(());
+        }
+        let first = self.acted.pop_front().unwrap_or(f64::NEG_INFINITY);
+        match state.time - first < self.instant() {
+            true => Err(Failure::at::<M>(What::Accumulating { event, count }, state.time, &state.positions)),
+            false => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,35 @@
+//! The methods that settings name.
+
+use super::{Advance, DOPRI5, Dop853, EULER, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5};
+use crate::settings::Method;
+use sim_kernel::Mechanism;
+
+/// One of the methods that settings name, with what it remembers of its last step.
+pub(crate) enum Integrator<M: Mechanism> {
+    Explicit(ExplicitRungeKutta<M>),
+    Dop853(Dop853<M>),
+    Radau5(Radau5<M>),
+}
+
+impl<M: Mechanism> Integrator<M> {
+    pub(crate) fn new(method: Method) -> Integrator<M> {
+        let explicit = |tableau| Integrator::Explicit(ExplicitRungeKutta::new(tableau));
+        match method {
+            Method::Euler => explicit(&EULER),
+            Method::Heun => explicit(&HEUN),
+            Method::Rk3 => explicit(&RK3),
+            Method::Rk4 => explicit(&RK4),
+            Method::Dopri5 => explicit(&DOPRI5),
+            Method::Dop853 => Integrator::Dop853(Dop853::new()),
+            Method::Radau5 => Integrator::Radau5(Radau5::new()),
+        }
+    }
+
+    pub(crate) fn method(&mut self) -> &mut dyn Advance<M> {
+        match self {
+            Integrator::Explicit(method) => method,
+            Integrator::Dop853(method) => method,
+            Integrator::Radau5(method) => method,
+        }
+    }
+}

@@ -1,0 +1,239 @@
+//! A motion that is advanced as its owner says.
+
+use crate::assemble::{Start, assemble};
+use crate::events::{EventHandler, Occurrence};
+use crate::failure::Failure;
+use crate::inertia::check_inertias;
+use crate::integrate::{Course, Integrator, Stepper, Steps, first_sample};
+use crate::measures::Measures;
+use crate::mobility::{Mobility, check_masses, mobility};
+use crate::motion::Motion;
+use crate::record::Watch;
+use crate::settings::Settings;
+use crate::trajectory::{Sample, State};
+use sim_kernel::Mechanism;
+
+/// A motion that is advanced as its owner says, step by step or to a time. Between, its inputs may be set.
+///
+/// It knows neither threads nor clocks nor files, and keeps nothing of the way but what has happened: whoever wants rows takes them.
+/// What events do, it does. [`run`](crate::run()) is a loop over it.
+///
+/// ```
+/// use sim::{Input, Settings, Simulation, declared_start};
+/// # sim::mechanism! {
+/// #     Cart;
+/// #     coordinates { x [m]; }
+/// #     parameters { m [kg] = 2; }
+/// #     inputs { F [N] = 0; }
+/// #     bodies { cart: mass m at [x, 0]; }
+/// #     loads { force [F, 0] at [x, 0]; }
+/// #     initial { x = 0; dot(x) = 0; }
+/// # }
+/// let cart = Cart::default();
+/// let mut simulation = Simulation::new(cart, &declared_start(&cart), &Settings::new(2.0))?;
+/// simulation.advance_to(1.0)?;
+/// simulation.set_inputs([Input::Held(4.0)]);
+/// simulation.advance_to(2.0)?;
+/// assert!((simulation.state().positions[0] - 1.0).abs() < 1e-12);
+/// # Ok::<(), sim::Failure>(())
+/// ```
+pub struct Simulation<M: Mechanism> {
+    settings: Settings,
+    /// When it began, in seconds.
+    begin: f64,
+    mobility: Mobility,
+    state: State<M>,
+    measures: Measures<M>,
+    motion: Motion<M>,
+    integrator: Integrator<M>,
+    /// None where the motion is to start anew.
+    stepper: Option<Stepper<M>>,
+    /// Whether a phase begins there.
+    begins_phase: bool,
+    events: EventHandler<M>,
+    steps: Steps,
+    /// Right-hand sides of motions before this one.
+    evaluations: u64,
+}
+
+impl<M: Mechanism> Simulation<M> {
+    /// A motion that has not begun yet. Its settings say how long it may last; they say nothing of rows here.
+    ///
+    /// # Errors
+    /// If no start can be assembled, or it is singular.
+    pub fn new(mechanism: M, start: &Start<M>, settings: &Settings) -> Result<Simulation<M>, Failure> {
+        let state = assemble(&mechanism, start)?;
+        check_masses(&mechanism, state.time, &state.positions)?;
+        check_inertias(&mechanism, state.time, &state.positions)?;
+        let mobility = mobility(&mechanism, state.time, &state.positions);
+        mobility.check_regular::<M>(state.time, &state.positions)?;
+        let measures = Measures::with_mobility(&mechanism, state.time, &state.positions, &mobility);
+        Ok(Simulation {
+            settings: *settings,
+            begin: state.time,
+            mobility,
+            state,
+            measures,
+            motion: Motion::new(mechanism, settings.stabilisation, measures),
+            integrator: Integrator::new(settings.method),
+            stepper: None,
+            begins_phase: true,
+            events: EventHandler::new(settings, state.time),
+            steps: Steps::default(),
+            evaluations: 0,
+        })
+    }
+
+    /// The mechanism with its parameters and inputs as they are now.
+    pub fn mechanism(&self) -> &M {
+        self.motion.mechanism()
+    }
+
+    /// Where the motion is.
+    pub fn state(&self) -> &State<M> {
+        &self.state
+    }
+
+    /// The same with accelerations and multipliers.
+    ///
+    /// # Errors
+    /// As the right-hand side.
+    pub fn sample(&self) -> Result<Sample<M>, Failure> {
+        Motion::new(*self.mechanism(), self.settings.stabilisation, self.measures).sample(self.state)
+    }
+
+    /// What has happened, in the order of time.
+    pub fn events(&self) -> &[Occurrence<M>] {
+        self.events.found()
+    }
+
+    /// Degrees of freedom and dependent constraints at the start.
+    pub fn mobility(&self) -> &Mobility {
+        &self.mobility
+    }
+
+    /// How many steps were made.
+    pub fn steps(&self) -> &Steps {
+        &self.steps
+    }
+
+    /// How many right-hand sides were evaluated.
+    pub fn evaluations(&self) -> u64 {
+        self.evaluations + self.motion.evaluations()
+    }
+
+    /// The kinetic energy that events have taken, in joules.
+    pub fn energy_taken(&self) -> f64 {
+        self.events.energy_taken()
+    }
+
+    /// Whether the motion has come to the end of its settings, or to an event that ends it.
+    pub fn has_ended(&self) -> bool {
+        self.events.has_ended() || self.state.time >= self.settings.end
+    }
+
+    /// Makes one step, and does what events in it say; gives whether there was one left to make.
+    ///
+    /// # Errors
+    /// The first failure that smaller steps do not avoid, and what events fail with. The state stays where it was.
+    pub fn step(&mut self) -> Result<bool, Failure> {
+        self.advance(self.settings.end, &mut ())
+    }
+
+    /// Goes on to a time, at which a step ends, or to the end of the motion if that is earlier.
+    ///
+    /// # Errors
+    /// As [`step`](Simulation::step). The state stays where the last step ended.
+    pub fn advance_to(&mut self, time: f64) -> Result<(), Failure> {
+        let time = time.min(self.settings.end);
+        while self.state.time < time && self.advance(time, &mut ())? {}
+        Ok(())
+    }
+
+    /// Sets all inputs, from here on.
+    pub fn set_inputs(&mut self, inputs: M::Inputs) {
+        let mechanism = self.mechanism().with_inputs(inputs);
+        self.start_anew(mechanism);
+    }
+
+    /// Makes one step that ends at a time or before it, and shows it to whoever watches.
+    ///
+    /// # Errors
+    /// As [`step`](Simulation::step), and as whoever watches.
+    pub(crate) fn advance(&mut self, until: f64, watch: &mut dyn Watch<M>) -> Result<bool, Failure> {
+        let course = self.course(until);
+        let stepper = match &mut self.stepper {
+            Some(stepper) => stepper,
+            None => match self.begin(&course, watch)? {
+                Some(stepper) => self.stepper.insert(stepper),
+                None => return Ok(!self.has_ended()),
+            },
+        };
+        stepper.head_for(&course);
+        let Some(mut step) = stepper.next(&self.motion, self.integrator.method(), &mut self.steps)? else {
+            // What is left is rounding.
+            self.state.time = self.state.time.max(course.end);
+            return Ok(false);
+        };
+        let until = self.events.search(&mut step)?;
+        watch.steps(&mut step, until)?;
+        match until {
+            None => self.state = step.to.state,
+            Some(state) => {
+                self.state = state;
+                self.events.act(self.motion.mechanism())?;
+                self.change_phase()?;
+            }
+        }
+        Ok(true)
+    }
+
+    /// The way to a time; equal steps are counted from the beginning.
+    fn course(&self, until: f64) -> Course {
+        let Settings { end, stepping, .. } = self.settings.until(until, self.begin);
+        Course { begin: self.begin, end, stepping }
+    }
+
+    /// Begins a motion, and does what events say that happen there; `None` where these change it, or end it.
+    fn begin(&mut self, course: &Course, watch: &mut dyn Watch<M>) -> Result<Option<Stepper<M>>, Failure> {
+        self.motion.start(&self.state);
+        let sample = first_sample(&self.motion, self.state)?;
+        if self.begins_phase {
+            self.begins_phase = false;
+            watch.starts(&self.motion, &sample, self.events.energy_taken());
+            self.events.start(&self.motion, &sample)?;
+            if self.change_phase()? {
+                return Ok(None);
+            }
+        }
+        if self.has_ended() {
+            return Ok(None);
+        }
+        self.integrator = Integrator::new(self.settings.method);
+        Stepper::new(&self.motion, self.integrator.method(), course, sample).map(Some)
+    }
+
+    /// Goes over to the next phase, if events have made one; its first state may be singular.
+    fn change_phase(&mut self) -> Result<bool, Failure> {
+        let Some((mechanism, state)) = self.events.next_phase() else { return Ok(false) };
+        self.state = state;
+        let found = mobility(&mechanism, state.time, &state.positions);
+        self.measures = Measures::with_mobility(&mechanism, state.time, &state.positions, &found);
+        self.begins_phase = true;
+        self.start_anew(mechanism);
+        found.check_regular::<M>(state.time, &state.positions)?;
+        Ok(true)
+    }
+
+    /// Has the next step start a motion of this mechanism.
+    fn start_anew(&mut self, mechanism: M) {
+        self.evaluations += self.motion.evaluations();
+        self.motion = Motion::new(mechanism, self.settings.stabilisation, self.measures);
+        self.stepper = None;
+    }
+
+    /// What has happened, in the end, and how many steps were made.
+    pub(crate) fn conclude(self) -> (Vec<Occurrence<M>>, Steps) {
+        (self.events.into_found(), self.steps)
+    }
+}
