@@ -16,6 +16,7 @@ use crate::failure::{Failure, What, constraint_name};
 use crate::measures::Measures;
 use crate::mobility::check_masses;
 use crate::project::{project_positions, rates};
+use crate::saved::{Bytes, Damaged};
 use crate::trajectory::State;
 use sim_kernel::event::{Assignment, Event, Hit, Step, Switch, Target};
 use sim_kernel::{Array, Mechanism};
@@ -45,8 +46,7 @@ pub fn act<M: Mechanism>(
     event: &'static Event,
     occurrence: usize,
 ) -> Result<Change<M>, Failure> {
-    let mut change =
-        Change { mechanism: *mechanism, state: *before, impulses: M::L::filled(0.0), energy_taken: 0.0, ends: false };
+    let mut change = Change::none(*mechanism, *before);
     for step in event.steps {
         match step {
             Step::Stop(after) => change.ends |= occurrence >= *after,
@@ -65,6 +65,20 @@ fn kinetic_energy<M: Mechanism>(mechanism: &M, state: &State<M>) -> f64 {
 }
 
 impl<M: Mechanism> Change<M> {
+    /// None.
+    pub(crate) fn none(mechanism: M, state: State<M>) -> Change<M> {
+        Change { mechanism, state, impulses: M::L::filled(0.0), energy_taken: 0.0, ends: false }
+    }
+
+    /// All of it as bytes, or from them.
+    pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        bytes.mechanism(&mut self.mechanism)?;
+        bytes.state(&mut self.state)?;
+        bytes.numbers(self.impulses.as_mut())?;
+        bytes.number(&mut self.energy_taken)?;
+        bytes.flag(&mut self.ends)
+    }
+
     fn fail<T>(&self, what: What) -> Result<T, Failure> {
         Err(Failure::at::<M>(what, self.state.time, &self.state.positions))
     }

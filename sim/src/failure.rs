@@ -275,6 +275,27 @@ pub enum What {
         /// C there.
         residual: f64,
     },
+    /// Parameters that are set on the way open a constraint.
+    #[error(
+        "with these parameters constraint `{constraint}` is open by {residual:.3e}, and the mechanism cannot be moved there on \
+             this branch of its motion. Change them less, or start anew with them"
+    )]
+    ParametersOpen {
+        /// The constraint with the largest residual.
+        constraint: &'static str,
+        /// That residual.
+        residual: f64,
+    },
+    /// A name that the mechanism does not have.
+    #[error("there is no {kind} `{name}`; there are: {known}")]
+    Unknown {
+        /// What is asked for.
+        kind: &'static str,
+        /// Its name.
+        name: String,
+        /// All that there are.
+        known: String,
+    },
     /// A coefficient of restitution that is none.
     #[error(
         "event `{event}`: the coefficient of restitution with `{constraint}` is {coefficient}, and must be a number that is not \

@@ -11,6 +11,7 @@ mod batch;
 pub mod cli;
 mod conditional;
 mod control;
+mod digest;
 mod dyads;
 mod eigen;
 mod equations;
@@ -44,6 +45,7 @@ mod reduction;
 mod root;
 mod rows;
 mod run;
+mod saved;
 mod settings;
 pub mod show;
 mod singular;
@@ -95,7 +97,7 @@ pub use motion::Motion;
 pub use poincare::{Period, Section, Sectioning, poincare};
 pub use project::{project, project_positions, project_velocities, rates};
 pub use record::{DeadPoint, dead_points};
-pub use run::{DOUBTFUL_BALANCE, Run, Simulation, run, run_controlled};
+pub use run::{DOUBTFUL_BALANCE, NotRestored, Run, Simulation, run, run_controlled};
 pub use settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
 pub use sim_kernel::{
     self, Array, Description, Dual, Dynamics, GeneralizedSpeeds, Input, Lanes, Mechanism, Scalar, mechanism,

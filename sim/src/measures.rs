@@ -4,6 +4,7 @@
 use crate::any::{Any, AnyMechanism, array};
 use crate::conditional::released_rows;
 use crate::mobility::{Mobility, mobility};
+use crate::saved::{Bytes, Damaged};
 use nalgebra::DMatrix;
 use sim_kernel::{Array, Mechanism};
 
@@ -46,6 +47,14 @@ impl<M: Mechanism> Measures<M> {
             ranks: [between_positions, rank],
             is_redundant: false,
         }
+    }
+
+    /// All of it as bytes, or from them.
+    pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        bytes.numbers(self.coordinates.as_mut())?;
+        bytes.numbers(self.constraints.as_mut())?;
+        self.ranks.iter_mut().try_for_each(|rank| bytes.index(rank, M::Q::LEN.max(M::L::LEN) + 1))?;
+        bytes.flag(&mut self.is_redundant)
     }
 
     /// For each coordinate the change that counts as 1, in SI units, n.

@@ -4,6 +4,7 @@ use crate::any::{Any, AnyMechanism};
 use crate::failure::{Failure, What};
 use crate::measures::{measure, without_units};
 use crate::nearby::nearby_positions;
+use crate::saved::{Bytes, Damaged};
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::Mechanism;
 
@@ -46,6 +47,16 @@ impl Mobility {
             )
         };
         self.singular.iter().map(line).collect()
+    }
+
+    /// All of it as bytes, or from them.
+    pub(crate) fn transfer<M: Mechanism>(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        let name = |bytes: &mut Bytes, name: &mut &'static str| bytes.constraint::<M>(name);
+        bytes.count(&mut self.degrees_of_freedom)?;
+        bytes.count(&mut self.configuration_freedom)?;
+        bytes.list(&mut self.dependent, || "", name)?;
+        bytes.list(&mut self.singular, || "", name)?;
+        bytes.list(&mut self.implied_by, Vec::new, |bytes, others| bytes.list(others, || "", name))
     }
 
     /// That a motion can start here.

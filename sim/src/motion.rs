@@ -5,6 +5,7 @@ use crate::failure::{Failure, What};
 use crate::measures::Measures;
 use crate::partition::Partition;
 use crate::project::{by_mass, project, project_measured, rates, smallest_by_inertia};
+use crate::saved::{Bytes, Damaged};
 use crate::settings::Stabilisation;
 use crate::singular::weakest_constraint;
 use crate::trajectory::{Sample, State};
@@ -13,7 +14,7 @@ use sim_kernel::{Array, Mechanism};
 use std::cell::{Cell, RefCell};
 
 /// A mechanism in motion: its right-hand side, its stabilisation, and what they have been asked.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Motion<M: Mechanism> {
     mechanism: M,
     prepared: M::Prepared,
@@ -52,6 +53,20 @@ impl<M: Mechanism> Motion<M> {
             is_in_speeds: Cell::new(false),
             farthest_of_speeds: Cell::new(M::Q::filled(0.0)),
         }
+    }
+
+    /// All of it as bytes, or from them.
+    pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        bytes.mechanism(&mut self.mechanism)?;
+        self.prepared = self.mechanism.prepare();
+        self.measures.transfer(bytes)?;
+        self.partition.get_mut().transfer(bytes)?;
+        bytes.word(self.evaluations.get_mut())?;
+        bytes.numbers(self.longest.get_mut().as_mut())?;
+        bytes.number(self.widest.get_mut())?;
+        bytes.number(self.closeness.get_mut())?;
+        bytes.flag(self.is_in_speeds.get_mut())?;
+        bytes.numbers(self.farthest_of_speeds.get_mut().as_mut())
     }
 
     /// What coordinates and constraints are measured by.

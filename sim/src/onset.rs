@@ -6,6 +6,7 @@
 use crate::events::{conditions, moved, tolerance};
 use crate::failure::Failure;
 use crate::motion::Motion;
+use crate::saved::{Bytes, Damaged};
 use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 
@@ -46,6 +47,22 @@ impl<M: Mechanism> Onset<M> {
             d,
             tolerance: tolerance(sample.state.time),
         })
+    }
+
+    /// None known yet.
+    pub(crate) fn blank() -> Onset<M> {
+        let [values, rates, seconds, noise, significant] = [M::Events::filled(0.0); 5];
+        Onset { values, rates, seconds, noise, significant, d: 0.0, tolerance: 0.0 }
+    }
+
+    /// All of it as bytes, or from them.
+    pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        let Onset { values, rates, seconds, noise, significant, d, tolerance } = self;
+        for numbers in [values, rates, seconds, noise, significant] {
+            bytes.numbers(numbers.as_mut())?;
+        }
+        bytes.number(d)?;
+        bytes.number(tolerance)
     }
 
     /// Whether a condition holds here, to the tolerance of a time.

@@ -26,6 +26,7 @@ mod quick_return;
 mod records;
 mod results;
 mod scaled;
+mod simulation;
 mod singular;
 mod singular_start;
 mod six_bar;

@@ -77,6 +77,13 @@ impl Fingerprint {
     }
 }
 
+/// The digest of bytes.
+pub(crate) fn fnv(bytes: &[u8]) -> u64 {
+    let mut hash = Fnv::new();
+    hash.add(bytes);
+    hash.0
+}
+
 /// FNV-1a, 64 bits (RFC 9923).
 struct Fnv(u64);
 

@@ -2,6 +2,7 @@
 
 use super::{Stop, json};
 use crate::Table;
+use crate::digest::Digest;
 use serde_json::Value;
 use std::fs::File;
 use std::io::{self, Read};
@@ -13,35 +14,6 @@ pub(super) const RUN: &str = "run";
 pub(super) const NAMED: [&str; 3] = [SUMMARY, "run.json", "timing.json"];
 const SUMMARY: &str = "summary.json";
 
-/// FNV-1a, 64 bits (Fowler, Noll, Vo; RFC 9923): these files are told apart, not guarded.
-struct Digest(u64);
-
-impl Digest {
-    fn new() -> Digest {
-        Digest(0xcbf2_9ce4_8422_2325)
-    }
-
-    fn add(&mut self, bytes: &[u8]) {
-        for byte in bytes {
-            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
-    }
-
-    fn add_file(&mut self, path: &Path) -> io::Result<()> {
-        let (mut file, mut part) = (open(path)?, vec![0; 1 << 16]);
-        loop {
-            match file.read(&mut part)? {
-                0 => return Ok(()),
-                length => self.add(&part[..length]),
-            }
-        }
-    }
-
-    fn text(&self) -> String {
-        format!("{:016x}", self.0)
-    }
-}
-
 /// Opens a file that has an end, which devices may not have.
 fn open(path: &Path) -> io::Result<File> {
     match path.metadata()?.is_file() {
@@ -52,9 +24,13 @@ fn open(path: &Path) -> io::Result<File> {
 
 /// The digest of a file.
 pub(super) fn digest(path: &Path) -> io::Result<String> {
-    let mut digest = Digest::new();
-    digest.add_file(path)?;
-    Ok(digest.text())
+    let (mut digest, mut file, mut part) = (Digest::new(), open(path)?, vec![0; 1 << 16]);
+    loop {
+        match file.read(&mut part)? {
+            0 => return Ok(digest.text()),
+            length => digest.add(&part[..length]),
+        }
+    }
 }
 
 /// What a run is known by: the digest of its table and of what else it was and found.

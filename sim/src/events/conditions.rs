@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use crate::integrate::Step;
 use crate::motion::Motion;
 use crate::onset::Onset;
+use crate::saved::{Bytes, Damaged};
 use crate::trajectory::{Sample, State};
 use sim_kernel::event::Event;
 use sim_kernel::{Array, Mechanism};
@@ -59,6 +60,18 @@ pub(crate) fn moved<M: Mechanism>(sample: &Sample<M>, d: f64) -> State<M> {
 }
 
 impl<M: Mechanism> Point<M> {
+    /// None known yet.
+    pub(super) fn blank() -> Point<M> {
+        Point { time: 0.0, values: M::Events::filled(0.0), rates: M::Events::filled(0.0) }
+    }
+
+    /// All of it as bytes, or from them.
+    pub(super) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        bytes.number(&mut self.time)?;
+        bytes.numbers(self.values.as_mut())?;
+        bytes.numbers(self.rates.as_mut())
+    }
+
     /// Values, and rates by central differences along the motion, over 1e-4 of the interval to be searched.
     pub(super) fn of(motion: &Motion<M>, sample: &Sample<M>, interval: f64) -> Result<Point<M>, Failure> {
         let (state, d) = (&sample.state, 1e-4 * interval);

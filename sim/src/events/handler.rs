@@ -1,12 +1,13 @@
 //! What events do to a motion: they change its mechanism and state, or end it.
 
 use super::{Crossing, EventSearch, Occurrence, tolerance};
-use crate::act::act;
+use crate::act::{Change, act};
 use crate::failure::{Failure, What};
 use crate::insertion::sort_few;
 use crate::integrate::Step;
 use crate::motion::Motion;
 use crate::onset::Onset;
+use crate::saved::{Bytes, Damaged};
 use crate::settings::{Settings, StopAt};
 use crate::trajectory::{Sample, State};
 use sim_kernel::event::{self, Direction, Event};
@@ -19,6 +20,7 @@ const MOST_AT_ONCE: usize = 32;
 const INSTANT: f64 = 1e-9;
 
 /// Finds the events of a motion and does what they say.
+#[derive(Clone)]
 pub(crate) struct EventHandler<M: Mechanism> {
     search: EventSearch<M>,
     stop: Option<StopAt>,
@@ -69,6 +71,18 @@ impl<M: Mechanism> EventHandler<M> {
             next_phase: None,
             has_ended: false,
         }
+    }
+
+    /// All between two steps as bytes, or from them; `blank` is filled by each change that is read.
+    pub(crate) fn transfer(&mut self, bytes: &mut Bytes, blank: &Change<M>) -> Result<(), Damaged> {
+        self.search.transfer(bytes, blank)?;
+        self.counts.iter_mut().try_for_each(|count| bytes.count(count))?;
+        bytes.numbers(&mut self.last)?;
+        let mut acted: Vec<f64> = self.acted.drain(..).collect();
+        bytes.list(&mut acted, || 0.0, Bytes::number)?;
+        self.acted = acted.into();
+        bytes.number(&mut self.energy_taken)?;
+        bytes.flag(&mut self.has_ended)
     }
 
     /// All that has happened.

@@ -17,6 +17,7 @@ use crate::integrate::Step;
 use crate::interpolate::cubic;
 use crate::onset::Onset;
 use crate::root::{find_minimum, find_root};
+use crate::saved::{Bytes, Damaged};
 use crate::trajectory::State;
 use conditions::{Point, cannot_reach_zero, crosses, is_root, turns_back, value};
 use sim_kernel::event::Direction;
@@ -46,6 +47,19 @@ pub struct Occurrence<M: Mechanism> {
     pub state: State<M>,
     /// What it has changed, if it does anything.
     pub change: Option<Change<M>>,
+}
+
+impl<M: Mechanism> Occurrence<M> {
+    fn transfer(&mut self, bytes: &mut Bytes, blank: &Change<M>) -> Result<(), Damaged> {
+        const CROSSINGS: [Crossing; 3] = [Crossing::Rising, Crossing::Falling, Crossing::Touching];
+        bytes.index(&mut self.event, M::Events::LEN)?;
+        self.name = M::DESCRIPTION.events[self.event].name;
+        let mut crossing = CROSSINGS.iter().position(|crossing| *crossing == self.crossing).unwrap_or(0);
+        bytes.index(&mut crossing, CROSSINGS.len())?;
+        self.crossing = CROSSINGS[crossing];
+        bytes.state(&mut self.state)?;
+        bytes.option(&mut self.change, || *blank, |bytes, change| change.transfer(bytes))
+    }
 }
 
 /// Halvings of a step, after which what a condition does between is not looked at.
@@ -80,6 +94,17 @@ impl<M: Mechanism> EventSearch<M> {
     /// Goes on from a time at which the motion has changed.
     pub(crate) fn restart(&mut self, begin: f64, onset: Option<Onset<M>>) {
         (self.begin, self.last, self.onset) = (begin, None, onset);
+    }
+
+    /// All of it as bytes, or from them; `blank` is filled by each occurrence that is read.
+    pub(crate) fn transfer(&mut self, bytes: &mut Bytes, blank: &Change<M>) -> Result<(), Damaged> {
+        let EventSearch { found, begin, last, largest, onset } = self;
+        let none = || Occurrence { event: 0, name: "", crossing: Crossing::Rising, state: blank.state, change: None };
+        bytes.list(found, none, |bytes, occurrence| occurrence.transfer(bytes, blank))?;
+        bytes.number(begin)?;
+        bytes.option(last, Point::blank, |bytes, last| last.transfer(bytes))?;
+        bytes.numbers(largest.as_mut())?;
+        bytes.option(onset, Onset::blank, |bytes, onset| onset.transfer(bytes))
     }
 
     /// Searches a step.

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::motion::Motion;
+use crate::saved::{Bytes, Damaged};
 use crate::settings::Tolerance;
 use crate::trajectory::Sample;
 use sim_kernel::{Array, Mechanism};
@@ -25,6 +26,12 @@ pub(super) struct Controller {
 impl Controller {
     pub(super) fn new(order: f64) -> Controller {
         Controller { order, previous_error: 1e-4, rejected: false }
+    }
+
+    /// What it remembers as bytes, or from them.
+    pub(super) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        bytes.number(&mut self.previous_error)?;
+        bytes.flag(&mut self.rejected)
     }
 
     /// The ratio of the next step to one with this error, which was accepted.

@@ -6,6 +6,7 @@ use super::method::Advance;
 use super::{Step, Steps};
 use crate::failure::Failure;
 use crate::motion::Motion;
+use crate::saved::{Bytes, Damaged};
 use crate::settings::Tolerance;
 use crate::singular::{Ahead, Followed, Lie, look_ahead, may_be_ahead};
 use crate::trajectory::Sample;
@@ -41,6 +42,7 @@ pub(super) enum Way {
 
 /// What leads a motion over singular positions: steps of DOP853 whose error is estimated, whatever method and steps lead to
 /// them, with stages that are brought onto the constraints.
+#[derive(Clone)]
 pub(super) struct Crossing<M: Mechanism> {
     method: Dop853<M>,
     /// Where the last step over a singular position has gone to.
@@ -52,6 +54,11 @@ pub(super) struct Crossing<M: Mechanism> {
 impl<M: Mechanism> Crossing<M> {
     pub(super) fn new() -> Crossing<M> {
         Crossing { method: Dop853::new(), reached: None, sines: [f64::INFINITY; 2] }
+    }
+
+    /// What it remembers between steps as bytes, or from them.
+    pub(super) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        bytes.numbers(&mut self.sines)
     }
 
     /// Takes note that a step has ended here.

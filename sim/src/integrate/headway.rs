@@ -1,6 +1,9 @@
 //! Steps that lead nowhere.
 
+use crate::saved::{Bytes, Damaged};
+
 /// How far attempts have come lately.
+#[derive(Clone)]
 pub(super) struct Headway {
     since: f64,
     attempts: u32,
@@ -16,6 +19,15 @@ impl Headway {
 
     pub(super) fn from(time: f64) -> Headway {
         Headway { since: time, attempts: 0, longest: 0.0 }
+    }
+
+    /// All of it as bytes, or from them.
+    pub(super) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        let mut attempts = self.attempts as usize;
+        bytes.index(&mut attempts, Headway::ATTEMPTS as usize + 1)?;
+        self.attempts = attempts as u32;
+        bytes.number(&mut self.since)?;
+        bytes.number(&mut self.longest)
     }
 
     /// Takes note of a step.

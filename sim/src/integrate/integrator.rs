@@ -1,10 +1,12 @@
 //! The methods that settings name.
 
 use super::{Advance, DOPRI5, Dop853, EULER, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5};
+use crate::saved::{Bytes, Damaged};
 use crate::settings::Method;
 use sim_kernel::Mechanism;
 
 /// One of the methods that settings name, with what it remembers of its last step.
+#[derive(Clone)]
 pub(crate) enum Integrator<M: Mechanism> {
     Explicit(ExplicitRungeKutta<M>),
     Dop853(Dop853<M>),
@@ -22,6 +24,14 @@ impl<M: Mechanism> Integrator<M> {
             Method::Dopri5 => explicit(&DOPRI5),
             Method::Dop853 => Integrator::Dop853(Dop853::new()),
             Method::Radau5 => Integrator::Radau5(Radau5::new()),
+        }
+    }
+
+    /// What it remembers between steps as bytes, or from them. The stages of an explicit method serve its last step alone.
+    pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        match self {
+            Integrator::Explicit(_) | Integrator::Dop853(_) => Ok(()),
+            Integrator::Radau5(method) => method.transfer(bytes),
         }
     }
 

@@ -31,6 +31,7 @@ pub use tableau::{DOPRI5, EULER, ErrorEstimate, HEUN, RK3, RK4, Tableau, Weight}
 
 use crate::failure::Failure;
 use crate::motion::Motion;
+use crate::saved::{Bytes, Damaged};
 use crate::settings::Stepping;
 use crate::singular::Singularity;
 use crate::trajectory::Sample;
@@ -46,6 +47,20 @@ pub struct Steps {
     pub rejected: u64,
     /// The singular positions that they passed, in order.
     pub singularities: Vec<Singularity>,
+}
+
+impl Steps {
+    /// All of it as bytes, or from them.
+    pub(crate) fn transfer<M: Mechanism>(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        bytes.word(&mut self.accepted)?;
+        bytes.word(&mut self.rejected)?;
+        let none = || Singularity { constraint: "", time: 0.0, sine: 0.0 };
+        bytes.list(&mut self.singularities, none, |bytes, Singularity { constraint, time, sine }| {
+            bytes.constraint::<M>(constraint)?;
+            bytes.number(time)?;
+            bytes.number(sine)
+        })
+    }
 }
 
 /// When and how far to integrate.

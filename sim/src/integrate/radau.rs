@@ -10,6 +10,7 @@ use super::method::{Advance, Attempt};
 use crate::failure::{Failure, What};
 use crate::interpolate::cubic;
 use crate::motion::Motion;
+use crate::saved::{Bytes, Damaged};
 use crate::settings::Tolerance;
 use crate::trajectory::{Rates, Sample, State};
 use nalgebra::Complex;
@@ -77,6 +78,18 @@ impl<M: Mechanism> Radau5<M> {
             real: Lu::new(n),
             complex: Lu::new(n),
         }
+    }
+
+    /// What it remembers between steps as bytes, or from them: the polynomial of the last one. Jacobian and factors are new in
+    /// each step.
+    pub(super) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        for stage in &mut self.stages {
+            bytes.numbers(stage.positions.as_mut())?;
+            bytes.numbers(stage.speeds.as_mut())?;
+            bytes.number(&mut stage.work)?;
+        }
+        bytes.number(&mut self.last)?;
+        bytes.number(&mut self.reached)
     }
 
     /// Factorises both systems for a step of length h.

@@ -8,14 +8,16 @@ use super::method::Advance;
 use super::{Course, Step, Steps};
 use crate::failure::{Failure, What};
 use crate::motion::Motion;
+use crate::saved::{Bytes, Damaged, blank_sample};
 use crate::settings::{Stepping, Tolerance};
-use crate::trajectory::Sample;
+use crate::trajectory::{Sample, State};
 use sim_kernel::Mechanism;
 
 /// What steps over singular positions are good to between equal steps.
 const EXACT: Tolerance = Tolerance::new(1e-12);
 
 /// How far a motion has come, and how long its next step may be.
+#[derive(Clone)]
 pub(crate) struct Stepper<M: Mechanism> {
     course: Course,
     /// Both ends of a step stay where they are, and the next one starts where the last ended.
@@ -37,6 +39,7 @@ enum Made {
 }
 
 /// How long steps are.
+#[derive(Clone)]
 enum Pace {
     /// The so-many-th of equal ones is the next.
     Equal { count: usize, step: usize },
@@ -44,6 +47,7 @@ enum Pace {
     Adaptive(Adaptive),
 }
 
+#[derive(Clone)]
 struct Adaptive {
     tolerance: Tolerance,
     controller: Controller,
@@ -65,19 +69,43 @@ impl<M: Mechanism> Stepper<M> {
         course: &Course,
         start: Sample<M>,
     ) -> Result<Stepper<M>, Failure> {
-        let pace = match (course.stepping, method.control_order()) {
-            (Stepping::Equal(count), _) => Pace::Equal { count, step: 1 },
-            (Stepping::Adaptive(tolerance), Some(order)) => {
-                motion.start(&start.state);
-                let h = initial_step(motion, &start, course.end - start.state.time, order, &tolerance)?;
-                let headway = Headway::from(start.state.time);
-                Pace::Adaptive(Adaptive { tolerance, controller: Controller::new(order), h, first: h, headway })
-            }
-            (Stepping::Adaptive(_), None) => {
-                return Err(Failure::at::<M>(What::NoErrorEstimate, start.state.time, &start.state.positions));
-            }
-        };
-        Ok(Stepper { course: *course, ends: [start; 2], from: 0, last: None, crossing: Crossing::new(), pace })
+        let State { time, positions, .. } = &start.state;
+        let mut pace = Pace::new(course.stepping, method, *time);
+        if let Pace::Adaptive(adaptive) = &mut pace {
+            let order = method.control_order();
+            let order = order.ok_or_else(|| Failure::at::<M>(What::NoErrorEstimate, *time, positions))?;
+            motion.start(&start.state);
+            adaptive.h = initial_step(motion, &start, course.end - time, order, &adaptive.tolerance)?;
+            adaptive.first = adaptive.h;
+        }
+        Ok(Stepper { pace, ..Stepper::blank(course, method, start) })
+    }
+
+    /// One to be filled.
+    fn blank(course: &Course, method: &dyn Advance<M>, at: Sample<M>) -> Stepper<M> {
+        let pace = Pace::new(course.stepping, method, at.state.time);
+        Stepper { course: *course, ends: [at; 2], from: 0, last: None, crossing: Crossing::new(), pace }
+    }
+
+    /// One that may not be there as bytes, or from them; those read are of this course and method.
+    pub(crate) fn transfer(
+        stepper: &mut Option<Stepper<M>>,
+        bytes: &mut Bytes,
+        (course, method): (&Course, &dyn Advance<M>),
+        at: &State<M>,
+    ) -> Result<(), Damaged> {
+        let blank = || Stepper::blank(course, method, blank_sample(at));
+        bytes.option(stepper, blank, |bytes, stepper| {
+            let Stepper { ends, from, last, crossing, pace, .. } = stepper;
+            ends.iter_mut().try_for_each(|end| bytes.sample(end))?;
+            bytes.index(from, 2)?;
+            let mut has_moved = last.is_some();
+            bytes.flag(&mut has_moved)?;
+            // Of that step itself no more is needed.
+            *last = has_moved.then_some(Made::Normally);
+            crossing.transfer(bytes)?;
+            pace.transfer(bytes)
+        })
     }
 
     /// Goes on by another course, which may end elsewhere.
@@ -123,6 +151,32 @@ impl<M: Mechanism> Stepper<M> {
                 Step { motion, method, from, to, reached: to, end_sine }
             }
         })
+    }
+}
+
+impl Pace {
+    /// At the start; of adaptive steps the length is still to be found.
+    fn new<M: Mechanism>(stepping: Stepping, method: &dyn Advance<M>, now: f64) -> Pace {
+        match stepping {
+            Stepping::Equal(count) => Pace::Equal { count, step: 1 },
+            Stepping::Adaptive(tolerance) => {
+                let controller = Controller::new(method.control_order().unwrap_or(1.0));
+                Pace::Adaptive(Adaptive { tolerance, controller, h: 0.0, first: 0.0, headway: Headway::from(now) })
+            }
+        }
+    }
+
+    fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        match self {
+            // Which is the next is told by the time.
+            Pace::Equal { .. } => Ok(()),
+            Pace::Adaptive(Adaptive { controller, h, first, headway, .. }) => {
+                controller.transfer(bytes)?;
+                bytes.number(h)?;
+                bytes.number(first)?;
+                headway.transfer(bytes)
+            }
+        }
     }
 }
 

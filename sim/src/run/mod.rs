@@ -1,7 +1,10 @@
 //! A whole run: a simulation that is recorded, and its balance.
 
+mod change;
+mod save;
 mod simulation;
 
+pub use save::NotRestored;
 pub use simulation::Simulation;
 
 use crate::assemble::Start;

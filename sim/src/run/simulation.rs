@@ -37,23 +37,24 @@ use sim_kernel::Mechanism;
 /// assert!((simulation.state().positions[0] - 1.0).abs() < 1e-12);
 /// # Ok::<(), sim::Failure>(())
 /// ```
+#[derive(Clone)]
 pub struct Simulation<M: Mechanism> {
-    settings: Settings,
+    pub(super) settings: Settings,
     /// When it began, in seconds.
-    begin: f64,
-    mobility: Mobility,
-    state: State<M>,
-    measures: Measures<M>,
-    motion: Motion<M>,
-    integrator: Integrator<M>,
+    pub(super) begin: f64,
+    pub(super) mobility: Mobility,
+    pub(super) state: State<M>,
+    pub(super) measures: Measures<M>,
+    pub(super) motion: Motion<M>,
+    pub(super) integrator: Integrator<M>,
     /// None where the motion is to start anew.
-    stepper: Option<Stepper<M>>,
+    pub(super) stepper: Option<Stepper<M>>,
     /// Whether a phase begins there.
-    begins_phase: bool,
-    events: EventHandler<M>,
-    steps: Steps,
+    pub(super) begins_phase: bool,
+    pub(super) events: EventHandler<M>,
+    pub(super) steps: Steps,
     /// Right-hand sides of motions before this one.
-    evaluations: u64,
+    pub(super) evaluations: u64,
 }
 
 impl<M: Mechanism> Simulation<M> {
@@ -150,12 +151,6 @@ impl<M: Mechanism> Simulation<M> {
         Ok(())
     }
 
-    /// Sets all inputs, from here on.
-    pub fn set_inputs(&mut self, inputs: M::Inputs) {
-        let mechanism = self.mechanism().with_inputs(inputs);
-        self.start_anew(mechanism);
-    }
-
     /// Makes one step that ends at a time or before it, and shows it to whoever watches.
     ///
     /// # Errors
@@ -189,7 +184,7 @@ impl<M: Mechanism> Simulation<M> {
     }
 
     /// The way to a time; equal steps are counted from the beginning.
-    fn course(&self, until: f64) -> Course {
+    pub(super) fn course(&self, until: f64) -> Course {
         let Settings { end, stepping, .. } = self.settings.until(until, self.begin);
         Course { begin: self.begin, end, stepping }
     }
@@ -216,17 +211,22 @@ impl<M: Mechanism> Simulation<M> {
     /// Goes over to the next phase, if events have made one; its first state may be singular.
     fn change_phase(&mut self) -> Result<bool, Failure> {
         let Some((mechanism, state)) = self.events.next_phase() else { return Ok(false) };
+        self.enter_phase(mechanism, state)?;
+        Ok(true)
+    }
+
+    /// Has the next step begin a phase there.
+    pub(super) fn enter_phase(&mut self, mechanism: M, state: State<M>) -> Result<(), Failure> {
         self.state = state;
         let found = mobility(&mechanism, state.time, &state.positions);
         self.measures = Measures::with_mobility(&mechanism, state.time, &state.positions, &found);
         self.begins_phase = true;
         self.start_anew(mechanism);
-        found.check_regular::<M>(state.time, &state.positions)?;
-        Ok(true)
+        found.check_regular::<M>(state.time, &state.positions)
     }
 
     /// Has the next step start a motion of this mechanism.
-    fn start_anew(&mut self, mechanism: M) {
+    pub(super) fn start_anew(&mut self, mechanism: M) {
         self.evaluations += self.motion.evaluations();
         self.motion = Motion::new(mechanism, self.settings.stabilisation, self.measures);
         self.stepper = None;

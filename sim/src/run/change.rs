@@ -1,0 +1,123 @@
+//! Parameters and inputs that the owner of a simulation sets on its way.
+
+use super::Simulation;
+use crate::failure::{Failure, What, constraint_name, largest};
+use crate::inertia::check_inertias;
+use crate::measures::Measures;
+use crate::mobility::check_masses;
+use crate::project::project_velocities;
+use crate::trajectory::State;
+use sim_kernel::{Array, Input, Mechanism, Quantity};
+
+/// What of a change of parameters may move the mechanism at once, in the measures of its coordinates: further might be another
+/// branch.
+const NEAR: f64 = 0.1;
+/// A part of a change that is refused.
+const LEAST_PART: f64 = 1e-3;
+
+impl<M: Mechanism> Simulation<M> {
+    /// Sets all inputs, from here on.
+    pub fn set_inputs(&mut self, inputs: M::Inputs) {
+        let mechanism = self.mechanism().with_inputs(inputs);
+        self.start_anew(mechanism);
+    }
+
+    /// Sets an input by its name, from here on; a value is in SI units.
+    ///
+    /// # Errors
+    /// [`What::Unknown`], and [`What::NotFinite`].
+    pub fn set_input(&mut self, name: &str, input: Input) -> Result<(), Failure> {
+        let mut inputs = self.mechanism().inputs();
+        inputs[self.place("input", M::DESCRIPTION.inputs, name, input.held().unwrap_or(0.0))?] = input;
+        self.set_inputs(inputs);
+        Ok(())
+    }
+
+    /// Sets a parameter by its name, in SI units, from here on.
+    ///
+    /// # Errors
+    /// As [`set_parameters`](Simulation::set_parameters), and [`What::Unknown`].
+    pub fn set_parameter(&mut self, name: &str, value: f64) -> Result<(), Failure> {
+        let mut parameters = self.mechanism().parameters();
+        parameters[self.place("parameter", M::DESCRIPTION.parameters, name, value)?] = value;
+        self.set_parameters(parameters)
+    }
+
+    /// Sets all parameters, in the order of declaration and in SI units, from here on.
+    ///
+    /// Where they open a constraint the mechanism is assembled anew on its branch: the parameters go there in parts so small
+    /// that each moves it a little, by the smallest change of coordinates, and the speeds follow by the smallest change too. What
+    /// that does to the energy is no work.
+    ///
+    /// # Errors
+    /// [`What::ParametersOpen`] if a constraint cannot be closed from here; masses and inertias that cannot be. The simulation
+    /// then stays as it was.
+    pub fn set_parameters(&mut self, parameters: M::Parameters) -> Result<(), Failure> {
+        let unchanged = self.clone();
+        self.change_to(parameters).inspect_err(|_| *self = unchanged)
+    }
+
+    fn change_to(&mut self, parameters: M::Parameters) -> Result<(), Failure> {
+        let (before, state) = (*self.mechanism(), self.state);
+        let mechanism = before.with_parameters(parameters);
+        check_masses(&mechanism, state.time, &state.positions)?;
+        check_inertias(&mechanism, state.time, &state.positions)?;
+        let state = if moves_constraints(&before, &mechanism, &state) { self.closed(&parameters)? } else { state };
+        self.enter_phase(mechanism, state)
+    }
+
+    /// The state with these parameters, on the branch of this one.
+    fn closed(&self, parameters: &M::Parameters) -> Result<State<M>, Failure> {
+        let old = self.mechanism().parameters();
+        let with = |part: f64| {
+            let mixed = |i: usize| old[i] + part * (parameters[i] - old[i]);
+            let parameters = if part == 1.0 { *parameters } else { M::Parameters::from_fn(mixed) };
+            self.mechanism().with_parameters(parameters)
+        };
+        let (mut state, mut done, mut part) = (self.state, 0.0, 1.0f64);
+        while done < 1.0 {
+            let next = (done + part).min(1.0);
+            match closed_nearby(&with(next), &state) {
+                Some(closed) => (state, done, part) = (closed, next, 2.0 * part),
+                None if part > LEAST_PART => part /= 2.0,
+                None => {
+                    let values = with(1.0).constraints(state.time, &state.positions);
+                    let (row, residual) = largest(values.iter()).unwrap_or((0, f64::NAN));
+                    let what = What::ParametersOpen { constraint: constraint_name::<M>(row), residual };
+                    return Err(Failure::at::<M>(what, state.time, &state.positions));
+                }
+            }
+        }
+        Ok(state)
+    }
+
+    /// The place of a name, where the value to be set is finite.
+    fn place(&self, kind: &'static str, known: &[Quantity], name: &str, value: f64) -> Result<usize, Failure> {
+        let fail = |what: What| Failure::at::<M>(what, self.state.time, &self.state.positions);
+        let place = known.iter().position(|quantity| quantity.name == name).ok_or_else(|| {
+            let names: Vec<&str> = known.iter().map(|quantity| quantity.name).collect();
+            fail(What::Unknown { kind, name: name.to_owned(), known: names.join(", ") })
+        })?;
+        match value.is_finite() {
+            true => Ok(place),
+            false => Err(fail(What::NotFinite { quantity: format!("{kind} `{name}`") })),
+        }
+    }
+}
+
+/// Whether parameters that change open a constraint at a state, or the rate of one.
+fn moves_constraints<M: Mechanism>(before: &M, after: &M, state: &State<M>) -> bool {
+    let [before, after] = [before, after].map(|m| m.constraint_linearization(state.time, &state.positions));
+    let rates = |linear| crate::project::rates::<M>(linear, &state.speeds);
+    before.values.as_ref() != after.values.as_ref() || rates(&before).as_ref() != rates(&after).as_ref()
+}
+
+/// The nearest state on the constraints, if it is near.
+fn closed_nearby<M: Mechanism>(mechanism: &M, state: &State<M>) -> Option<State<M>> {
+    let (time, mut closed) = (state.time, *state);
+    let measures = Measures::at(mechanism, time, &state.positions);
+    let linear = crate::project::project_positions(mechanism, &measures, time, &mut closed.positions).ok()?;
+    project_velocities(&measures, &linear, time, &closed.positions, &mut closed.speeds).ok()?;
+    let moved = M::Q::from_fn(|i| closed.positions[i] - state.positions[i]);
+    (closed.is_finite() && measures.size(&moved) <= NEAR).then_some(closed)
+}
