@@ -55,16 +55,15 @@ impl<M: Mechanism> Motion<M> {
         }
     }
 
-    /// All of it as bytes, or from them.
+    /// What it remembers between steps as bytes, or from them. What is independent is chosen anew for each step, and the least sine
+    /// is told by its end.
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
         bytes.mechanism(&mut self.mechanism)?;
         self.prepared = self.mechanism.prepare();
         self.measures.transfer(bytes)?;
-        self.partition.get_mut().transfer(bytes)?;
         bytes.word(self.evaluations.get_mut())?;
         bytes.numbers(self.longest.get_mut().as_mut())?;
         bytes.number(self.widest.get_mut())?;
-        bytes.number(self.closeness.get_mut())?;
         bytes.flag(self.is_in_speeds.get_mut())?;
         bytes.numbers(self.farthest_of_speeds.get_mut().as_mut())
     }

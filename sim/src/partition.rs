@@ -12,7 +12,6 @@ use crate::met::is_met;
 use crate::project::{inner, rates, subtract};
 use crate::reduction::row_space;
 use crate::rows::Dense;
-use crate::saved::{Bytes, Damaged};
 use crate::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 
@@ -38,15 +37,6 @@ impl<M: Mechanism> Partition<M> {
     pub(crate) fn new() -> Partition<M> {
         let none = Across { directions: M::LQ::filled(M::Q::filled(0.0)), rank: 0 };
         Partition { positions: none.clone(), speeds: none }
-    }
-
-    /// All of it as bytes, or from them.
-    pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
-        for Across { directions, rank } in [&mut self.positions, &mut self.speeds] {
-            directions.as_mut().iter_mut().try_for_each(|direction| bytes.numbers(direction.as_mut()))?;
-            bytes.index(rank, M::L::LEN + 1)?;
-        }
-        Ok(())
     }
 
     /// Chooses for a step from a sample to a time, by the position in its middle, foretold from its start.

@@ -7,7 +7,7 @@ use tests::run_with;
 
 mechanism! {
     /// A parallelogram, which can change into a crossed linkage in its flat positions.
-    Parallelogram;
+    pub(crate) Parallelogram;
     coordinates { crank [rad]; coupler [rad]; rocker [rad]; }
     parameters { a [m] = 0.2; b [m] = 0.6; m [kg] = 2; start [rad] = 1; w [rad/s] = 10; g [m/s^2] = 9.81; ripple [N*m] = 0; nu [rad/s] = 300; }
     let A = a*[cos(crank), sin(crank)];
@@ -23,7 +23,7 @@ mechanism! {
 
 mechanism! {
     /// The same with a third crank in the middle of its coupler, which makes one closure redundant in every position.
-    ThreeCranks;
+    pub(crate) ThreeCranks;
     coordinates { crank [rad]; coupler [rad]; rocker [rad]; middle [rad]; }
     parameters { a [m] = 0.2; b [m] = 0.6; m [kg] = 2; start [rad] = 1; w [rad/s] = 10; g [m/s^2] = 9.81; }
     let A = a*[cos(crank), sin(crank)];

@@ -58,7 +58,7 @@ fn events_in_one_step_happen_in_order() {
 
 mechanism! {
     /// A block on a table that swings up and down, and leaves it where nothing presses it down any more.
-    Shaken;
+    pub(crate) Shaken;
     coordinates { y [m]; }
     parameters { m [kg] = 0.7; a [m] = 0.05; w [1/s] = 20; g [m/s^2] = 9.81; }
     let table = a*sin(w*t);
@@ -105,7 +105,7 @@ fn a_block_leaves_its_table_where_the_reaction_vanishes() {
 
 mechanism! {
     /// A stone on a string.
-    Stone;
+    pub(crate) Stone;
     coordinates { x [m]; y [m]; }
     parameters { m [kg] = 0.4; l [m] = 0.8; g [m/s^2] = 9.81; }
     let P = [x, y];
