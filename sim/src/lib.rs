@@ -88,7 +88,7 @@ pub use integrate::{
 pub use interpolate::hermite;
 pub use kinematics::{
     Driven, Extreme, Extremes, Kinematics, Prescribed, Range, SpecialPosition, Sweep, TimeRatio, inverse_dynamics,
-    kinematics,
+    kinematics, kinematics_until,
 };
 pub use linearize::{Control, Linearization, Mode, linearize};
 pub use measures::Measures;

@@ -4,8 +4,8 @@ use crate::impacts::{Shaken, Stone};
 use crate::singular::{Parallelogram, ThreeCranks};
 use models::{Bennett, BouncingBall, CartPole, FourBar, Pendulum, QuickReturn, Skate, TumblingQuaternion};
 use sim::{
-    Controller, Input, Mechanism, Method, NotRestored, Rows, Sample, Settings, Simulation, Stabilisation, State, What,
-    declared_start, run, run_controlled,
+    Controller, Input, Mechanism, Method, NotRestored, Rows, Sample, Settings, Simulation, Stabilisation, State,
+    StopAt, What, declared_start, run, run_controlled,
 };
 use tests::Random;
 
@@ -40,6 +40,22 @@ fn a_simulation_makes_the_steps_of_a_run() {
     assert_eq!((simulation.steps(), simulation.evaluations()), (&found.steps, found.evaluations - rows(&found)));
     let times = |events: &[sim::Occurrence<BouncingBall>]| events.iter().map(|e| e.state.time).collect::<Vec<_>>();
     assert_eq!(times(simulation.events()), times(&found.events));
+}
+
+/// Where an event ends the motion, so do its steps.
+#[test]
+fn a_simulation_ends_at_the_event_that_stops_it() {
+    let stop = Some(StopAt { event: 0, occurrence: 2 });
+    for settings in
+        [Settings { stop, ..Settings::new(1e6) }, Settings { stop, ..Settings::equal_steps(Method::Rk4, 50.0, 9000) }]
+    {
+        let mut ball = simulation(BouncingBall::default(), &settings);
+        ball.advance_to(40.0).unwrap();
+        let landing = ball.state().time;
+        assert!(ball.has_ended() && ball.events().last().unwrap().state.time == landing && !ball.step().unwrap());
+        // Twice from 1 m, by a rebound of 0.9: sqrt(2 h/g) (1 + 2 0.9).
+        assert!((landing - (2.0f64 / 9.81).sqrt() * 2.8).abs() < 1e-10, "{landing}");
+    }
 }
 
 /// Right-hand sides that rows alone ask for: those at events, before and after.

@@ -4,11 +4,12 @@ use super::arguments::{Voice, WrittenArguments};
 use super::files::Files;
 use super::given::{mechanism_with, start_with};
 use super::quantity::parse_quantity;
-use super::{Stop, folder, unknown};
+use super::{Stop, folder, signals, unknown};
 use crate::kinematics::{prescribed_coordinate, quotient};
 use crate::show::{self, SWEEP_FIGURES};
 use crate::{
-    Driven, Extreme, Extremes, Failure, Kinematics, Mobility, Range, SpecialPosition, Sweep, Table, kinematics,
+    Driven, Extreme, Extremes, Failure, Kinematics, Mobility, Range, SpecialPosition, Sweep, Table, What,
+    kinematics_until,
 };
 use clap::Args;
 use serde_json::{Map, Value, json};
@@ -176,7 +177,7 @@ pub(super) fn kinematics_command<M: Mechanism>(arguments: &KinematicsArguments, 
     let directory = arguments.out.clone();
     let directory = directory.unwrap_or_else(|| format!("out/{}-kinematics", description.name).into());
     let files = Files::new(description, &directory, &SWEEP_FIGURES)?;
-    let found = kinematics(mechanism, &start, &sweep)?;
+    let found = signals::interruptible(|| kinematics_until(&signals::INTERRUPTED, mechanism, &start, &sweep))?;
     let draw =
         |table: &Table, directory: &Path| show::sweep_figures(&found, table, directory, arguments.written.size.show());
     tell(&Found::new(&found), &found.table(), (arguments, files), &draw, voice)
@@ -244,7 +245,8 @@ fn tell(
     }
     files.finish();
     files.say(voice, summary, &format!("{}{}", report(found), files.line()))?;
-    files.check(found.failure.iter().map(ToString::to_string).collect(), false)
+    let is_interrupted = found.failure.is_some_and(|failure| failure.what == What::Interrupted);
+    files.check(found.failure.iter().map(ToString::to_string).collect(), is_interrupted)
 }
 
 /// What was found, in declared units.

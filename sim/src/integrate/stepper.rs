@@ -244,7 +244,10 @@ impl Adaptive {
         steps: &mut Steps,
     ) -> Result<Option<Made>, Failure> {
         let (now, tolerance) = (from.state.time, self.tolerance);
-        while now < course.end {
+        if !(now < course.end) {
+            return Ok(None);
+        }
+        loop {
             if self.headway.is_lost(now) {
                 return Err(too_small(motion, &from.state, self.h, None));
             }
@@ -288,6 +291,5 @@ impl Adaptive {
                 }
             }
         }
-        Ok(None)
     }
 }

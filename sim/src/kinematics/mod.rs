@@ -23,6 +23,7 @@ use crate::mobility::Mobility;
 use crate::trajectory::Trajectory;
 use inverse::AnyPrescribed;
 use sim_kernel::{Array, Description, Mechanism};
+use std::sync::atomic::AtomicBool;
 use sweep::Swept;
 
 pub use driven::Driven;
@@ -77,6 +78,19 @@ pub struct Kinematics<M: Mechanism> {
 /// If the start cannot be assembled, if [`What::NotDriven`] or [`What::NotHolonomic`], or if where the sweep begins
 /// cannot be reached. What ends the sweep on the way does not lose it: it stands in its trajectory.
 pub fn kinematics<M: Mechanism>(mechanism: M, start: &Start<M>, sweep: &Sweep) -> Result<Kinematics<M>, Failure> {
+    kinematics_until(&AtomicBool::new(false), mechanism, start, sweep)
+}
+
+/// The same, but that it ends, as a failure, once `interrupt` is true.
+///
+/// # Errors
+/// As [`kinematics`].
+pub fn kinematics_until<M: Mechanism>(
+    interrupt: &AtomicBool,
+    mechanism: M,
+    start: &Start<M>,
+    sweep: &Sweep,
+) -> Result<Kinematics<M>, Failure> {
     let sensible = sweep.steps > 0 && sweep.from != sweep.to && sweep.speed != 0.0;
     if !sensible || ![sweep.from, sweep.to, sweep.speed].iter().all(|value| value.is_finite()) {
         let quantity = "the time that the sweep takes, (to - from) / speed,".to_owned();
@@ -90,7 +104,7 @@ pub fn kinematics<M: Mechanism>(mechanism: M, start: &Start<M>, sweep: &Sweep) -
     let still = Start { speeds: M::Q::filled(0.0), speed_given: none, ..start.clone() };
     let assembled = assemble(&mechanism, &still)?.positions;
     let any = Any(&mechanism);
-    let swept = sweep::sweep(&any, assembled.as_ref().to_vec(), sweep)?;
+    let swept = sweep::sweep(&any, assembled.as_ref().to_vec(), sweep, interrupt)?;
     let extremes = extremes::extremes(&swept, sweep);
     let transmission = transmission(&swept);
     let work = work(&swept);

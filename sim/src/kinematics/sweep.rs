@@ -9,6 +9,7 @@ use crate::any::AnyMechanism;
 use crate::failure::{Failure, What};
 use crate::mobility::Mobility;
 use std::rc::Rc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What is driven is where it should be when less than this part of it is missing.
 const THERE: f64 = 1e-14;
@@ -70,6 +71,7 @@ pub(super) fn sweep<'m>(
     mechanism: &'m dyn AnyMechanism,
     assembled: Vec<f64>,
     sweep: &Sweep,
+    interrupt: &AtomicBool,
 ) -> Result<Swept<'m>, Failure> {
     let (system, mobility, q) = approach(mechanism, assembled, sweep)?;
     let held = sweep.held.iter().map(|(driven, value)| Law { driven: *driven, start: *value, rate: 0.0 });
@@ -77,7 +79,8 @@ pub(super) fn sweep<'m>(
     let system = system.running(laws);
     let path = Path::new(&system, &q, sweep.parameter(sweep.steps));
     let start = path.start(&q)?;
-    let mut followed = Followed { path: &path, sweep, motion: Vec::new(), branches: Vec::new(), limit: None };
+    let mut followed =
+        Followed { path: &path, sweep, interrupt, motion: Vec::new(), branches: Vec::new(), limit: None };
     let mut search = Search::new(&path);
     let failure = followed.follow(path.before(start), &mut search).err();
     if let (true, Some(failure)) = (followed.motion.is_empty(), &failure) {
@@ -128,6 +131,7 @@ fn approach<'m>(
 struct Followed<'s> {
     path: &'s Path<'s>,
     sweep: &'s Sweep,
+    interrupt: &'s AtomicBool,
     motion: Vec<AnyPrescribed>,
     branches: Vec<SpecialPosition>,
     limit: Option<SpecialPosition>,
@@ -139,11 +143,13 @@ impl<'s> Followed<'s> {
         let (path, end, mut length) = (self.path, self.sweep.parameter(self.sweep.steps), f64::INFINITY);
         loop {
             let piece = Rc::new(path.next(&from, &mut length)?);
-            self.record(&piece)?;
             // The curve may begin before the sweep does.
-            if path.reached(&piece) > 0.0 || piece.limit.is_some() {
-                search.look(&piece, [0.0, end].map(|p| path.locate(&piece, p)))?;
-            }
+            let is_within = path.reached(&piece) > 0.0 || piece.limit.is_some();
+            let looked =
+                if is_within { search.look(&piece, [0.0, end].map(|p| path.locate(&piece, p))) } else { Ok(()) };
+            // These may be millions, and the record may be interrupted.
+            self.record(&piece)?;
+            looked?;
             let crossings = piece.crossings.iter().map(|x| path.at(&piece, *x));
             let branch = |(positions, p)| SpecialPosition { value: path.system.laws[0].at(p), positions };
             self.branches.extend(crossings.filter(|(_, p)| (0.0..=end).contains(p)).map(branch));
@@ -167,6 +173,11 @@ impl<'s> Followed<'s> {
         let reached = piece.limit.map_or_else(|| self.path.reached(piece), |x| self.path.at(piece, x).1);
         while self.motion.len() <= self.sweep.steps && self.sweep.parameter(self.motion.len()) <= reached {
             let p = self.sweep.parameter(self.motion.len());
+            if self.interrupt.load(Ordering::Relaxed) {
+                let (q, _) = self.path.at(piece, self.path.locate(piece, p));
+                let system = self.path.system;
+                return Err(system.mechanism.failure(What::Interrupted, system.time(p), &q));
+            }
             match self.path.motion(piece, self.path.locate(piece, p), p) {
                 Ok(motion) => self.motion.push(motion),
                 // In a limit position itself, which is reported.

@@ -131,17 +131,17 @@ fn record<M: Mechanism>(
     recorder: &mut Recorder<M>,
 ) -> Result<(), Failure> {
     loop {
+        control.ask(simulation)?;
+        let goes_on = simulation.advance(control.holds_until(settings.end), recorder)?;
+        if !goes_on && simulation.has_ended() {
+            return Ok(());
+        }
         let State { time, positions, .. } = simulation.state();
         if settings.interrupt.is_some_and(|interrupt| interrupt.load(Ordering::Relaxed)) {
             return Err(Failure::at::<M>(What::Interrupted, *time, positions));
         }
         if let Some(progress) = settings.progress {
             progress.store(time.to_bits(), Ordering::Relaxed);
-        }
-        control.ask(simulation)?;
-        let goes_on = simulation.advance(control.holds_until(settings.end), recorder)?;
-        if !goes_on && simulation.has_ended() {
-            return Ok(());
         }
     }
 }

@@ -138,6 +138,11 @@ impl<M: Mechanism> Simulation<M> {
     /// # Errors
     /// The first failure that smaller steps do not avoid, and what events fail with. The state stays where it was.
     pub fn step(&mut self) -> Result<bool, Failure> {
+        while self.stepper.is_none() {
+            if !self.advance(self.settings.end, &mut ())? {
+                return Ok(false);
+            }
+        }
         self.advance(self.settings.end, &mut ())
     }
 
@@ -151,18 +156,19 @@ impl<M: Mechanism> Simulation<M> {
         Ok(())
     }
 
-    /// Makes one step that ends at a time or before it, and shows it to whoever watches.
+    /// Begins a motion, or makes one step that ends at a time or before it, and shows it to whoever watches.
     ///
     /// # Errors
     /// As [`step`](Simulation::step), and as whoever watches.
     pub(crate) fn advance(&mut self, until: f64, watch: &mut dyn Watch<M>) -> Result<bool, Failure> {
+        // A phase that an event has made begins, also where the event ends the motion.
+        if self.events.has_ended() && !self.begins_phase {
+            return Ok(false);
+        }
         let course = self.course(until);
-        let stepper = match &mut self.stepper {
-            Some(stepper) => stepper,
-            None => match self.begin(&course, watch)? {
-                Some(stepper) => self.stepper.insert(stepper),
-                None => return Ok(!self.has_ended()),
-            },
+        let Some(stepper) = &mut self.stepper else {
+            self.stepper = self.begin(&course, watch)?;
+            return Ok(self.stepper.is_some() || !self.has_ended());
         };
         stepper.head_for(&course);
         let Some(mut step) = stepper.next(&self.motion, self.integrator.method(), &mut self.steps)? else {
