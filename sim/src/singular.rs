@@ -59,11 +59,20 @@ const LOOK: f64 = 0.3;
 /// the next step: a sine that falls to zero does so evenly at last.
 const UNEVEN: f64 = 2.0;
 
+/// Where a step changes the sine by less than this part of it, the sine tells how far the position is.
+const EVEN: f64 = 0.02;
+/// Below this sine the way ahead is looked at then, if the sine falls: a step over a singular position begins at about half.
+const LOOK_EVENLY: f64 = 0.2;
+
 /// Whether a singular position may lie within the next steps, after two that ended at these sines. Where there have not been two,
 /// it may.
 #[inline]
 pub(crate) fn may_be_ahead([before, now]: [f64; 2]) -> bool {
-    before.is_infinite() || now - FORESIGHT * (before - now) < LOOK
+    let falls = before - now;
+    match falls.abs() < EVEN * now {
+        true => falls > 0.0 && now < LOOK_EVENLY,
+        false => before.is_infinite() || now - FORESIGHT * falls < LOOK,
+    }
 }
 
 /// How steps over singular positions are laid.
