@@ -78,21 +78,6 @@ pub struct Tolerance {
     pub absolute: f64,
 }
 
-impl Settings {
-    /// The same until an earlier end, of a run from `begin`, with steps of the same length where they are equal.
-    pub(crate) fn until(&self, end: f64, begin: f64) -> Settings {
-        let stepping = match self.stepping {
-            Stepping::Equal(count) if end < self.end => {
-                let part = (end - begin) / (self.end - begin);
-                // A little less than what rounding could add to a whole number of steps.
-                Stepping::Equal((part * count as f64 - 1e-6).ceil().max(1.0) as usize)
-            }
-            stepping => stepping,
-        };
-        Settings { end, stepping, ..*self }
-    }
-}
-
 impl Tolerance {
     /// The same number for both.
     pub const fn new(relative: f64) -> Tolerance {

@@ -32,7 +32,7 @@ pub use tableau::{DOPRI5, EULER, ErrorEstimate, HEUN, RK3, RK4, Tableau, Weight}
 use crate::failure::Failure;
 use crate::motion::Motion;
 use crate::saved::{Bytes, Damaged};
-use crate::settings::Stepping;
+use crate::settings::{Settings, Stepping};
 use crate::singular::Singularity;
 use crate::trajectory::Sample;
 use sim_kernel::Mechanism;
@@ -47,6 +47,21 @@ pub struct Steps {
     pub rejected: u64,
     /// The singular positions that they passed, in order.
     pub singularities: Vec<Singularity>,
+}
+
+impl Course {
+    /// The way to an end, of a run that began then; equal steps are of the same length to an earlier end.
+    pub(crate) fn new(settings: &Settings, begin: f64, end: f64) -> Course {
+        let stepping = match settings.stepping {
+            Stepping::Equal(count) if end < settings.end => {
+                let part = (end - begin) / (settings.end - begin);
+                // A little less than what rounding could add to a whole number of steps.
+                Stepping::Equal((part * count as f64 - 1e-6).ceil().max(1.0) as usize)
+            }
+            stepping => stepping,
+        };
+        Course { begin, end, stepping }
+    }
 }
 
 impl Steps {

@@ -108,6 +108,11 @@ impl<M: Mechanism> Stepper<M> {
         })
     }
 
+    /// Where its course ends, in seconds.
+    pub(crate) fn end(&self) -> f64 {
+        self.course.end
+    }
+
     /// Goes on by another course, which may end elsewhere.
     pub(crate) fn head_for(&mut self, course: &Course) {
         if let (Pace::Equal { count, step }, Stepping::Equal(new)) = (&mut self.pace, course.stepping)

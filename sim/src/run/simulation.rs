@@ -165,20 +165,22 @@ impl<M: Mechanism> Simulation<M> {
         if self.events.has_ended() && !self.begins_phase {
             return Ok(false);
         }
-        let course = self.course(until);
         let Some(stepper) = &mut self.stepper else {
+            let course = self.course(until);
             self.stepper = self.begin(&course, watch)?;
             return Ok(self.stepper.is_some() || !self.has_ended());
         };
-        stepper.head_for(&course);
+        if stepper.end() != until {
+            stepper.head_for(&Course::new(&self.settings, self.begin, until));
+        }
         let Some(mut step) = stepper.next(&self.motion, self.integrator.method(), &mut self.steps)? else {
             // What is left is rounding.
-            self.state.time = self.state.time.max(course.end);
+            self.state.time = self.state.time.max(until);
             return Ok(false);
         };
-        let until = self.events.search(&mut step)?;
-        watch.steps(&mut step, until)?;
-        match until {
+        let ended = self.events.search(&mut step)?;
+        watch.steps(&mut step, ended)?;
+        match ended {
             None => self.state = step.to.state,
             Some(state) => {
                 self.state = state;
@@ -189,10 +191,9 @@ impl<M: Mechanism> Simulation<M> {
         Ok(true)
     }
 
-    /// The way to a time; equal steps are counted from the beginning.
+    /// The way to a time.
     pub(super) fn course(&self, until: f64) -> Course {
-        let Settings { end, stepping, .. } = self.settings.until(until, self.begin);
-        Course { begin: self.begin, end, stepping }
+        Course::new(&self.settings, self.begin, until)
     }
 
     /// Begins a motion, and does what events say that happen there; `None` where these change it, or end it.
