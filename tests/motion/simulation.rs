@@ -83,6 +83,11 @@ fn check_saved<M: Mechanism>(mechanism: M, end: f64, random: &mut Random) {
                 let _ = other.step();
             }
         }
+        // Where the motion fails it stays, and so it does in what was restored.
+        if let Err(failure) = whole.step() {
+            assert_eq!(whole.step(), Err(failure));
+            assert_eq!(other.restore(&whole.save()), Err(NotRestored::Failed));
+        }
         // To the end from somewhere, and as much happened.
         other.restore(&saved[saved.len() / 3]).unwrap();
         while other.step().unwrap_or(false) {}
@@ -226,4 +231,6 @@ fn a_length_that_is_changed_moves_the_linkage_along_its_branch() {
     let refused = linkage.set_parameter("b", 20.0 * b).unwrap_err();
     assert!(matches!(refused.what, What::ParametersOpen { .. }), "{refused}");
     assert_eq!(linkage.save(), before);
+    let refused = linkage.advance_to(f64::NAN).unwrap_err();
+    assert!(refused.to_string().contains("the time to go on to is not finite"), "{refused}");
 }

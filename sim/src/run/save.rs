@@ -17,6 +17,9 @@ pub enum NotRestored {
     /// They are not as they were saved.
     #[error("the saved simulation is damaged: its bytes end early, or have been altered")]
     Damaged,
+    /// The motion that was saved had come to an end that nothing leads on from.
+    #[error("the simulation had failed before it was saved: no motion goes on from there")]
+    Failed,
     /// Something is not what it was.
     #[error("the simulation was saved with another {what}: `{saved}` there, `{here}` here")]
     Other {
@@ -39,6 +42,7 @@ impl<M: Mechanism> Simulation<M> {
         let mut identity = self.identity();
         // Nothing fails where bytes are written.
         let _ = identity.iter_mut().try_for_each(|(_, value)| bytes.text(value));
+        let _ = bytes.flag(&mut self.failure.is_some());
         let _ = self.clone().transfer(&mut bytes);
         let Bytes::Written(mut bytes) = bytes else { return Vec::new() };
         bytes.extend(Digest::of(&bytes).to_le_bytes());
@@ -66,7 +70,12 @@ impl<M: Mechanism> Simulation<M> {
                 return Err(NotRestored::Other { what, saved, here });
             }
         }
-        let mut restored = self.clone();
+        let mut has_failed = false;
+        bytes.flag(&mut has_failed).map_err(|Damaged| NotRestored::Damaged)?;
+        if has_failed {
+            return Err(NotRestored::Failed);
+        }
+        let mut restored = Simulation { failure: None, ..self.clone() };
         restored.transfer(&mut bytes).map_err(|Damaged| NotRestored::Damaged)?;
         match bytes {
             Bytes::Read([]) => {

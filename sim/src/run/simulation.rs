@@ -2,7 +2,7 @@
 
 use crate::assemble::{Start, assemble};
 use crate::events::{EventHandler, Occurrence};
-use crate::failure::Failure;
+use crate::failure::{Failure, What};
 use crate::inertia::check_inertias;
 use crate::integrate::{Course, Integrator, Stepper, Steps, first_sample};
 use crate::measures::Measures;
@@ -55,6 +55,8 @@ pub struct Simulation<M: Mechanism> {
     pub(super) steps: Steps,
     /// Right-hand sides of motions before this one.
     pub(super) evaluations: u64,
+    /// Why it can go no further: what an event should have done is not done.
+    pub(super) failure: Option<Failure>,
 }
 
 impl<M: Mechanism> Simulation<M> {
@@ -82,6 +84,7 @@ impl<M: Mechanism> Simulation<M> {
             events: EventHandler::new(settings, state.time),
             steps: Steps::default(),
             evaluations: 0,
+            failure: None,
         })
     }
 
@@ -136,7 +139,8 @@ impl<M: Mechanism> Simulation<M> {
     /// Makes one step, and does what events in it say; gives whether there was one left to make.
     ///
     /// # Errors
-    /// The first failure that smaller steps do not avoid, and what events fail with. The state stays where it was.
+    /// The first failure that smaller steps do not avoid, and what events fail with. The motion ends there: every further step
+    /// fails likewise.
     pub fn step(&mut self) -> Result<bool, Failure> {
         while self.stepper.is_none() {
             if !self.advance(self.settings.end, &mut ())? {
@@ -149,8 +153,12 @@ impl<M: Mechanism> Simulation<M> {
     /// Goes on to a time, at which a step ends, or to the end of the motion if that is earlier.
     ///
     /// # Errors
-    /// As [`step`](Simulation::step). The state stays where the last step ended.
+    /// As [`step`](Simulation::step), and [`What::NotFinite`] if the time is no number.
     pub fn advance_to(&mut self, time: f64) -> Result<(), Failure> {
+        if time.is_nan() {
+            let what = What::NotFinite { quantity: "the time to go on to".to_owned() };
+            return Err(Failure::at::<M>(what, self.state.time, &self.state.positions));
+        }
         let time = time.min(self.settings.end);
         while self.state.time < time && self.advance(time, &mut ())? {}
         Ok(())
@@ -161,6 +169,13 @@ impl<M: Mechanism> Simulation<M> {
     /// # Errors
     /// As [`step`](Simulation::step), and as whoever watches.
     pub(crate) fn advance(&mut self, until: f64, watch: &mut dyn Watch<M>) -> Result<bool, Failure> {
+        if let Some(failure) = &self.failure {
+            return Err(failure.clone());
+        }
+        self.advance_once(until, watch).inspect_err(|failure| self.failure = Some(failure.clone()))
+    }
+
+    fn advance_once(&mut self, until: f64, watch: &mut dyn Watch<M>) -> Result<bool, Failure> {
         // A phase that an event has made begins, also where the event ends the motion.
         if self.events.has_ended() && !self.begins_phase {
             return Ok(false);
