@@ -10,7 +10,6 @@ mod batch;
 #[cfg(feature = "cli")]
 pub mod cli;
 mod conditional;
-mod control;
 mod digest;
 mod dyads;
 mod eigen;
@@ -72,7 +71,6 @@ pub use act::{Change, act};
 pub use assemble::{Start, assemble, branches, declared_start};
 pub use batch::{accelerate_each, accelerate_each_with};
 pub use conditional::is_active;
-pub use control::Controller;
 pub use dyads::{Branches, Form, Loop};
 pub use eigen::{Eigen, NoEigenvalues, eigen};
 pub use equations::{accelerate, residuals};
@@ -97,7 +95,7 @@ pub use motion::Motion;
 pub use poincare::{Period, Section, Sectioning, poincare};
 pub use project::{project, project_positions, project_velocities, rates};
 pub use record::{DeadPoint, dead_points};
-pub use run::{DOUBTFUL_BALANCE, NotRestored, Run, Simulation, run, run_controlled};
+pub use run::{Controller, DOUBTFUL_BALANCE, NotRestored, Run, Simulation, run, run_controlled};
 pub use settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
 pub use sim_kernel::{
     self, Array, Description, Dual, Dynamics, GeneralizedSpeeds, Input, Lanes, Mechanism, Scalar, mechanism,

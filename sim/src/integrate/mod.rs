@@ -49,21 +49,6 @@ pub struct Steps {
     pub singularities: Vec<Singularity>,
 }
 
-impl Course {
-    /// The way to an end, of a run that began then; equal steps are of the same length to an earlier end.
-    pub(crate) fn new(settings: &Settings, begin: f64, end: f64) -> Course {
-        let stepping = match settings.stepping {
-            Stepping::Equal(count) if end < settings.end => {
-                let part = (end - begin) / (settings.end - begin);
-                // A little less than what rounding could add to a whole number of steps.
-                Stepping::Equal((part * count as f64 - 1e-6).ceil().max(1.0) as usize)
-            }
-            stepping => stepping,
-        };
-        Course { begin, end, stepping }
-    }
-}
-
 impl Steps {
     /// All of it as bytes, or from them.
     pub(crate) fn transfer<M: Mechanism>(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
@@ -87,6 +72,21 @@ pub struct Course {
     pub end: f64,
     /// How long the steps are.
     pub stepping: Stepping,
+}
+
+impl Course {
+    /// The way to an end, of a run that began then; equal steps are of the same length to an earlier end.
+    pub(crate) fn new(settings: &Settings, begin: f64, end: f64) -> Course {
+        let stepping = match settings.stepping {
+            Stepping::Equal(count) if end < settings.end => {
+                let part = (end - begin) / (settings.end - begin);
+                // A little less than what rounding could add to a whole number of steps.
+                Stepping::Equal((part * count as f64 - 1e-6).ceil().max(1.0) as usize)
+            }
+            stepping => stepping,
+        };
+        Course { begin, end, stepping }
+    }
 }
 
 /// Integrates from a sample on the constraints. Every step goes to `watch`, which may end the integration.

@@ -224,6 +224,8 @@ fn equal_step<M: Mechanism>(
 fn next_goal(course: &Course, count: usize, step: &mut usize, now: f64) -> Option<f64> {
     let Course { begin, end, .. } = *course;
     let length = (end - begin) / count as f64;
+    // Most of those that have passed.
+    *step = (*step).max((((now - begin) / length) as usize).saturating_sub(1));
     while *step <= count {
         // From the start each time, so that times do not accumulate rounding.
         let goal = if *step == count { end } else { begin + (end - begin) * (*step as f64 / count as f64) };
@@ -284,7 +286,8 @@ impl Adaptive {
                     self.headway.comes(time - now);
                     let next = (time - now) * self.controller.accepted(error);
                     // A step that was cut short says little of how long they may be.
-                    self.h = if time < wanted { next.max(self.h) } else { next };
+                    let is_cut = time < wanted || time < now + self.h;
+                    self.h = if is_cut { next.max(self.h) } else { next };
                     return Ok(Some(Made::Normally));
                 }
                 refused => {

@@ -1,14 +1,15 @@
 //! A whole run: a simulation that is recorded, and its balance.
 
 mod change;
+mod control;
 mod save;
 mod simulation;
 
+pub use control::Controller;
 pub use save::NotRestored;
 pub use simulation::Simulation;
 
 use crate::assemble::Start;
-use crate::control::{Control, Controller};
 use crate::equations::residuals;
 use crate::events::Occurrence;
 use crate::failure::{Failure, What};
@@ -17,6 +18,7 @@ use crate::mobility::Mobility;
 use crate::record::{DeadPoint, Recorder};
 use crate::settings::Settings;
 use crate::trajectory::{State, Trajectory};
+use control::Control;
 use sim_kernel::Mechanism;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};

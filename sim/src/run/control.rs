@@ -1,7 +1,7 @@
 //! Inputs that a program sets while a motion runs.
 
+use super::Simulation;
 use crate::failure::Failure;
-use crate::run::Simulation;
 use crate::trajectory::Sample;
 use sim_kernel::Mechanism;
 
