@@ -104,7 +104,11 @@ impl<M: Mechanism> Measures<M> {
     /// The largest part of a change of coordinates, beside those that count as 1.
     #[inline(always)]
     pub(crate) fn size(&self, change: &M::Q) -> f64 {
-        (0..M::Q::LEN).fold(0.0f64, |size, j| size.max((change[j] / self.coordinates[j]).abs()))
+        let largest = |part: &dyn Fn(usize) -> f64| (0..M::Q::LEN).fold(0.0f64, |size, j| size.max(part(j).abs()));
+        match const { mixes_lengths::<M>() } {
+            false => largest(&|j| change[j]) / self.coordinates[0],
+            true => largest(&|j| change[j] / self.coordinates[j]),
+        }
     }
 }
 

@@ -107,11 +107,20 @@ pub(super) fn crosses([before, after]: [f64; 2]) -> bool {
     finite && before != 0.0 && (after == 0.0 || (before < 0.0) != (after < 0.0))
 }
 
-/// Whether both values are far from zero beside what they change by, or one is not finite.
-pub(super) fn cannot_reach_zero(values: [f64; 2], rates: [f64; 2]) -> bool {
+/// A condition at two points: its values, and what its rates there would make of the time between.
+#[inline]
+pub(super) fn ends<M: Mechanism>(event: usize, from: &Point<M>, to: &Point<M>) -> ([f64; 2], [f64; 2]) {
+    let h = to.time - from.time;
+    ([from.values[event], to.values[event]], [h * from.rates[event], h * to.rates[event]])
+}
+
+/// Whether a condition may be zero between two points: it changes its sign, or it is not far from zero beside what it changes by.
+#[inline]
+pub(super) fn may_reach_zero<M: Mechanism>(event: usize, from: &Point<M>, to: &Point<M>) -> bool {
+    let (values, rates) = ends(event, from, to);
     let least = values[0].abs().min(values[1].abs());
-    let undefined = !(values[0] + values[1]).is_finite();
-    undefined || least > rates[0].abs().max(rates[1].abs())
+    let is_finite = (values[0] + values[1]).is_finite();
+    crosses(values) || (is_finite && !(least > rates[0].abs().max(rates[1].abs())))
 }
 
 /// Whether a condition that keeps its sign heads for zero at both ends.

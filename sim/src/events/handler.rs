@@ -136,13 +136,18 @@ impl<M: Mechanism> EventHandler<M> {
     ///
     /// # Errors
     /// As [`EventSearch::search`].
-    pub(crate) fn search(&mut self, step: &mut Step<M>) -> Result<Option<State<M>>, Failure> {
+    #[inline]
+    pub(crate) fn search(&mut self, step: &mut Step<M>) -> Result<Option<&State<M>>, Failure> {
         let first = self.search.found.len();
         self.search.search(step)?;
-        let acting = self.first_acting(first);
-        let stop = self.stopping_state();
-        self.acting = acting.filter(|_| stop.is_none());
-        Ok(stop.or(acting.map(|at| self.search.found[at].state)))
+        if self.search.found.len() == first && self.stop.is_none() {
+            return Ok(None);
+        }
+        self.acting = self.first_acting(first);
+        let stop = self.stopping();
+        let ending = stop.or(self.acting);
+        self.acting = self.acting.filter(|_| stop.is_none());
+        Ok(ending.map(|at| &self.search.found[at].state))
     }
 
     /// Does what the events in the last step say, which counts no further.
@@ -157,14 +162,13 @@ impl<M: Mechanism> EventHandler<M> {
         Ok(())
     }
 
-    /// Where the event that ends the motion has happened.
-    fn stopping_state(&mut self) -> Option<State<M>> {
+    /// The event that ends the motion, if it has happened.
+    fn stopping(&mut self) -> Option<usize> {
         let stop = self.stop?;
         let mut occurrences = self.search.found.iter().enumerate().filter(|(_, event)| event.event == stop.event);
-        let (at, event) = occurrences.nth(stop.occurrence.checked_sub(1)?)?;
-        let state = event.state;
+        let (at, _) = occurrences.nth(stop.occurrence.checked_sub(1)?)?;
         self.search.found.truncate(at + 1);
-        Some(state)
+        Some(at)
     }
 
     /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and goes on

@@ -19,7 +19,7 @@ use crate::onset::Onset;
 use crate::root::{find_minimum, find_root};
 use crate::saved::{Bytes, Damaged};
 use crate::trajectory::State;
-use conditions::{Point, cannot_reach_zero, crosses, is_root, turns_back, value};
+use conditions::{Point, crosses, ends, is_root, may_reach_zero, turns_back, value};
 use sim_kernel::event::Direction;
 use sim_kernel::{Array, Mechanism};
 
@@ -129,6 +129,9 @@ impl<M: Mechanism> EventSearch<M> {
             }
             self.largest[event] = to.values[event].abs().max(from.values[event].abs()).max(self.largest[event]);
             let name = M::DESCRIPTION.events[event].name;
+            if !may_reach_zero(event, &from, &to) {
+                continue;
+            }
             self.search_one(step, event, &from, &to, MOST_HALVINGS).map_err(|failure| failure.in_event(name))?;
             if self.found.len() - first > MOST_IN_A_STEP {
                 let what = What::Chattering { event: name, count: self.found.len() - first };
@@ -160,15 +163,16 @@ impl<M: Mechanism> EventSearch<M> {
         halvings: usize,
     ) -> Result<(), Failure> {
         let h = to.time - from.time;
-        let (values, rates) = ([from.values[event], to.values[event]], [h * from.rates[event], h * to.rates[event]]);
-        if !crosses(values) && cannot_reach_zero(values, rates) {
-            return Ok(());
-        }
+        let (values, rates) = ends(event, from, to);
         if halvings > 0 && !self.is_foretold(step, event, [from.time, h], values, rates)? {
             let middle = step.sample(from.time + h / 2.0)?;
             let middle = Point::of(step.motion, &middle, h / 2.0)?;
-            self.search_one(step, event, from, &middle, halvings - 1)?;
-            return self.search_one(step, event, &middle, to, halvings - 1);
+            for (from, to) in [(from, &middle), (&middle, to)] {
+                if may_reach_zero(event, from, to) {
+                    self.search_one(step, event, from, to, halvings - 1)?;
+                }
+            }
+            return Ok(());
         }
         match () {
             _ if crosses(values) => self.locate(step, event, [from.time, to.time], values),

@@ -44,10 +44,15 @@ impl<M: Mechanism> Step<'_, M> {
     ///
     /// # Errors
     /// As the projection and the right-hand side.
+    #[inline]
     pub fn sample(&mut self, time: f64) -> Result<Sample<M>, Failure> {
-        if time == self.to.state.time && self.end_sine >= BESIDE {
-            return Ok(*self.to);
+        match time == self.to.state.time && self.end_sine >= BESIDE {
+            true => Ok(*self.to),
+            false => self.find_sample(time),
         }
+    }
+
+    fn find_sample(&mut self, time: f64) -> Result<Sample<M>, Failure> {
         let found = self.find(time)?;
         let direct = if time == self.to.state.time { Ok(*self.to) } else { self.motion.sample(found.kept) };
         if found.sine >= BESIDE {

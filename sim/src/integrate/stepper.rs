@@ -115,10 +115,12 @@ impl<M: Mechanism> Stepper<M> {
 
     /// Goes on by another course, which may end elsewhere.
     pub(crate) fn head_for(&mut self, course: &Course) {
+        let now = self.ends[if self.last.is_some() { 1 - self.from } else { self.from }].state.time;
         if let (Pace::Equal { count, step }, Stepping::Equal(new)) = (&mut self.pace, course.stepping)
             && *course != self.course
         {
-            (*count, *step) = (new, 1);
+            let passed = new as f64 * (now - course.begin) / (course.end - course.begin);
+            (*count, *step) = (new, (passed as usize).max(1));
         }
         self.course = *course;
     }
@@ -127,6 +129,7 @@ impl<M: Mechanism> Stepper<M> {
     ///
     /// # Errors
     /// The first failure that smaller steps do not avoid.
+    #[inline]
     pub(crate) fn next<'s>(
         &'s mut self,
         motion: &'s Motion<M>,
@@ -186,6 +189,7 @@ impl Pace {
 }
 
 /// Makes the next of so many equal steps.
+#[inline]
 fn equal_step<M: Mechanism>(
     motion: &Motion<M>,
     method: &mut dyn Advance<M>,
@@ -214,6 +218,7 @@ fn equal_step<M: Mechanism>(
     made.map_err(|failure| explained(motion, &from.state, failure))?;
     crossing.ended(motion);
     steps.accepted += 1;
+    *step += usize::from(time == goal);
     if is_near {
         steps.note(motion, method, [from, to], 1)?;
     }
@@ -224,8 +229,6 @@ fn equal_step<M: Mechanism>(
 fn next_goal(course: &Course, count: usize, step: &mut usize, now: f64) -> Option<f64> {
     let Course { begin, end, .. } = *course;
     let length = (end - begin) / count as f64;
-    // Most of those that have passed.
-    *step = (*step).max((((now - begin) / length) as usize).saturating_sub(1));
     while *step <= count {
         // From the start each time, so that times do not accumulate rounding.
         let goal = if *step == count { end } else { begin + (end - begin) * (*step as f64 / count as f64) };

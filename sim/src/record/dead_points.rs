@@ -94,6 +94,7 @@ impl<M: Mechanism> DeadPoints<M> {
     ///
     /// # Errors
     /// As dense output.
+    #[inline]
     pub(super) fn watch(&mut self, step: &mut Step<M>, until: f64) -> Result<(), Failure> {
         if self.is_told_by_speed && !self.is_unknown {
             let speed = |state: &State<M>| state.speeds[self.independent[0]];
@@ -102,6 +103,10 @@ impl<M: Mechanism> DeadPoints<M> {
                 return Ok(());
             }
         }
+        self.look(step, until)
+    }
+
+    fn look(&mut self, step: &mut Step<M>, until: f64) -> Result<(), Failure> {
         let mechanism = step.motion.mechanism();
         if self.last.is_none() || self.is_told_by_speed {
             self.note(mechanism, &step.from.state);

@@ -96,6 +96,7 @@ impl<M: Mechanism> Recorder<M> {
         }
     }
 
+    #[inline]
     fn record(&mut self, step: &mut Step<M>, until: f64) -> Result<(), Failure> {
         let Some(grid) = &mut self.grid else {
             if until == step.to.state.time {
@@ -120,7 +121,8 @@ impl<M: Mechanism> Watch<M> for Recorder<M> {
         self.dead_points.iter_mut().for_each(DeadPoints::restart);
     }
 
-    fn steps(&mut self, step: &mut Step<M>, until: Option<State<M>>) -> Result<(), Failure> {
+    #[inline]
+    fn steps(&mut self, step: &mut Step<M>, until: Option<&State<M>>) -> Result<(), Failure> {
         self.largest_work = self.largest_work.max(step.to.state.work.abs());
         let end = until.map_or(step.to.state.time, |state| state.time);
         self.record(step, end)?;
@@ -134,7 +136,7 @@ impl<M: Mechanism> Watch<M> for Recorder<M> {
         };
         let last = self.samples.last().map_or(self.begin, |sample| sample.state.time);
         match (&mut self.grid, state.time > last) {
-            (_, true) => self.push(Sample { state, ..step.sample(state.time)? }),
+            (_, true) => self.push(Sample { state: *state, ..step.sample(state.time)? }),
             (Some(grid), false) => grid.keep_last(),
             (None, false) => {}
         }

@@ -15,14 +15,14 @@ pub(crate) trait Watch<M: Mechanism> {
     ///
     /// # Errors
     /// As dense output.
-    fn steps(&mut self, step: &mut Step<M>, until: Option<State<M>>) -> Result<(), Failure>;
+    fn steps(&mut self, step: &mut Step<M>, until: Option<&State<M>>) -> Result<(), Failure>;
 }
 
 /// Nobody.
 impl<M: Mechanism> Watch<M> for () {
     fn starts(&mut self, _: &Motion<M>, _: &Sample<M>, _: f64) {}
 
-    fn steps(&mut self, _: &mut Step<M>, _: Option<State<M>>) -> Result<(), Failure> {
+    fn steps(&mut self, _: &mut Step<M>, _: Option<&State<M>>) -> Result<(), Failure> {
         Ok(())
     }
 }
