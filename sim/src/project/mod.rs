@@ -70,21 +70,21 @@ fn project_independent<M: Mechanism, R: Rows<M>>(
     longest: &Cell<M::L>,
 ) -> Result<f64, Failure> {
     let (time, q) = (state.time, &mut state.positions);
-    let mut found = correct_positions::<M, R>(mechanism, measures, time, q)?;
-    let open = rates_of::<M, R>(&found.linear, &state.speeds);
+    let (mut linear, mut factors) = (R::linearization(mechanism, time, q), R::Factors::blank());
+    let last_change = correct_positions::<M, R>(mechanism, measures, (time, q), &mut linear, &mut factors)?;
+    let open = rates_of::<M, R>(&linear, &state.speeds);
     let is_slow = |row: usize| open[row].abs() <= SMALL_RATE * measures.constraints()[row];
-    let serves = !has_speed_rows::<M>() && found.last_change <= SMALL_CHANGE && (0..M::L::LEN).all(is_slow);
-    let columns = R::columns(&found.linear.jacobian, measures);
+    let serves = !has_speed_rows::<M>() && last_change <= SMALL_CHANGE && (0..M::L::LEN).all(is_slow);
+    let columns = R::columns(&linear.jacobian, measures);
     if !serves {
-        factorise_again::<M, R>(&columns, &mut found.factors, time, q)?;
+        factorise_again::<M, R>(&columns, &mut factors, time, q)?;
     }
-    let factors = &found.factors;
     if !factors.is_regular() && factors.dependent().count() > M::L::LEN - measures.rank() {
-        return Err(singular_position::<M, R>(factors, time, q));
+        return Err(singular_position::<M, R>(&factors, time, q));
     }
-    subtract(&mut state.speeds, &least_change::<M, R>(measures, &columns, factors, open));
+    subtract(&mut state.speeds, &least_change::<M, R>(measures, &columns, &factors, open));
     if !factors.is_regular() {
-        check_dependent_rates::<M, R>(&found.linear, measures, time, q, &state.speeds)?;
+        check_dependent_rates::<M, R>(&linear, measures, time, q, &state.speeds)?;
     }
     let (mut squares, mut closeness) = (longest.get(), 0.0f64);
     for k in 0..M::L::LEN {
@@ -117,11 +117,16 @@ pub fn project_positions<M: Mechanism>(
     time: f64,
     q: &mut M::Q,
 ) -> Result<Linearization<M>, Failure> {
+    let mut linear = mechanism.constraint_linearization(time, q);
     match M::L::LEN {
-        0 => Ok(mechanism.constraint_linearization(time, q)),
-        _ if measures.is_redundant() => correct_redundant_positions(mechanism, measures, time, q),
-        _ => Ok(correct_positions::<M, Dense>(mechanism, measures, time, q)?.linear),
+        0 => {}
+        _ if measures.is_redundant() => correct_redundant_positions(mechanism, measures, (time, q), &mut linear)?,
+        _ => {
+            let mut factors = <Dense as Rows<M>>::Factors::blank();
+            correct_positions::<M, Dense>(mechanism, measures, (time, q), &mut linear, &mut factors)?;
+        }
     }
+    Ok(linear)
 }
 
 /// Corrects velocities at a position where the constraints are already linearised.
@@ -139,11 +144,10 @@ pub fn project_velocities<M: Mechanism>(
     if M::L::LEN == 0 {
         return Ok(());
     }
-    let open = rates::<M>(linear, qd);
     if measures.is_redundant() {
-        subtract(qd, &reduced_change(measures, (&linear.jacobian, measures.rank()), &open, time, q)?.0);
-        return check_dependent_rates::<M, Dense>(linear, measures, time, q, qd);
+        return project_redundant_velocities(measures, linear, time, q, qd);
     }
+    let open = rates::<M>(linear, qd);
     let columns = measures.columns(&linear.jacobian);
     let mut factors = <Dense as Rows<M>>::Factors::blank();
     factorise::<M, Dense>(&columns, &mut factors, time, q)?;
@@ -152,6 +156,19 @@ pub fn project_velocities<M: Mechanism>(
         true => Ok(()),
         false => check_dependent_rates::<M, Dense>(linear, measures, time, q, qd),
     }
+}
+
+#[cold]
+fn project_redundant_velocities<M: Mechanism>(
+    measures: &Measures<M>,
+    linear: &Linearization<M>,
+    time: f64,
+    q: &M::Q,
+    qd: &mut M::Q,
+) -> Result<(), Failure> {
+    let open = rates::<M>(linear, qd);
+    subtract(qd, &reduced_change(measures, (&linear.jacobian, measures.rank()), &open, time, q)?.0);
+    check_dependent_rates::<M, Dense>(linear, measures, time, q, qd)
 }
 
 /// C_q q' + C_t.
@@ -176,7 +193,8 @@ pub(crate) fn by_mass<M: Mechanism>(
     state: &mut State<M>,
 ) -> Result<(), Failure> {
     let (time, q) = (state.time, &mut state.positions);
-    let linear = correct::<M, Dense>(mechanism, measures, time, q, |linear, q| {
+    let mut linear = mechanism.constraint_linearization(time, q);
+    correct::<M, Dense>(mechanism, measures, (time, q), &mut linear, |linear, q| {
         let jacobian = between_positions::<M>(&linear.jacobian);
         let rank = measures.rank_of_positions();
         smallest_by_inertia(mechanism, measures, time, q, (&jacobian, &linear.values), rank)
@@ -203,59 +221,54 @@ pub(crate) fn smallest_by_inertia<M: Mechanism>(
     by_inertia(mechanism, time, q, &reduction.rows(jacobian), &reduction.values(open))
 }
 
-/// Where positions have been corrected to.
-struct Corrected<M: Mechanism, R: Rows<M>> {
-    /// The constraints there.
-    linear: Linear<M, R>,
-    /// The factors that the last correction was made with.
-    factors: R::Factors,
-    /// The largest change of the last correction, beside those that count as 1.
-    last_change: f64,
-}
-
+/// Corrects positions; leaves the constraints linearised there, and the factors that the last correction was made with. Gives the
+/// largest change of that, beside those that count as 1.
+///
+/// Both are left in place: copies of them would take as long as the projection.
 #[inline]
 fn correct_positions<M: Mechanism, R: Rows<M>>(
     mechanism: &M,
     measures: &Measures<M>,
-    time: f64,
-    q: &mut M::Q,
-) -> Result<Corrected<M, R>, Failure> {
-    let (mut factors, mut last_change) = (R::Factors::blank(), 0.0);
-    let linear = correct::<M, R>(mechanism, measures, time, q, |linear, q| {
+    (time, q): (f64, &mut M::Q),
+    linear: &mut Linear<M, R>,
+    factors: &mut R::Factors,
+) -> Result<f64, Failure> {
+    let mut last_change = 0.0;
+    correct::<M, R>(mechanism, measures, (time, q), linear, |linear, q| {
         let columns = match has_speed_rows::<M>() {
             false => R::columns(&linear.jacobian, measures),
             true => R::columns(&R::between_positions(&linear.jacobian), measures),
         };
-        factorise::<M, R>(&columns, &mut factors, time, q)?;
-        let change = least_change::<M, R>(measures, &columns, &factors, linear.values);
+        factorise::<M, R>(&columns, factors, time, q)?;
+        let change = least_change::<M, R>(measures, &columns, factors, linear.values);
         last_change = measures.size(&change);
         Ok(change)
     })?;
-    Ok(Corrected { linear, factors, last_change })
+    Ok(last_change)
 }
 
-/// Subtracts corrections from positions until the constraints are met; gives the constraints there.
+/// Subtracts corrections from positions, at which the constraints are linearised, until these are met; leaves them linearised
+/// there.
 #[inline]
 fn correct<M: Mechanism, R: Rows<M>>(
     mechanism: &M,
     measures: &Measures<M>,
-    time: f64,
-    q: &mut M::Q,
+    (time, q): (f64, &mut M::Q),
+    linear: &mut Linear<M, R>,
     mut change: impl FnMut(&Linear<M, R>, &M::Q) -> Result<M::Q, Failure>,
-) -> Result<Linear<M, R>, Failure> {
-    let mut linear = R::linearization(mechanism, time, q);
+) -> Result<(), Failure> {
     for _ in 0..MOST_CORRECTIONS {
         if !linear.values.iter().all(|value| value.is_finite()) {
             return Err(not_finite::<M>(&linear.values, time, q));
         }
-        let correction = change(&linear, q)?;
+        let correction = change(linear, q)?;
         subtract(q, &correction);
         if is_rounding(measures, &linear.values, &correction) {
-            return Ok(linear);
+            return Ok(());
         }
-        linear = R::linearization(mechanism, time, q);
-        if is_met::<M, R>(mechanism, measures, time, q, &linear) {
-            return Ok(linear);
+        *linear = R::linearization(mechanism, time, q);
+        if is_met::<M, R>(mechanism, measures, time, q, linear) {
+            return Ok(());
         }
     }
     let (row, residual) = largest(linear.values.iter()).unwrap_or((0, f64::NAN));

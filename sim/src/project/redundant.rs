@@ -20,7 +20,8 @@ pub(super) fn project_redundant<M: Mechanism>(
     state: &mut State<M>,
 ) -> Result<f64, Failure> {
     let (time, q) = (state.time, &mut state.positions);
-    let linear = correct_redundant_positions(mechanism, measures, time, q)?;
+    let mut linear = mechanism.constraint_linearization(time, q);
+    correct_redundant_positions(mechanism, measures, (time, q), &mut linear)?;
     let (change, factors) =
         reduced_change(measures, (&linear.jacobian, measures.rank()), &rates::<M>(&linear, &state.speeds), time, q)?;
     if factors.dependent().count() > M::L::LEN - measures.rank() {
@@ -31,19 +32,18 @@ pub(super) fn project_redundant<M: Mechanism>(
     Ok((0..measures.rank()).fold(0.0, |closeness, row| closeness.max(factors.row(row).1)))
 }
 
-/// Corrects positions until the constraints are met; gives them linearised there.
+/// Corrects positions, at which the constraints are linearised, until these are met; leaves them linearised there.
 pub(super) fn correct_redundant_positions<M: Mechanism>(
     mechanism: &M,
     measures: &Measures<M>,
-    time: f64,
-    q: &mut M::Q,
-) -> Result<Linearization<M>, Failure> {
-    let linear = correct::<M, Dense>(mechanism, measures, time, q, |linear, q| {
+    (time, q): (f64, &mut M::Q),
+    linear: &mut Linearization<M>,
+) -> Result<(), Failure> {
+    correct::<M, Dense>(mechanism, measures, (time, q), linear, |linear, q| {
         let jacobian = between_positions::<M>(&linear.jacobian);
         let rank = measures.rank_of_positions();
         reduced_change(measures, (&jacobian, rank), &linear.values, time, q).map(|(change, _)| change)
-    })?;
-    Ok(linear)
+    })
 }
 
 /// The smallest change along rows of C_q of this rank that closes what is open of the constraints or of their rates, with the
