@@ -42,10 +42,9 @@ fn measure<M: Mechanism>(name: &str, mechanism: M, sine: f64) {
     let first = &state(0);
     let measures = Measures::at(&mechanism, first.time, &first.positions);
     let project = per_call(|i| {
-        let (mut positions, mut speeds) = (state(i).positions, state(i).speeds);
-        let linear = sim::project_positions(&mechanism, &measures, 0.0, &mut positions).unwrap();
-        sim::project_velocities(&measures, &linear, 0.0, &positions, &mut speeds).unwrap();
-        black_box((positions, speeds));
+        let mut state = *state(i);
+        sim::project(&mechanism, &measures, &mut state).unwrap();
+        black_box(state);
     });
     let integration = (0..RUNS).map(|_| run(mechanism, 2.0, 8192).unwrap().integration_time).min().unwrap();
     let milliseconds = 1e3 * integration.as_secs_f64();
