@@ -3,60 +3,23 @@
 //!
 //! Whatever can fail returns an error that says what, when and where; what was computed until then is kept.
 
-mod act;
-mod any;
-mod assemble;
+// Without the command line, some of what it shares with the rest has no other user.
+#![cfg_attr(not(feature = "cli"), allow(dead_code, unused_imports))]
+
+mod analysis;
 mod batch;
 #[cfg(feature = "cli")]
 pub mod cli;
-mod conditional;
-mod digest;
-mod dyads;
-mod eigen;
-mod equations;
-mod equilibrium;
 mod events;
-mod failure;
-mod formats;
-mod gimbal;
-mod happening;
-mod inertia;
-mod insertion;
 mod integrate;
-mod interpolate;
-mod kinematics;
-mod least_norm;
-mod level;
-mod linearize;
-mod measures;
-mod met;
-mod mobility;
+mod model;
 mod motion;
-mod nearby;
-mod nearest;
-mod onset;
-mod outcome;
-mod partition;
-mod poincare;
-mod project;
+mod numerics;
+mod output;
 mod record;
-mod reduction;
-mod root;
-mod rows;
 mod run;
-mod saved;
-mod settings;
-pub mod show;
-mod singular;
-mod solve;
-mod table;
-mod trajectory;
-mod vector;
-mod velocity_variables;
-#[cfg(feature = "analysis")]
-pub mod verify;
-mod whole;
-mod write;
+mod start;
+mod state;
 
 /// The programs in the documents, compiled and run.
 #[cfg(all(doctest, feature = "models", feature = "cli"))]
@@ -67,41 +30,45 @@ mod documents {
     struct ComingFrom;
 }
 
-pub use act::{Change, act};
-pub use assemble::{Start, assemble, branches, declared_start};
+pub use analysis::equilibrium::{Equilibrium, equilibrium};
+pub use analysis::kinematics::{
+    Driven, Extreme, Extremes, Kinematics, Prescribed, Range, SpecialPosition, Sweep, TimeRatio, inverse_dynamics,
+    kinematics, kinematics_until,
+};
+pub use analysis::linearize::{Linearization, Mode, linearize};
+pub use analysis::poincare::{Period, Section, Sectioning, poincare};
+#[cfg(feature = "analysis")]
+pub use analysis::verify;
+pub use batch::{Vectors, Work};
 pub use batch::{accelerate_each, accelerate_each_with};
-pub use conditional::is_active;
-pub use dyads::{Branches, Form, Loop};
-pub use eigen::{Eigen, NoEigenvalues, eigen};
-pub use equations::{accelerate, residuals};
-pub use equilibrium::{Equilibrium, equilibrium};
-pub use events::{Crossing, EventSearch, Occurrence};
-pub use failure::{Failure, What};
-pub use formats::{Format, write_table};
-pub use inertia::check_inertias;
+pub use events::{Change, Crossing, EventSearch, Occurrence, act};
 pub use integrate::{
     Advance, Attempt, Course, DOP853, DOPRI5, Dop853, EULER, ErrorEstimate, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5,
     Step, Steps, Tableau, Weight, integrate,
 };
-pub use interpolate::hermite;
-pub use kinematics::{
-    Driven, Extreme, Extremes, Kinematics, Prescribed, Range, SpecialPosition, Sweep, TimeRatio, inverse_dynamics,
-    kinematics, kinematics_until,
-};
-pub use linearize::{Control, Linearization, Mode, linearize};
-pub use measures::Measures;
-pub use mobility::{Mobility, check_masses, mobility};
+pub use model::Control;
+pub use model::conditional::is_active;
 pub use motion::Motion;
-pub use poincare::{Period, Section, Sectioning, poincare};
-pub use project::{project, project_positions, project_velocities, rates};
-pub use record::{DeadPoint, dead_points};
-pub use run::{Controller, DOUBTFUL_BALANCE, NotRestored, Run, Simulation, run, run_controlled};
-pub use settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
+pub use motion::equations::accelerate;
+pub use motion::inertia::check_inertias;
+pub use motion::measures::Measures;
+pub use motion::mobility::{Mobility, check_masses, mobility};
+pub use motion::project::{project, project_positions, project_velocities};
+pub use motion::residuals::{rates, residuals};
+pub use motion::singular::Singularity;
+pub use numerics::eigen::{Eigen, NoEigenvalues, eigen};
+pub use output::formats::{Format, write_table};
+pub use output::show;
+pub use output::write::{WriteError, summary, write_csv, write_json};
+pub use record::DeadPoint;
+pub use record::table::{Column, Table};
+pub use run::{Controller, DOUBTFUL_BALANCE, NotRestored, Run, Simulation, dead_points, run, run_controlled};
 pub use sim_kernel::{
     self, Array, Description, Dual, Dynamics, GeneralizedSpeeds, Input, Lanes, Mechanism, Scalar, mechanism,
 };
-pub use singular::Singularity;
-pub use table::{Column, Table};
-pub use trajectory::{Phase, Rates, Sample, State, Trajectory};
-pub use vector::{Vectors, Work};
-pub use write::{WriteError, summary, write_csv, write_json};
+pub use start::assemble::{Start, assemble, branches, declared_start};
+pub use start::dyads::{Branches, Form, Loop};
+pub use state::failure::{Failure, What};
+pub use state::interpolate::hermite;
+pub use state::settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
+pub use state::trajectory::{Phase, Rates, Sample, State, Trajectory};

@@ -4,6 +4,7 @@ pub mod by_hand;
 pub mod declarations;
 pub mod extremes;
 pub mod faults;
+pub mod house;
 pub mod spectra;
 
 use serde_json::Value;

@@ -7,7 +7,6 @@ extern crate self as sim_kernel;
 
 mod array;
 mod description;
-mod differentiate;
 mod dual;
 pub mod event;
 mod input;
@@ -24,10 +23,11 @@ pub use dual::Dual;
 pub use input::Input;
 pub use lanes::{LaneMask, Lanes};
 pub use mechanism::{
-    ConstraintLinearization, Dynamics, DynamicsJacobian, DynamicsSensitivity, Initial, Mechanism, pivot_is_refused,
+    ConstraintLinearization, Dynamics, DynamicsJacobian, DynamicsSensitivity, Initial, Kinematics, Mechanism,
+    pivot_is_refused,
 };
 pub use scalar::{Mask, Scalar};
-pub use speeds::{GeneralizedSpeeds, Kinematics, SpeedDynamics};
+pub use speeds::{GeneralizedSpeeds, SpeedDynamics};
 pub use table::Table;
 
 #[cfg(feature = "macros")]

@@ -1,6 +1,6 @@
 //! Motion in generalised speeds, for mechanisms that declare some.
 
-use crate::{Array, Mechanism, Quantity, Scalar};
+use crate::{Array, Kinematics, Mechanism, Quantity, Scalar};
 
 /// A mechanism whose declaration names generalised speeds u = W q' + w: its state is (q, u), which q' = N u + n and
 /// Kane's equations for u' move. Norms of quaternions and constraints between speeds hold for every u.
@@ -56,15 +56,6 @@ pub fn prepared_velocities<S: Scalar, M: GeneralizedSpeeds<S>>(
     v: &M::Q,
 ) -> Kinematics<S, M::Q> {
     M::prepared_kinematics(prepared, t, q, &M::U::from_fn(|i| v[i]))
-}
-
-/// The speeds that belong to generalised speeds.
-#[derive(Clone, Copy, Debug)]
-pub struct Kinematics<S: Scalar, Q> {
-    /// q', n.
-    pub rates: Q,
-    /// Where this is true generalised speeds determine no speeds, and nothing above holds.
-    pub refused: S::Mask,
 }
 
 /// The equations of motion in generalised speeds, solved at one state.

@@ -1,7 +1,7 @@
 //! A mechanism and its start as the user gives them.
 
-use super::quantity::{parse_quantity, split_assignment};
-use super::{Stop, unknown};
+use crate::cli::quantity::{parse_quantity, split_assignment};
+use crate::cli::{Stop, unknown};
 use crate::{Start, declared_start};
 use sim_kernel::{Description, Input, Mechanism};
 

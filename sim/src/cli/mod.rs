@@ -16,39 +16,23 @@
 //! ```
 
 mod arguments;
-mod compare;
+mod commands;
 mod files;
-mod folder;
-mod generate;
 mod given;
-mod identity;
-mod info;
-mod json;
-mod kinematics;
-mod linearize;
-mod list;
-mod new;
 mod own;
-mod plot;
-mod poincare;
 mod progress;
 mod quantity;
-mod run;
-mod run_file;
 mod settings;
 mod signals;
-mod statics;
-mod steady;
-mod stored;
-mod verify;
 
-use arguments::{Arguments, AssembleArguments, Command, RunArguments, StartArguments, VerifyArguments, Voice};
+use arguments::{
+    Arguments, AssembleArguments, Command, KinematicsArguments, LinearizeArguments, PoincareArguments, RunArguments,
+    StartArguments, VerifyArguments, Voice,
+};
 use clap::{FromArgMatches, Parser};
 use codegen::nearest;
-use kinematics::KinematicsArguments;
-use linearize::LinearizeArguments;
-use poincare::PoincareArguments;
-use run_file::RunFile;
+use commands::{compare, generate, info, kinematics, linearize, list, new, plot, poincare, run, statics, verify};
+use files::run_file::RunFile;
 use sim_kernel::{Description, Mechanism};
 use std::ffi::OsString;
 use std::io::Write;

@@ -1,7 +1,7 @@
 //! Help and completions in the words of the program that shows them: its own name, and mechanisms that it has.
 
-use super::Entry;
-use super::arguments::Arguments;
+use crate::cli::Entry;
+use crate::cli::arguments::Arguments;
 use clap::builder::PossibleValuesParser;
 use clap::{Command, CommandFactory};
 

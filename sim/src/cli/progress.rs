@@ -1,9 +1,10 @@
 //! What is seen of a long run while it lasts, and its end by Ctrl-C.
 
-use super::arguments::Voice;
-use super::{Stop, signals};
 use crate::Failure;
-use crate::settings::Settings;
+use crate::cli::Stop;
+use crate::cli::arguments::Voice;
+use crate::cli::signals;
+use crate::state::settings::Settings;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicU64, Ordering};

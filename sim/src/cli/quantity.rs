@@ -1,6 +1,6 @@
 //! Values with units, and assignments, from the command line.
 
-use super::Stop;
+use crate::cli::Stop;
 use codegen::model::Unit;
 
 /// `NAME=VALUE` in two.

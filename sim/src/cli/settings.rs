@@ -1,8 +1,8 @@
 //! How to run, from the command line.
 
-use super::quantity::parse_quantity;
-use super::{Stop, unknown};
-use crate::settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
+use crate::cli::quantity::parse_quantity;
+use crate::cli::{Stop, unknown};
+use crate::state::settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
 use clap::Args;
 use sim_kernel::Description;
 

@@ -1,6 +1,6 @@
 //! The end of a command by Ctrl-C or by whoever ends processes.
 
-use super::folder;
+use crate::cli::files::folder;
 #[cfg(unix)]
 use signal_hook::{
     consts::{SIGINT, SIGTERM},

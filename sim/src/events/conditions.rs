@@ -1,11 +1,10 @@
 //! The conditions of events at one time, and what two times tell of what lies between.
 
-use crate::failure::Failure;
 use crate::integrate::Step;
 use crate::motion::Motion;
-use crate::onset::Onset;
-use crate::saved::{Bytes, Damaged};
-use crate::trajectory::{Sample, State};
+use crate::state::failure::Failure;
+use crate::state::saved::{Bytes, Damaged};
+use crate::state::trajectory::{Sample, State};
 use sim_kernel::event::Event;
 use sim_kernel::{Array, Mechanism};
 
@@ -82,22 +81,6 @@ impl<M: Mechanism> Point<M> {
             values: motion.mechanism().events(state.time, &state.positions, &state.speeds, qdd, lambda),
             rates: M::Events::from_fn(|i| (ahead[i] - behind[i]) / (2.0 * d)),
         })
-    }
-
-    /// The point from which a search starts: what holds there is left and not crossed.
-    pub(super) fn started(mut self, onset: Option<&Onset<M>>) -> Point<M> {
-        for i in 0..M::Events::LEN {
-            let is_zero = self.values[i].abs() <= 2.0 * tolerance(self.time) * self.rates[i].abs();
-            let sign = match onset {
-                Some(onset) if onset.holds(i) => onset.sign(i),
-                _ if is_zero => self.rates[i],
-                _ => 0.0,
-            };
-            if sign != 0.0 {
-                self.values[i] = f64::MIN_POSITIVE.copysign(sign);
-            }
-        }
-        self
     }
 }
 

@@ -1,15 +1,16 @@
 //! What events do to a motion: they change its mechanism and state, or end it.
 
-use super::{Crossing, EventSearch, Occurrence, tolerance};
-use crate::act::{Change, act};
-use crate::failure::{Failure, What};
-use crate::insertion::sort_few;
+use super::act::{Change, act};
+use super::conditions::tolerance;
+use super::onset::Onset;
+use super::{Crossing, EventSearch, Occurrence};
 use crate::integrate::Step;
 use crate::motion::Motion;
-use crate::onset::Onset;
-use crate::saved::{Bytes, Damaged};
-use crate::settings::{Settings, StopAt};
-use crate::trajectory::{Sample, State};
+use crate::numerics::insertion::sort_few;
+use crate::state::failure::{Failure, What};
+use crate::state::saved::{Bytes, Damaged};
+use crate::state::settings::{Settings, StopAt};
+use crate::state::trajectory::{Sample, State};
 use sim_kernel::event::{self, Direction, Event};
 use sim_kernel::{Array, Mechanism};
 use std::collections::VecDeque;

@@ -4,22 +4,24 @@
 //! times does not foretell its value between them, both halves are searched. A condition that only touches zero has
 //! its extremum there.
 
+mod act;
 mod conditions;
 mod handler;
+mod onset;
 
-pub(crate) use conditions::{conditions, moved, tolerance};
+pub use act::{Change, act};
+pub(crate) use conditions::{conditions, tolerance};
 pub(crate) use handler::EventHandler;
 
-use crate::act::Change;
-use crate::failure::{Failure, What};
-use crate::insertion::sort_few;
 use crate::integrate::Step;
-use crate::interpolate::cubic;
-use crate::onset::Onset;
-use crate::root::{find_minimum, find_root};
-use crate::saved::{Bytes, Damaged};
-use crate::trajectory::State;
+use crate::numerics::insertion::sort_few;
+use crate::numerics::root::{find_minimum, find_root};
+use crate::state::failure::{Failure, What};
+use crate::state::interpolate::cubic;
+use crate::state::saved::{Bytes, Damaged};
+use crate::state::trajectory::State;
 use conditions::{Point, crosses, ends, is_root, may_reach_zero, turns_back, value};
+use onset::Onset;
 use sim_kernel::event::Direction;
 use sim_kernel::{Array, Mechanism};
 
@@ -118,7 +120,7 @@ impl<M: Mechanism> EventSearch<M> {
         let (motion, h) = (step.motion, step.length());
         let from = match self.last {
             Some(last) => last,
-            None => Point::of(motion, step.from, h)?.started(self.onset.as_ref()),
+            None => started(Point::of(motion, step.from, h)?, self.onset.as_ref()),
         };
         let mut to = Point::of(motion, step.to, h)?;
         let first = self.found.len();
@@ -257,4 +259,20 @@ impl<M: Mechanism> EventSearch<M> {
             self.found.push(Occurrence { event, name: described.name, crossing, state, change: None });
         }
     }
+}
+
+/// The point from which a search starts: what holds there is left and not crossed.
+fn started<M: Mechanism>(mut point: Point<M>, onset: Option<&Onset<M>>) -> Point<M> {
+    for i in 0..M::Events::LEN {
+        let is_zero = point.values[i].abs() <= 2.0 * tolerance(point.time) * point.rates[i].abs();
+        let sign = match onset {
+            Some(onset) if onset.holds(i) => onset.sign(i),
+            _ if is_zero => point.rates[i],
+            _ => 0.0,
+        };
+        if sign != 0.0 {
+            point.values[i] = f64::MIN_POSITIVE.copysign(sign);
+        }
+    }
+    point
 }

@@ -1,13 +1,13 @@
 //! One step that is attempted, and why it fails.
 
 use super::method::{Advance, Attempt};
-use crate::failure::{Failure, What};
-use crate::gimbal;
 use crate::motion::Motion;
-use crate::settings::Tolerance;
-use crate::singular::{AT, weakest_constraint};
-use crate::trajectory::{Sample, State};
-use crate::velocity_variables::has_generalized_speeds;
+use crate::motion::generalized_speeds::has_generalized_speeds;
+use crate::motion::gimbal;
+use crate::motion::singular::{AT, weakest_constraint};
+use crate::state::failure::{Failure, What};
+use crate::state::settings::Tolerance;
+use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 
 /// How far projection may move the end of a step, in units of the tolerance: further is another branch of the motion.

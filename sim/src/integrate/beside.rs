@@ -1,11 +1,12 @@
 //! Accelerations beside a singular position.
 
-use crate::failure::Failure;
 use crate::motion::Motion;
-use crate::nearest::{Known, MOST_KNOWN, nearest_polynomial};
-use crate::project::{inner, project};
-use crate::singular::{BESIDE, Followed, foretold, weakest_constraint};
-use crate::trajectory::{Sample, State};
+use crate::motion::project::project;
+use crate::motion::singular::{BESIDE, Followed, foretold, weakest_constraint};
+use crate::numerics::arrays::inner;
+use crate::numerics::nearest::{Known, MOST_KNOWN, nearest_polynomial};
+use crate::state::failure::Failure;
+use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 use std::f64::consts::PI;
 

@@ -1,10 +1,10 @@
 //! How long the steps of an adaptive method are.
 
-use crate::failure::Failure;
 use crate::motion::Motion;
-use crate::saved::{Bytes, Damaged};
-use crate::settings::Tolerance;
-use crate::trajectory::Sample;
+use crate::state::failure::Failure;
+use crate::state::saved::{Bytes, Damaged};
+use crate::state::settings::Tolerance;
+use crate::state::trajectory::Sample;
 use sim_kernel::{Array, Mechanism};
 
 /// Bounds of the ratio of successive steps.

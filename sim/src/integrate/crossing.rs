@@ -4,12 +4,12 @@ use super::attempt::attempt;
 use super::dop853::Dop853;
 use super::method::Advance;
 use super::{Step, Steps};
-use crate::failure::Failure;
 use crate::motion::Motion;
-use crate::saved::{Bytes, Damaged};
-use crate::settings::Tolerance;
-use crate::singular::{Ahead, Followed, Lie, look_ahead, may_be_ahead};
-use crate::trajectory::Sample;
+use crate::motion::singular::{Ahead, Followed, Lie, look_ahead, may_be_ahead};
+use crate::state::failure::Failure;
+use crate::state::saved::{Bytes, Damaged};
+use crate::state::settings::Tolerance;
+use crate::state::trajectory::Sample;
 use sim_kernel::Mechanism;
 
 /// The least sine of the angle between a row of C_q and those before it that a step over a singular position begins and ends

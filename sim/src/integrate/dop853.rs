@@ -3,10 +3,10 @@
 use super::dop853_tableau::{DENSE_A, DENSE_C, DENSE_D, DOP853};
 use super::explicit::ExplicitRungeKutta;
 use super::method::{Advance, Attempt};
-use crate::failure::Failure;
 use crate::motion::Motion;
-use crate::settings::Tolerance;
-use crate::trajectory::{Rates, Sample, State};
+use crate::state::failure::Failure;
+use crate::state::settings::Tolerance;
+use crate::state::trajectory::{Rates, Sample, State};
 use sim_kernel::Mechanism;
 
 /// The method, with the interpolant of its last step once it has been asked for.

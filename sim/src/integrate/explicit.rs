@@ -2,11 +2,11 @@
 
 use super::method::{Advance, Attempt};
 use super::tableau::{ErrorEstimate, MOST_STAGES, RK4, Tableau, Weight};
-use crate::failure::{Failure, What};
 use crate::motion::Motion;
-use crate::settings::Tolerance;
-use crate::trajectory::{Rates, Sample, State};
-use crate::velocity_variables::Integrated;
+use crate::motion::velocity_variables::Integrated;
+use crate::state::failure::{Failure, What};
+use crate::state::settings::Tolerance;
+use crate::state::trajectory::{Rates, Sample, State};
 use sim_kernel::Mechanism;
 
 /// The method of a tableau, with the stages of its last step.

@@ -1,6 +1,6 @@
 //! Steps that lead nowhere.
 
-use crate::saved::{Bytes, Damaged};
+use crate::state::saved::{Bytes, Damaged};
 
 /// How far attempts have come lately.
 #[derive(Clone)]

@@ -1,8 +1,8 @@
 //! The methods that settings name.
 
 use super::{Advance, DOPRI5, Dop853, EULER, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5};
-use crate::saved::{Bytes, Damaged};
-use crate::settings::Method;
+use crate::state::saved::{Bytes, Damaged};
+use crate::state::settings::Method;
 use sim_kernel::Mechanism;
 
 /// One of the methods that settings name, with what it remembers of its last step.

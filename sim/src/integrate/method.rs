@@ -1,11 +1,11 @@
 //! What a method of integration is.
 
-use crate::failure::Failure;
-use crate::interpolate::hermite;
-use crate::measures::Measures;
 use crate::motion::Motion;
-use crate::settings::Tolerance;
-use crate::trajectory::{Sample, State};
+use crate::motion::measures::Measures;
+use crate::state::failure::Failure;
+use crate::state::interpolate::hermite;
+use crate::state::settings::Tolerance;
+use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 
 /// A method that advances a motion step by step. `examples/own_integrator.rs` has one of one's own.

@@ -9,7 +9,6 @@ mod dop853_tableau;
 mod explicit;
 mod headway;
 mod integrator;
-mod lu;
 mod method;
 #[cfg(test)]
 mod order_conditions;
@@ -29,12 +28,12 @@ pub use step::Step;
 pub(crate) use stepper::Stepper;
 pub use tableau::{DOPRI5, EULER, ErrorEstimate, HEUN, RK3, RK4, Tableau, Weight};
 
-use crate::failure::Failure;
 use crate::motion::Motion;
-use crate::saved::{Bytes, Damaged};
-use crate::settings::{Settings, Stepping};
-use crate::singular::Singularity;
-use crate::trajectory::Sample;
+use crate::motion::singular::Singularity;
+use crate::state::failure::Failure;
+use crate::state::saved::{Bytes, Damaged};
+use crate::state::settings::{Settings, Stepping};
+use crate::state::trajectory::Sample;
 use sim_kernel::Mechanism;
 use std::ops::ControlFlow;
 

@@ -5,14 +5,14 @@
 //! (c I - [0 I; A B]) (x, y) = (r, s) is (c^2 I - c B - A) x = s + (c I - B) r, y = c x - r; and the Jacobian is generated,
 //! and new in each step.
 
-use super::lu::Lu;
 use super::method::{Advance, Attempt};
-use crate::failure::{Failure, What};
-use crate::interpolate::cubic;
 use crate::motion::Motion;
-use crate::saved::{Bytes, Damaged};
-use crate::settings::Tolerance;
-use crate::trajectory::{Rates, Sample, State};
+use crate::numerics::lu::Lu;
+use crate::state::failure::{Failure, What};
+use crate::state::interpolate::cubic;
+use crate::state::saved::{Bytes, Damaged};
+use crate::state::settings::Tolerance;
+use crate::state::trajectory::{Rates, Sample, State};
 use nalgebra::Complex;
 use sim_kernel::{Array, Mechanism};
 

@@ -2,10 +2,10 @@
 
 use super::beside::better_accelerations;
 use super::method::Advance;
-use crate::failure::{Failure, What};
 use crate::motion::Motion;
-use crate::singular::{AT, BESIDE, IN};
-use crate::trajectory::{Sample, State};
+use crate::motion::singular::{AT, BESIDE, IN};
+use crate::state::failure::{Failure, What};
+use crate::state::trajectory::{Sample, State};
 use sim_kernel::Mechanism;
 
 /// A step that was made.

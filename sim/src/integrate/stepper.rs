@@ -6,11 +6,11 @@ use super::crossing::{Crossing, Way};
 use super::headway::Headway;
 use super::method::Advance;
 use super::{Course, Step, Steps};
-use crate::failure::{Failure, What};
 use crate::motion::Motion;
-use crate::saved::{Bytes, Damaged, blank_sample};
-use crate::settings::{Stepping, Tolerance};
-use crate::trajectory::{Sample, State};
+use crate::state::failure::{Failure, What};
+use crate::state::saved::{Bytes, Damaged, blank_sample};
+use crate::state::settings::{Stepping, Tolerance};
+use crate::state::trajectory::{Sample, State};
 use sim_kernel::Mechanism;
 
 /// What steps over singular positions are good to between equal steps.

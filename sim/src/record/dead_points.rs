@@ -1,11 +1,10 @@
 //! Dead points that a run passes, from dense output.
 
-use crate::failure::Failure;
 use crate::integrate::Step;
-use crate::mobility::Mobility;
-use crate::root::find_root;
-use crate::run::Run;
-use crate::trajectory::State;
+use crate::motion::mobility::Mobility;
+use crate::numerics::root::find_root;
+use crate::state::failure::Failure;
+use crate::state::trajectory::State;
 use sim_kernel::{Array, Mechanism, Start};
 
 /// A dead point that a motion has passed: here the independent coordinates do not determine the others, which go on
@@ -16,16 +15,6 @@ pub struct DeadPoint<M: Mechanism> {
     pub of: Vec<&'static str>,
     /// When and where, from dense output.
     pub state: State<M>,
-}
-
-/// The dead points along a run of the coordinates whose values the declaration gives at the start, as many as there are
-/// degrees of freedom: where det C_qd changes its sign, with C_qd the columns of the constraint Jacobian of all other
-/// coordinates. None where the declaration gives fewer, where constraints hold between speeds, keep the norm of a
-/// quaternion, one component of which may change its sign at any time, or are switched by events, nor where C_q itself loses
-/// rank: such a position is singular, and the motion passes it on its own branch. With several degrees of freedom they are
-/// looked for among at most 12 constraints.
-pub fn dead_points<M: Mechanism>(run: &Run<M>) -> Vec<DeadPoint<M>> {
-    run.dead_points.clone()
 }
 
 /// A determinant or pivot this small, beside the rows that it is made of, is zero.

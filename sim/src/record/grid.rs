@@ -4,7 +4,7 @@
 //! first, by a power of two, and every second one is dropped when more than twice as many are held as were asked for. Rows
 //! beyond those asked for are one in four steps at most, so that they cost little where steps are few.
 
-use crate::trajectory::{Phase, Sample};
+use crate::state::trajectory::{Phase, Sample};
 use sim_kernel::Mechanism;
 use std::cmp::Ordering;
 

@@ -2,16 +2,17 @@
 
 mod dead_points;
 mod grid;
+pub(crate) mod table;
 mod watch;
 
-use crate::failure::{Failure, What};
 use crate::integrate::Step;
-use crate::mobility::Mobility;
 use crate::motion::Motion;
-use crate::settings::{Rows, Settings, Stepping};
-use crate::trajectory::{Phase, Sample, State};
+use crate::motion::mobility::Mobility;
+use crate::state::failure::{Failure, What};
+use crate::state::settings::{Rows, Settings, Stepping};
+use crate::state::trajectory::{Phase, Sample, State};
+pub use dead_points::DeadPoint;
 use dead_points::DeadPoints;
-pub use dead_points::{DeadPoint, dead_points};
 use grid::Grid;
 use sim_kernel::Mechanism;
 pub(crate) use watch::Watch;

@@ -1,9 +1,9 @@
 //! Whoever watches a motion.
 
-use crate::failure::Failure;
 use crate::integrate::Step;
 use crate::motion::Motion;
-use crate::trajectory::{Sample, State};
+use crate::state::failure::Failure;
+use crate::state::trajectory::{Sample, State};
 use sim_kernel::Mechanism;
 
 /// Whoever watches a motion.

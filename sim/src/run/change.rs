@@ -1,12 +1,12 @@
 //! Parameters and inputs that the owner of a simulation sets on its way.
 
 use super::Simulation;
-use crate::failure::{Failure, What, constraint_name, largest};
-use crate::inertia::check_inertias;
-use crate::measures::Measures;
-use crate::mobility::check_masses;
-use crate::project::project_velocities;
-use crate::trajectory::State;
+use crate::motion::inertia::check_inertias;
+use crate::motion::measures::Measures;
+use crate::motion::mobility::check_masses;
+use crate::motion::project::project_velocities;
+use crate::state::failure::{Failure, What, constraint_name, largest};
+use crate::state::trajectory::State;
 use sim_kernel::{Array, Input, Mechanism, Quantity};
 
 /// What of a change of parameters may move the mechanism at once, in the measures of its coordinates: further might be another
@@ -108,7 +108,7 @@ impl<M: Mechanism> Simulation<M> {
 /// Whether parameters that change open a constraint at a state, or the rate of one.
 fn moves_constraints<M: Mechanism>(before: &M, after: &M, state: &State<M>) -> bool {
     let [before, after] = [before, after].map(|m| m.constraint_linearization(state.time, &state.positions));
-    let rates = |linear| crate::project::rates::<M>(linear, &state.speeds);
+    let rates = |linear| crate::motion::residuals::rates::<M>(linear, &state.speeds);
     before.values.as_ref() != after.values.as_ref() || rates(&before).as_ref() != rates(&after).as_ref()
 }
 
@@ -116,7 +116,7 @@ fn moves_constraints<M: Mechanism>(before: &M, after: &M, state: &State<M>) -> b
 fn closed_nearby<M: Mechanism>(mechanism: &M, state: &State<M>) -> Option<State<M>> {
     let (time, mut closed) = (state.time, *state);
     let measures = Measures::at(mechanism, time, &state.positions);
-    let linear = crate::project::project_positions(mechanism, &measures, time, &mut closed.positions).ok()?;
+    let linear = crate::motion::project::project_positions(mechanism, &measures, time, &mut closed.positions).ok()?;
     project_velocities(&measures, &linear, time, &closed.positions, &mut closed.speeds).ok()?;
     let moved = M::Q::from_fn(|i| closed.positions[i] - state.positions[i]);
     (closed.is_finite() && measures.size(&moved) <= NEAR).then_some(closed)

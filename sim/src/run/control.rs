@@ -1,8 +1,8 @@
 //! Inputs that a program sets while a motion runs.
 
 use super::Simulation;
-use crate::failure::Failure;
-use crate::trajectory::Sample;
+use crate::state::failure::Failure;
+use crate::state::trajectory::Sample;
 use sim_kernel::Mechanism;
 
 /// The law of a controller: the inputs that follow from a sample.

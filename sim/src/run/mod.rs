@@ -9,15 +9,15 @@ pub use control::Controller;
 pub use save::NotRestored;
 pub use simulation::Simulation;
 
-use crate::assemble::Start;
-use crate::equations::residuals;
 use crate::events::Occurrence;
-use crate::failure::{Failure, What};
 use crate::integrate::Steps;
-use crate::mobility::Mobility;
+use crate::motion::mobility::Mobility;
+use crate::motion::residuals::residuals;
 use crate::record::{DeadPoint, Recorder};
-use crate::settings::Settings;
-use crate::trajectory::{State, Trajectory};
+use crate::start::assemble::Start;
+use crate::state::failure::{Failure, What};
+use crate::state::settings::Settings;
+use crate::state::trajectory::{State, Trajectory};
 use control::Control;
 use sim_kernel::Mechanism;
 use std::sync::atomic::Ordering;
@@ -63,6 +63,16 @@ impl<M: Mechanism> Run<M> {
     pub fn period(&self) -> Option<f64> {
         self.events.iter().find(|event| event.name == "period").map(|event| event.state.time)
     }
+}
+
+/// The dead points along a run of the coordinates whose values the declaration gives at the start, as many as there are
+/// degrees of freedom: where det C_qd changes its sign, with C_qd the columns of the constraint Jacobian of all other
+/// coordinates. None where the declaration gives fewer, where constraints hold between speeds, keep the norm of a
+/// quaternion, one component of which may change its sign at any time, or are switched by events, nor where C_q itself loses
+/// rank: such a position is singular, and the motion passes it on its own branch. With several degrees of freedom they are
+/// looked for among at most 12 constraints.
+pub fn dead_points<M: Mechanism>(run: &Run<M>) -> Vec<DeadPoint<M>> {
+    run.dead_points.clone()
 }
 
 /// Runs a mechanism from a start.

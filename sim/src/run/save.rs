@@ -1,11 +1,11 @@
 //! Simulations saved and restored.
 
 use super::Simulation;
-use crate::act::Change;
-use crate::digest::Digest;
+use crate::events::Change;
 use crate::integrate::Stepper;
-use crate::saved::{Bytes, Damaged};
-use crate::settings::{Settings, Stepping};
+use crate::state::digest::Digest;
+use crate::state::saved::{Bytes, Damaged};
+use crate::state::settings::{Settings, Stepping};
 use sim_kernel::Mechanism;
 
 /// Bytes that no simulation can be restored from.

@@ -1,16 +1,16 @@
 //! A motion that is advanced as its owner says.
 
-use crate::assemble::{Start, assemble};
 use crate::events::{EventHandler, Occurrence};
-use crate::failure::{Failure, What};
-use crate::inertia::check_inertias;
 use crate::integrate::{Course, Integrator, Stepper, Steps, first_sample};
-use crate::measures::Measures;
-use crate::mobility::{Mobility, check_masses, mobility};
 use crate::motion::Motion;
+use crate::motion::inertia::check_inertias;
+use crate::motion::measures::Measures;
+use crate::motion::mobility::{Mobility, check_masses, mobility};
 use crate::record::Watch;
-use crate::settings::Settings;
-use crate::trajectory::{Sample, State};
+use crate::start::assemble::{Start, assemble};
+use crate::state::failure::{Failure, What};
+use crate::state::settings::Settings;
+use crate::state::trajectory::{Sample, State};
 use sim_kernel::Mechanism;
 
 /// A motion that is advanced as its owner says, step by step or to a time. Between, its inputs may be set.

@@ -5,6 +5,7 @@
 
 mod kernels;
 mod numbers;
+mod rooms;
 
 use std::fmt::Display;
 
@@ -22,7 +23,7 @@ pub(crate) type Subject = (&'static str, fn(&mut Table));
 /// The areas, in order.
 pub(crate) const AREAS: &[Area] = &[
     measured("numbers", "no wrong number with exit status 0", numbers::SUBJECTS),
-    open("rooms"),
+    measured("rooms", "a runtime for every use, and a house with rooms", rooms::SUBJECTS),
     open("files"),
     open("size"),
     open("robots"),

@@ -1,0 +1,154 @@
+//! Static equilibrium, and small motions about it.
+
+use crate::analysis::linearize::{Statics, linearize};
+use crate::model::{AnyMechanism, At};
+use crate::motion::typed::Any;
+use crate::numerics::arrays::array;
+use crate::start::assemble::{Start, assemble};
+use crate::state::failure::{Failure, What};
+use crate::state::trajectory::State;
+use nalgebra::{Complex, DVector};
+use sim_kernel::{Array, Mechanism};
+
+/// A position in which a mechanism at rest stays.
+#[derive(Clone, Debug)]
+pub struct Equilibrium<M: Mechanism> {
+    /// It, at rest at time 0.
+    pub state: State<M>,
+    /// The reactions there.
+    pub multipliers: M::L,
+    /// The eigenvalues of small motions about it, 2 for each degree of freedom, by imaginary part; a positive real part
+    /// is unstable.
+    pub eigenvalues: Vec<Complex<f64>>,
+}
+
+/// Steps of Newton's method.
+const MOST_STEPS: usize = 100;
+/// Steps of the way that the mechanism would come to rest.
+const MOST_DESCENTS: usize = 1000;
+/// The longest first step, in what coordinates are measured by: radians, and parts of the mechanism's own length.
+const LONGEST: f64 = 0.3;
+/// A step is as good as foretold where the residual falls within this part of what it should.
+const FORETOLD: f64 = 0.1;
+/// A step that is halved so often leads nowhere.
+const MOST_HALVINGS: i32 = 20;
+/// Descent ends where this step of Newton's method is left, in the same measure.
+const NEAR: f64 = 0.1;
+/// How much stiffer than it has to be the way down is made, as a part of all stiffness.
+const STIFFER: f64 = 1e-3;
+/// A step may turn the force along it round, but to no more than this part of it: it has led down then.
+const TURNED: f64 = 0.5;
+
+/// The equilibrium near a start.
+///
+/// By Newton's method on q''(q, 0) = 0 over the independent coordinates, in steps that are limited and halved until the residual
+/// falls. Where that ends elsewhere, as it does midway between two equilibria, it is the one at which the mechanism would come to rest
+/// if it moved slowly and everything resisted: the way down, in steps of (s M - K)^-1 Q with s so large that the
+/// matrix is positive, and Newton's method from near its end. Accelerations and steps are measured by the mass matrix, and steps by the
+/// mechanism's own length and the radian, so that no unit decides.
+///
+/// # Errors
+/// If the start cannot be assembled, [`What::NoEquilibrium`], and [`What::SingularState`] where it is in a singular position.
+pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equilibrium<M>, Failure> {
+    let any: &dyn AnyMechanism = &Any(mechanism);
+    let assembled = assemble(mechanism, &at_rest(start))?;
+    let near = assembled.positions.as_ref().to_vec();
+    let found = match newton(any, near.clone())? {
+        Ended::AtRest(found) => found,
+        Ended::Moving(stuck) => match descend(any, near)? {
+            Ended::AtRest(found) => found,
+            Ended::Moving(last) => return Err(nowhere(any, &stuck, &last)),
+        },
+    };
+    let multipliers = any.accelerate(At::moving(0.0, &found.q, &[]))?;
+    let state = State { positions: array(&found.q), speeds: M::Q::filled(0.0), ..assembled };
+    let eigenvalues = linearize(mechanism, &state, &[])?.eigenvalues;
+    Ok(Equilibrium { state, multipliers: array(&multipliers.as_slice()[M::Q::LEN..]), eigenvalues })
+}
+
+/// The same start with all coordinates free and no speeds.
+fn at_rest<M: Mechanism>(start: &Start<M>) -> Start<M> {
+    let none = vec![false; M::Q::LEN];
+    Start { speeds: M::Q::filled(0.0), position_given: none.clone(), speed_given: none, ..start.clone() }
+}
+
+/// How a search ended.
+enum Ended {
+    AtRest(Statics),
+    Moving(Statics),
+}
+
+impl Ended {
+    fn at(at: Statics) -> Ended {
+        if at.is_at_rest() { Ended::AtRest(at) } else { Ended::Moving(at) }
+    }
+}
+
+/// Where Newton's method leads from a position on the constraints.
+fn newton(mechanism: &dyn AnyMechanism, q: Vec<f64>) -> Result<Ended, Failure> {
+    let mut at = Statics::at(mechanism, q)?;
+    let mut longest = LONGEST;
+    for _ in 0..MOST_STEPS {
+        let Some(whole) = at.newton_step() else { break };
+        let share = (longest / at.size(&whole)).min(1.0);
+        let residual = at.force().norm();
+        let falls = |force: &DVector<f64>| force.norm() < residual;
+        // At rounding no step is better.
+        let Some((next, force, part)) = halved(mechanism, &at, &(whole * share), &falls)? else { break };
+        let (foretold, fallen) = (share * part, 1.0 - force.norm() / residual);
+        if part == 1.0 && (fallen - foretold).abs() <= FORETOLD * foretold {
+            longest *= 2.0;
+        }
+        at = next;
+    }
+    Ok(Ended::at(at))
+}
+
+/// Where the mechanism comes to rest.
+fn descend(mechanism: &dyn AnyMechanism, q: Vec<f64>) -> Result<Ended, Failure> {
+    let mut at = Statics::at(mechanism, q)?;
+    for _ in 0..MOST_DESCENTS {
+        let (step, is_down) = at.descent(STIFFER);
+        let is_near = is_down && at.newton_step().is_some_and(|step| at.size(&step) <= NEAR);
+        if is_near && let Ended::AtRest(found) = newton(mechanism, at.q.clone())? {
+            return Ok(Ended::AtRest(found));
+        }
+        let share = (LONGEST / at.size(&step)).min(1.0);
+        let along = at.force().dot(&step);
+        let leads_down = |force: &DVector<f64>| force.dot(&step) >= -TURNED * along;
+        let Some((next, _, _)) = halved(mechanism, &at, &(&step * share), &leads_down)? else { break };
+        at = next;
+    }
+    Ok(Ended::at(at))
+}
+
+/// The first of a step, its half and so on that leads where it should; with the force there, and which part it is.
+///
+/// # Errors
+/// [`What::SingularState`] if that is there.
+fn halved(
+    mechanism: &dyn AnyMechanism,
+    at: &Statics,
+    step: &DVector<f64>,
+    leads: &dyn Fn(&DVector<f64>) -> bool,
+) -> Result<Option<(Statics, DVector<f64>, f64)>, Failure> {
+    for part in (0..MOST_HALVINGS).map(|k| 0.5f64.powi(k)) {
+        let Ok((q, force)) = at.moved(mechanism, &(step * part)) else { continue };
+        if leads(&force) {
+            match Statics::at(mechanism, q) {
+                Ok(next) => return Ok(Some((next, force, part))),
+                Err(singular) if matches!(singular.what, What::SingularState { .. }) => return Err(singular),
+                Err(_) => continue,
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// That nothing was found where both searches ended; the singular position beside one of them, if there is one.
+fn nowhere(mechanism: &dyn AnyMechanism, stuck: &Statics, last: &Statics) -> Failure {
+    let singular = [last, stuck].into_iter().find_map(|at| at.singular_nearby(mechanism));
+    singular.unwrap_or_else(|| {
+        mechanism.failure(What::NoEquilibrium { acceleration: stuck.largest_acceleration() }, 0.0, &stuck.q)
+    })
+}

@@ -1,0 +1,33 @@
+//! What is known of the motion beside crossings, from the nodes of a step on both sides.
+
+use super::series::{NODES, Series};
+use crate::numerics::nearest::{Known, nearest_polynomial};
+
+/// How well what goes through a crossing is known there, beside its largest value; of a pole nothing is known.
+const SMOOTH: f64 = 1e-6;
+
+/// A quantity at the nodes of a step with a crossing.
+pub(super) struct Beside {
+    known: Vec<Known<[f64; 1]>>,
+    pub(super) has_pole: bool,
+}
+
+impl Beside {
+    /// That which is known at nodes.
+    pub(super) fn new(known: Vec<Known<[f64; 1]>>, crossings: &[f64]) -> Beside {
+        let largest = known.iter().fold(0.0f64, |most, known| most.max(known.values[0].abs()));
+        let values: Option<[f64; NODES]> =
+            <[_; NODES]>::try_from(&known[..]).ok().map(|known: [Known<_>; NODES]| known.map(|known| known.values[0]));
+        let mut beside = Beside { known, has_pole: false };
+        let foretold = || crossings.iter().fold(0.0f64, |most, x| most.max(beside.at(*x).1));
+        let lacking = values.map_or_else(foretold, |values| Series::through(values).tail());
+        beside.has_pole = !(lacking <= SMOOTH * largest);
+        beside
+    }
+
+    /// Its value, and about how far that may be off.
+    pub(super) fn at(&self, x: f64) -> (f64, f64) {
+        let (value, off) = nearest_polynomial(&self.known, x, |value| value[0].abs());
+        (value[0], off)
+    }
+}

@@ -1,0 +1,86 @@
+//! Where other branches cross the one that is followed: where F_z loses rank, whatever its order.
+//!
+//! The sign of a determinant would miss a rank that falls by two. Beside a crossing the smallest singular value falls as the
+//! distance to it; it is looked for on the curve's polynomial, which passes it smoothly.
+
+use super::path::Path;
+use super::piece::Piece;
+use crate::numerics::root::find_minimum;
+use std::convert::Infallible;
+
+/// At how many places the rank is looked at, from where on, and how far apart in half steps: beyond the end of a step, so that
+/// none ends just before a crossing, and before its beginning, so that one just after it has neighbours.
+const LOOKS: usize = 16;
+const FIRST: f64 = -1.4;
+const APART: f64 = 0.2;
+/// What is worth a search, as a part of what is beside it.
+const LOW: f64 = 0.5;
+/// A singular value this small beside its largest in the step is zero.
+const ZERO: f64 = 1e-6;
+/// Crossings nearer to each other than this, in half steps, are one.
+const SAME: f64 = 1e-6;
+/// How far from the middle of a step crossings are near it.
+const NEAR: f64 = 1.5;
+/// So many crossings are told apart in a step.
+const MOST_CROSSINGS: usize = 6;
+/// How far equations without units may be open where the branch goes straight through a crossing. Where links differ by a part
+/// of 1e-11 the curve bends away instead.
+const OPEN: f64 = 1e-11;
+
+/// A place where F_z comes near to a lower rank.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Dip {
+    pub(super) x: f64,
+    /// Whether the rank is lower there.
+    pub(super) is_crossing: bool,
+    /// Whether the equations hold there, as they do on a branch.
+    pub(super) is_closed: bool,
+}
+
+/// The first crossing in a step or beyond its end, or the first dip where the equations do not hold.
+pub(super) fn find_dip(path: &Path, piece: &Piece) -> Option<Dip> {
+    dips(path, piece, &|x| path.volume(piece, x)).find(|dip| dip.x >= -1.0 && (dip.is_crossing || !dip.is_closed))
+}
+
+/// All crossings in a step or near its ends, in order, however near to each other: those that are known are divided out.
+pub(super) fn crossings(path: &Path, piece: &Piece) -> Vec<Dip> {
+    let mut known: Vec<Dip> = Vec::new();
+    for _ in 0..MOST_CROSSINGS {
+        let without =
+            |x: f64| path.volume(piece, x) - known.iter().map(|dip| (x - dip.x).abs().max(SAME).ln()).sum::<f64>();
+        let is_new = |dip: &Dip| {
+            dip.is_crossing && dip.x.abs() <= NEAR && known.iter().all(|other| (dip.x - other.x).abs() > SAME)
+        };
+        let Some(dip) = dips(path, piece, &without).find(is_new) else { break };
+        known.push(dip);
+    }
+    known.sort_by(|a, b| a.x.total_cmp(&b.x));
+    known
+}
+
+/// The dips of a step, in order. Where they are, is told by the logarithm of the product of all singular values: beside another
+/// branch that only comes near, the smallest of them is small throughout.
+fn dips<'p>(path: &'p Path, piece: &'p Piece, volume: &'p dyn Fn(f64) -> f64) -> impl Iterator<Item = Dip> + 'p {
+    let place = |i: usize| FIRST + APART * i as f64;
+    let logarithms: [f64; LOOKS] = std::array::from_fn(|i| volume(place(i)));
+    let largest = logarithms.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let values = logarithms.map(|volume| (volume - largest).exp());
+    let is_low = move |i: &usize| {
+        let [before, here, after] = [values[i - 1], values[*i], values[i + 1]];
+        here < before && here <= after && here <= LOW * before.max(after)
+    };
+    let dip = move |i: usize| {
+        let (x, _) = least([place(i - 1), place(i + 1)], &|x| (volume(x) - largest).exp());
+        // Twice, as the first search ends at the root of rounding.
+        let (x, value) = least([x - 1e-7, x + 1e-7], &|x| path.regularity(piece, x));
+        let regular = piece.from.regularity.max(piece.to.regularity);
+        Dip { x, is_crossing: value <= ZERO * regular, is_closed: path.open(piece, x) <= OPEN }
+    };
+    (1..LOOKS - 1).filter(is_low).map(dip)
+}
+
+fn least([from, to]: [f64; 2], of: &dyn Fn(f64) -> f64) -> (f64, f64) {
+    let place = |s: f64| from + s * (to - from);
+    let Ok((s, value)) = find_minimum(&mut |s| Ok::<f64, Infallible>(of(place(s))));
+    (place(s), value)
+}

@@ -1,0 +1,83 @@
+//! Least and greatest values along a sweep.
+
+use super::driven::is_of_positions;
+use super::range::{Extreme, Range};
+use super::search::Found;
+use super::sweep::{Sweep, Swept};
+
+/// How a quantity divides a whole turn of the drive between its least and its greatest value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TimeRatio {
+    /// The larger part over the smaller: the time ratio of a quick-return mechanism at constant speed.
+    pub ratio: f64,
+    /// The larger part, in radians.
+    pub working: f64,
+    /// The smaller part.
+    pub returning: f64,
+}
+
+/// The extremes of everything along a sweep; `None` for what is not finite everywhere, or grows without bound towards a limit
+/// position or a crossing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Extremes {
+    /// Of each output.
+    pub outputs: Vec<Option<Range>>,
+    /// Of each multiplier.
+    pub multipliers: Vec<Option<Range>>,
+    /// Of the force of each drive and hold.
+    pub forces: Vec<Option<Range>>,
+    /// Of the transmission index.
+    pub transmission: Option<Range>,
+    /// For each output that is a function of positions, dy/ds with s what is driven: the least magnitude of the
+    /// mechanical advantage ds/dy is where this is greatest.
+    pub ratios: Vec<Option<Range>>,
+    /// For each output that is a function of positions, over a whole turn.
+    pub time_ratios: Vec<Option<TimeRatio>>,
+}
+
+/// Sorts what was found.
+pub(super) fn extremes(swept: &Swept, sweep: &Sweep) -> Extremes {
+    let description = swept.system.mechanism.description();
+    let Found { layout, ranges, .. } = &swept.found;
+    let of = |indices: &std::ops::Range<usize>| ranges[indices.clone()].to_vec();
+    let outputs = of(&layout.outputs);
+    let positions = positions(swept);
+    let rated = |i: usize| description.rated_outputs.iter().position(|rated| *rated == i);
+    let ratio = |i: usize| rated(i).filter(|_| positions[i]).and_then(|rate| ranges[layout.ratios.start + rate]);
+    let turn = sweep.is_turn(description) && swept.failure.is_none();
+    let time_ratio = |i: usize| outputs[i].filter(|_| positions[i] && turn).and_then(|range| divide(&range));
+    let largest = swept.found.largest_columns();
+    let scaled = |extreme: Extreme| Extreme { value: (extreme.value.ln() - largest).exp(), ..extreme };
+    let transmission = |range: Range| Range { least: scaled(range.least), greatest: scaled(range.greatest) };
+    Extremes {
+        multipliers: of(&layout.multipliers),
+        forces: of(&layout.forces),
+        transmission: ranges[layout.volume].map(transmission),
+        ratios: (0..outputs.len()).map(ratio).collect(),
+        time_ratios: (0..outputs.len()).map(time_ratio).collect(),
+        outputs,
+    }
+}
+
+impl Found {
+    /// The logarithm of the product of the largest length of each column: products neither overflow nor underflow so.
+    pub(super) fn largest_columns(&self) -> f64 {
+        let longest = |range: &Option<Range>| range.map_or(f64::NAN, |range| range.greatest.value.ln());
+        self.ranges[self.layout.columns.clone()].iter().map(longest).sum()
+    }
+}
+
+/// Which outputs are functions of positions, at a few places in case one is special.
+fn positions(swept: &Swept) -> Vec<bool> {
+    let mechanism = swept.system.mechanism;
+    let is = |i: usize| swept.found.places.iter().all(|(time, q)| is_of_positions(mechanism, i, *time, q));
+    (0..mechanism.description().outputs.len()).map(is).collect()
+}
+
+/// The parts of a turn from the least value to the greatest and back.
+fn divide(range: &Range) -> Option<TimeRatio> {
+    let one = (range.greatest.at - range.least.at).abs();
+    let other = std::f64::consts::TAU - one;
+    let (working, returning) = (one.max(other), one.min(other));
+    (range.stroke() > 0.0 && returning > 0.0).then(|| TimeRatio { ratio: working / returning, working, returning })
+}

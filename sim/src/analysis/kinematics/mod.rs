@@ -1,0 +1,177 @@
+//! Kinematic analysis: a mechanism with all of its freedoms driven, through a range of one of them.
+
+mod algebra;
+mod beside;
+mod crossing;
+mod driven;
+mod extremes;
+mod inverse;
+mod locate;
+mod motion;
+mod path;
+mod piece;
+mod range;
+mod search;
+mod series;
+mod sizes;
+mod stand_in;
+mod sweep;
+mod system;
+mod tabulate;
+mod walk;
+
+use crate::motion::mobility::Mobility;
+use crate::motion::typed::Any;
+use crate::start::assemble::{Start, assemble};
+use crate::state::failure::{Failure, What, constraint_name};
+use crate::state::trajectory::Trajectory;
+use inverse::AnyPrescribed;
+use sim_kernel::{Array, Description, Mechanism};
+use std::sync::atomic::AtomicBool;
+use sweep::Swept;
+
+pub use driven::Driven;
+pub use extremes::{Extremes, TimeRatio};
+pub use inverse::{Prescribed, inverse_dynamics};
+pub use range::{Extreme, Range};
+pub use sweep::{SpecialPosition, Sweep};
+#[cfg(feature = "cli")]
+pub(crate) use {stand_in::prescribed_coordinate, tabulate::quotient};
+
+/// What a mechanism does while it is driven through a range.
+#[derive(Clone, Debug)]
+pub struct Kinematics<M: Mechanism> {
+    /// The mechanism with its parameters.
+    pub mechanism: M,
+    /// How it was driven.
+    pub sweep: Sweep,
+    /// The motion, with the reactions of the constraints. It ends with a failure in a limit position of the drive.
+    pub trajectory: Trajectory<M>,
+    /// The value of what is driven at each sample, in SI units.
+    pub values: Vec<f64>,
+    /// What the drive, and after it each hold, exerts on the mechanism at each sample: see [`Prescribed::forces`].
+    pub forces: Vec<Vec<f64>>,
+    /// The transmission index at each sample, from 0 in a dead point to 1.
+    ///
+    /// It is |det C_qd| over the product of the largest length that each column of C_qd has anywhere in the range, where C_qd are
+    /// the columns of the constraint Jacobian that no drive holds (of redundant constraints all rows count, and the volume that
+    /// the columns span is taken for the determinant): how well the drive determines the rest, relative to the
+    /// best possible, as in Sutherland and Roth, A transmission index for spatial mechanisms (J. Eng. Ind. 95, 1973).
+    /// For a four-bar linkage driven at its crank it is sin mu, with mu the transmission angle (Balli and Chand,
+    /// Transmission angle in mechanisms, Mech. Mach. Theory 37, 2002), for a slider-crank sin mu over its largest value.
+    pub transmission: Vec<f64>,
+    /// Degrees of freedom without drives and dependent constraints, at the start.
+    pub mobility: Mobility,
+    /// Where other branches of the motion cross that which was followed.
+    pub branches: Vec<SpecialPosition>,
+    /// Where the drive can go no further.
+    pub limit: Option<SpecialPosition>,
+    /// Least and greatest values of everything, and where.
+    pub extremes: Extremes,
+}
+
+/// Drives a mechanism through a range, on the branch on which it is assembled.
+///
+/// Positions by continuation along the curve of C(q, t) = 0 and the drives' conditions, in steps that adapt to its
+/// direction and not to what is recorded; velocities, accelerations and reactions exactly from the kernels, by [`inverse_dynamics`]. What is given
+/// of the start closes the loops; from there drive and holds are first brought to where the sweep begins.
+///
+/// Where a constraint prescribes the driven coordinate as a function of time, the sweep stands in for it: the coordinate moves
+/// as the sweep says, and what the drive exerts is the reaction of that constraint.
+///
+/// # Errors
+/// If the start cannot be assembled, if [`What::NotDriven`] or [`What::NotHolonomic`], or if where the sweep begins
+/// cannot be reached. What ends the sweep on the way does not lose it: it stands in its trajectory.
+pub fn kinematics<M: Mechanism>(mechanism: M, start: &Start<M>, sweep: &Sweep) -> Result<Kinematics<M>, Failure> {
+    kinematics_until(&AtomicBool::new(false), mechanism, start, sweep)
+}
+
+/// The same, but that it ends, as a failure, once `interrupt` is true.
+///
+/// # Errors
+/// As [`kinematics`].
+pub fn kinematics_until<M: Mechanism>(
+    interrupt: &AtomicBool,
+    mechanism: M,
+    start: &Start<M>,
+    sweep: &Sweep,
+) -> Result<Kinematics<M>, Failure> {
+    let sensible = sweep.steps > 0 && sweep.from != sweep.to && sweep.speed != 0.0;
+    if !sensible || ![sweep.from, sweep.to, sweep.speed].iter().all(|value| value.is_finite()) {
+        let quantity = "the time that the sweep takes, (to - from) / speed,".to_owned();
+        return Err(Failure::at::<M>(What::NotFinite { quantity }, 0.0, &start.positions));
+    }
+    if let Some(row) = M::DESCRIPTION.speed_constraints.first() {
+        let what = What::NotHolonomic { constraint: constraint_name::<M>(*row) };
+        return Err(Failure::at::<M>(what, 0.0, &start.positions));
+    }
+    let none = vec![false; M::Q::LEN];
+    let still = Start { speeds: M::Q::filled(0.0), speed_given: none, ..start.clone() };
+    let assembled = assemble(&mechanism, &still)?.positions;
+    let any = Any(&mechanism);
+    let swept = sweep::sweep(&any, assembled.as_ref().to_vec(), sweep, interrupt)?;
+    let extremes = extremes::extremes(&swept, sweep);
+    let transmission = transmission(&swept);
+    let work = work(&swept);
+    let samples = swept.motion.iter().zip(work).map(|(motion, work)| motion.sample(&mechanism, work)).collect();
+    let (values, forces) = drives(&swept);
+    Ok(Kinematics {
+        mechanism,
+        sweep: sweep.clone(),
+        values,
+        forces,
+        transmission,
+        extremes,
+        mobility: swept.mobility.clone(),
+        branches: swept.branches.clone(),
+        limit: swept.limit.clone(),
+        trajectory: Trajectory { samples, phases: vec![], failure: swept.failure.clone() },
+    })
+}
+
+/// The values of what is driven, and the forces of each drive.
+fn drives(swept: &Swept) -> (Vec<f64>, Vec<Vec<f64>>) {
+    let law = swept.system.laws[0];
+    let values = swept.motion.iter().map(|motion| law.at(motion.time)).collect();
+    let forces = |k: usize| swept.motion.iter().map(|motion| motion.forces[k]).collect();
+    (values, (0..swept.system.laws.len()).map(forces).collect())
+}
+
+/// The work of loads and drives, which is the change of kinetic energy.
+fn work(swept: &Swept) -> Vec<f64> {
+    let kinetic =
+        |motion: &AnyPrescribed| swept.system.mechanism.kinetic_energy(motion.time, &motion.positions, &motion.speeds);
+    let first = swept.motion.first().map_or(0.0, kinetic);
+    swept.motion.iter().map(|motion| kinetic(motion) - first).collect()
+}
+
+/// See [`Kinematics::transmission`].
+fn transmission(swept: &Swept) -> Vec<f64> {
+    let largest = swept.found.largest_columns();
+    swept.motion.iter().map(|motion| (motion.volume.ln() - largest).exp()).collect()
+}
+
+impl<M: Mechanism> Kinematics<M> {
+    /// Whether what is driven is an angle that makes one whole turn, after which the mechanism is where it was.
+    pub fn is_cycle(&self) -> bool {
+        let samples = &self.trajectory.samples;
+        let (Some(first), Some(last)) = (samples.first(), samples.last()) else { return false };
+        let turns = |change: f64| (change / std::f64::consts::TAU - (change / std::f64::consts::TAU).round()).abs();
+        let returns = |j: usize| {
+            let change = last.state.positions[j] - first.state.positions[j];
+            let is_angle = Driven::Coordinate(j).turn(const { &M::DESCRIPTION }).is_some();
+            if is_angle { turns(change) < 1e-9 } else { change.abs() < 1e-9 }
+        };
+        self.sweep.is_turn(const { &M::DESCRIPTION })
+            && self.trajectory.failure.is_none()
+            && (0..M::Q::LEN).all(returns)
+    }
+}
+
+impl Sweep {
+    /// Whether an angle is driven through one whole turn.
+    pub fn is_turn(&self, description: &'static Description) -> bool {
+        let turn = self.driven.turn(description);
+        turn.is_some_and(|turn| ((self.to - self.from).abs() - turn).abs() <= 1e-9 * turn)
+    }
+}

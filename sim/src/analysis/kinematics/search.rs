@@ -1,0 +1,292 @@
+//! Least and greatest values of everything along a curve, whatever rows are recorded.
+//!
+//! Over each step every quantity is a polynomial to a small part of its range, or the step is halved for it. Candidates are
+//! where polynomials turn; the best of each quantity is located again at the end, to rounding.
+
+use super::inverse::AnyPrescribed;
+use super::path::Path;
+use super::piece::Piece;
+use super::range::Range;
+use super::series::{NODES, Series, nodes};
+use crate::state::failure::Failure;
+use std::ops::Range as Indices;
+use std::rc::Rc;
+
+/// What a polynomial may lack of a quantity, as a part of its range; and of rounding, in last digits times the condition.
+const RESOLVED: f64 = 1e-10;
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// What does not shrink when an interval is halved is noise, if it is so many times the rounding of what it came of. Rounding
+/// of accelerations is amplified by the square of the condition.
+const SHRINKS: f64 = 0.7;
+const NOISE: f64 = 16.0;
+/// How often a step is halved. What is not smooth then has a corner, and is searched for by comparison.
+const MOST_HALVINGS: usize = 8;
+/// By how much of its range a value is better than an earlier one.
+const BETTER: f64 = 1e-11;
+/// Distances from a singular place, in half steps, over which a quantity without bound grows by this factor each time.
+const TOWARDS: [f64; 3] = [1e-2, 1e-3, 1e-4];
+const GROWS: f64 = 2.5;
+/// How many positions are kept, at which outputs are asked whether they are functions of positions.
+const MOST_PLACES: usize = 8;
+
+/// Where quantities stand in one list.
+#[derive(Clone, Debug)]
+pub(super) struct Layout {
+    pub(super) outputs: Indices<usize>,
+    pub(super) multipliers: Indices<usize>,
+    pub(super) forces: Indices<usize>,
+    /// dy/ds of outputs that have a rate.
+    pub(super) ratios: Indices<usize>,
+    /// The volume that the columns of [C_q; y_q] span.
+    pub(super) volume: usize,
+    /// The length of each column that no drive holds.
+    pub(super) columns: Indices<usize>,
+}
+
+/// What was found along a curve: `None` for what has no bound or is not finite.
+#[derive(Clone, Debug)]
+pub(super) struct Found {
+    pub(super) layout: Layout,
+    pub(super) ranges: Vec<Option<Range>>,
+    /// Times and positions on the way.
+    pub(super) places: Vec<(f64, Vec<f64>)>,
+}
+
+/// A search along a curve.
+pub(super) struct Search<'s> {
+    pub(super) path: &'s Path<'s>,
+    pub(super) layout: Layout,
+    /// Which column each of the last quantities is.
+    columns: Vec<usize>,
+    tracked: Vec<Tracked>,
+    places: Vec<(f64, Vec<f64>)>,
+}
+
+/// The least and greatest value of a quantity so far.
+#[derive(Clone, Default)]
+struct Tracked {
+    least: Option<Candidate>,
+    greatest: Option<Candidate>,
+    has_no_bound: bool,
+    noise: f64,
+}
+
+/// A value that may be the least or the greatest.
+#[derive(Clone)]
+pub(super) struct Candidate {
+    pub(super) value: f64,
+    pub(super) piece: Rc<Piece>,
+    /// The part of the step that belongs to the sweep.
+    pub(super) within: [f64; 2],
+    pub(super) x: f64,
+    /// How far around it the quantity is known to be as it is there.
+    pub(super) reach: f64,
+    pub(super) kind: Kind,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Kind {
+    /// The polynomial turns there.
+    Turn,
+    /// The value of a node, where there is no polynomial.
+    Rough,
+    /// An end of the interval.
+    End,
+}
+
+/// Quantities that an interval is searched for, each with what its polynomial lacked over an interval twice as long.
+type Pending = Vec<(usize, f64)>;
+
+impl<'s> Search<'s> {
+    pub(super) fn new(path: &'s Path<'s>) -> Search<'s> {
+        let (system, description) = (path.system, path.system.mechanism.description());
+        let columns: Vec<usize> = system.dependent_columns().collect();
+        let mut first = 0;
+        let mut take = |len: usize| {
+            first += len;
+            first - len..first
+        };
+        let layout = Layout {
+            outputs: take(description.outputs.len()),
+            multipliers: take(description.constraints.len()),
+            forces: take(system.laws.len()),
+            ratios: take(description.rated_outputs.len()),
+            volume: take(1).start,
+            columns: take(columns.len()),
+        };
+        Search { path, tracked: vec![Tracked::default(); layout.columns.end], layout, columns, places: Vec::new() }
+    }
+
+    /// Every quantity of a motion.
+    pub(super) fn values(&self, motion: &AnyPrescribed) -> Vec<f64> {
+        let system = self.path.system;
+        let mut values = system.mechanism.outputs(motion.at());
+        values.extend(&motion.multipliers);
+        values.extend(&motion.forces);
+        values.extend(system.mechanism.output_rates(motion.at()).iter().map(|rate| rate / system.laws[0].rate));
+        values.push(motion.volume);
+        values.extend(self.columns.iter().map(|j| motion.columns[*j]));
+        values
+    }
+
+    pub(super) fn values_at(&self, piece: &Piece, x: f64) -> Result<Vec<f64>, Failure> {
+        Ok(self.values(&self.path.motion_at(piece, x)?))
+    }
+
+    /// Takes note of what a step has between two of its places.
+    ///
+    /// # Errors
+    /// As [`Path::motion`].
+    pub(super) fn look(&mut self, piece: &Rc<Piece>, within: [f64; 2]) -> Result<(), Failure> {
+        if self.places.len() < MOST_PLACES {
+            let (q, p) = self.path.at(piece, within[0]);
+            self.places.push((self.path.system.time(p), q));
+        }
+        if within[0] < within[1] {
+            let all = (0..self.tracked.len()).filter(|k| !self.tracked[*k].has_no_bound);
+            let all = all.map(|k| (k, f64::INFINITY)).collect();
+            return self.halves(piece, within, within, all, 0);
+        }
+        if self.tracked.iter().all(|tracked| tracked.least.is_none()) {
+            let values = self.values_at(piece, within[0])?;
+            (0..values.len()).for_each(|k| self.offer(k, (piece, within), (values[k], within[0], 0.0, Kind::End)));
+        }
+        Ok(())
+    }
+
+    /// The same for some quantities in an interval.
+    fn halves(
+        &mut self,
+        piece: &Rc<Piece>,
+        within: [f64; 2],
+        [from, to]: [f64; 2],
+        pending: Pending,
+        halvings: usize,
+    ) -> Result<(), Failure> {
+        let place = |x: f64| from + (to - from) * (1.0 + x) / 2.0;
+        let at = |node: f64| self.values_at(piece, place(node));
+        let rows: Vec<Vec<f64>> = nodes().into_iter().map(at).collect::<Result<_, _>>()?;
+        let (mut open, reach) = (Pending::new(), (to - from) / 2.0);
+        for (k, lacked) in pending {
+            let values: [f64; NODES] = std::array::from_fn(|node| rows[node][k]);
+            if values.iter().any(|value| !value.is_finite()) {
+                self.tracked[k].has_no_bound = true;
+                continue;
+            }
+            let series = Series::through(values);
+            if self.is_resolved(k, &series, &values, lacked, (piece, &rows)) {
+                let turns = series.turns().into_iter().map(|x| (x, Kind::Turn));
+                // Beside an end that was made by halving there may be a corner.
+                let end = |x: f64| (x, if within.contains(&place(x)) { Kind::End } else { Kind::Rough });
+                for (x, kind) in turns.chain([end(-1.0), end(1.0)]) {
+                    self.offer(k, (piece, within), (series.at(x), place(x), reach, kind));
+                }
+            } else if halvings == MOST_HALVINGS {
+                for (node, value) in nodes().into_iter().zip(values) {
+                    self.offer(k, (piece, within), (value, place(node), reach, Kind::Rough));
+                }
+            } else {
+                open.push((k, series.tail()));
+            }
+        }
+        self.drop_unbounded(piece, [from, to], &mut open)?;
+        if open.is_empty() {
+            return Ok(());
+        }
+        let middle = (from + to) / 2.0;
+        self.halves(piece, within, [from, middle], open.clone(), halvings + 1)?;
+        self.halves(piece, within, [middle, to], open, halvings + 1)
+    }
+
+    /// Whether a polynomial is a quantity, but for what does not matter.
+    fn is_resolved(
+        &mut self,
+        k: usize,
+        series: &Series,
+        values: &[f64; NODES],
+        lacked: f64,
+        (piece, rows): (&Piece, &[Vec<f64>]),
+    ) -> bool {
+        let of = |candidate: &Option<Candidate>| candidate.as_ref().map(|candidate| candidate.value);
+        let known = [of(&self.tracked[k].least), of(&self.tracked[k].greatest)];
+        let all = values.iter().copied().chain(known.into_iter().flatten());
+        let (least, greatest) = all
+            .fold([f64::INFINITY, f64::NEG_INFINITY].into(), |(least, greatest): (f64, f64), v| {
+                (least.min(v), greatest.max(v))
+            });
+        let (range, largest) = (greatest - least, least.abs().max(greatest.abs()));
+        let rounding = ROUNDING * (100.0 + piece.condition());
+        if series.tail() <= (RESOLVED * range + rounding * largest).max(2.0 * self.tracked[k].noise) {
+            return true;
+        }
+        let group = rows.iter().flat_map(|row| &row[self.group(k)]).fold(0.0f64, |most, value| most.max(value.abs()));
+        let noise = NOISE * ROUNDING * (100.0 + piece.condition().powi(2)) * group;
+        if lacked.is_finite() && series.tail() > SHRINKS * lacked && series.tail() <= noise {
+            self.tracked[k].noise = series.tail();
+            return true;
+        }
+        false
+    }
+
+    /// The quantities that one is computed with.
+    fn group(&self, k: usize) -> Indices<usize> {
+        let Layout { outputs, multipliers, forces, ratios, columns, .. } = &self.layout;
+        let reactions = multipliers.start..forces.end;
+        let all = [outputs, &reactions, ratios, columns];
+        all.into_iter().find(|group| group.contains(&k)).cloned().unwrap_or(k..k + 1)
+    }
+
+    /// Takes out what grows without bound towards a singular place.
+    fn drop_unbounded(&mut self, piece: &Piece, [from, to]: [f64; 2], open: &mut Pending) -> Result<(), Failure> {
+        if open.is_empty() {
+            return Ok(());
+        }
+        let singular = piece.crossings.iter().copied().chain(piece.limit).filter(|x| (from..=to).contains(x));
+        for (singular, side) in singular.flat_map(|x| [(x, -1.0), (x, 1.0)]) {
+            let places = TOWARDS.map(|distance| singular + side * distance);
+            if places.iter().any(|x| !(-1.0..=1.0).contains(x)) || piece.limit.is_some_and(|limit| places[0] > limit) {
+                continue;
+            }
+            let rows: Vec<Vec<f64>> = places.iter().map(|x| self.values_at(piece, *x)).collect::<Result<_, _>>()?;
+            let size = |row: usize, k: usize| rows[row][k].abs();
+            let grows = |k: usize| !(size(1, k) < GROWS * size(0, k)) && !(size(2, k) < GROWS * size(1, k));
+            open.iter().filter(|(k, _)| grows(*k)).for_each(|(k, _)| self.tracked[*k].has_no_bound = true);
+        }
+        open.retain(|(k, _)| !self.tracked[*k].has_no_bound);
+        Ok(())
+    }
+
+    /// Keeps a value if it is better than what is known; of equals the first.
+    fn offer(
+        &mut self,
+        k: usize,
+        (piece, within): (&Rc<Piece>, [f64; 2]),
+        (value, x, reach, kind): (f64, f64, f64, Kind),
+    ) {
+        let tracked = &mut self.tracked[k];
+        let new = || Some(Candidate { value, piece: piece.clone(), within, x, reach, kind });
+        let (Some(least), Some(greatest)) = (&tracked.least, &tracked.greatest) else {
+            (tracked.least, tracked.greatest) = (new(), new());
+            return;
+        };
+        // Where a turn is as good as an end, within what polynomials lack, it is the better place.
+        let beats = |known: &Candidate| if kind == Kind::Turn && known.kind != kind { -BETTER } else { BETTER };
+        let range = greatest.value - least.value;
+        if value < least.value - beats(least) * range {
+            tracked.least = new();
+        } else if value > greatest.value + beats(greatest) * range {
+            tracked.greatest = new();
+        }
+    }
+
+    /// What was found, located to rounding.
+    pub(super) fn conclude(self) -> Found {
+        let range = |k: usize| {
+            let tracked = &self.tracked[k];
+            let bounds = tracked.least.as_ref().zip(tracked.greatest.as_ref()).filter(|_| !tracked.has_no_bound);
+            let (least, greatest) = bounds?;
+            Some(Range { least: self.located(k, least, 1.0)?, greatest: self.located(k, greatest, -1.0)? })
+        };
+        Found { ranges: (0..self.tracked.len()).map(range).collect(), layout: self.layout.clone(), places: self.places }
+    }
+}

@@ -1,0 +1,45 @@
+//! What coordinates, equations and the parameter are measured by, so that directions and ranks have no units: a linkage of
+//! 1 mm and one of 100 m take the same steps.
+
+use super::driven::{Driven, is_angle};
+use super::system::{Law, System};
+use crate::motion::lengths::{measure, own_length};
+
+/// Coordinates and constraints are measured as in runs; what is driven by 1 if it is an angle, by the mechanism's own length
+/// if it is a length, and else by how it changes with the coordinates.
+#[derive(Clone, Debug)]
+pub(super) struct Sizes {
+    /// Of each coordinate.
+    pub(super) coordinates: Vec<f64>,
+    /// Of each row of F.
+    pub(super) rows: Vec<f64>,
+    /// Of p: what is driven moves by its own size while p changes by this.
+    pub(super) parameter: f64,
+}
+
+impl Sizes {
+    /// Those of a system at a position, at the start.
+    pub(super) fn new(system: &System, q: &[f64]) -> Sizes {
+        let (mechanism, time) = (system.mechanism, system.time(0.0));
+        let (coordinates, constraints) = measure(mechanism, time, q);
+        let jacobian = system.linear(q, 0.0).jacobian;
+        let change = |row: usize| {
+            let changes = coordinates.iter().enumerate().map(|(j, size)| (jacobian[(row, j)] * size).powi(2));
+            changes.sum::<f64>().sqrt()
+        };
+        let of_law = |(k, law): (usize, &Law)| match (law.driven, law.driven.quantity(mechanism.description())) {
+            (Driven::Coordinate(j), _) => coordinates[j],
+            (_, quantity) if quantity.is_length => own_length(mechanism, time, q),
+            (_, quantity) if is_angle(quantity.unit) => 1.0,
+            _ => or_one(change(system.rows.len() + k)),
+        };
+        let drives: Vec<f64> = system.laws.iter().enumerate().map(of_law).collect();
+        let fastest = system.laws.iter().zip(&drives).map(|(law, size)| law.rate.abs() / size).fold(0.0, f64::max);
+        let rows = system.rows.iter().map(|row| constraints[*row]).chain(drives).collect();
+        Sizes { coordinates, rows, parameter: or_one(fastest).recip() }
+    }
+}
+
+fn or_one(size: f64) -> f64 {
+    if size > 0.0 && size.is_finite() { size } else { 1.0 }
+}

@@ -1,0 +1,201 @@
+//! A drive through its range: the sweep.
+
+use super::driven::Driven;
+use super::inverse::AnyPrescribed;
+use super::path::Path;
+use super::piece::{Piece, Point};
+use super::search::{Found, Search};
+use super::system::{Law, System};
+use crate::model::AnyMechanism;
+use crate::motion::mobility::Mobility;
+use crate::state::failure::{Failure, What};
+use std::rc::Rc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// What is driven is where it should be when less than this part of it is missing.
+const THERE: f64 = 1e-14;
+
+/// How a mechanism is driven.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sweep {
+    /// What is driven.
+    pub driven: Driven,
+    /// From where, in SI units.
+    pub from: f64,
+    /// To where.
+    pub to: f64,
+    /// How fast; its sign is that of `to - from`, whatever is given.
+    pub speed: f64,
+    /// Positions are recorded at the ends of so many equal intervals.
+    pub steps: usize,
+    /// What is held where: a drive for each further degree of freedom.
+    pub held: Vec<(Driven, f64)>,
+}
+
+impl Sweep {
+    /// The speed in the direction of the sweep.
+    pub fn rate(&self) -> f64 {
+        self.speed.abs() * (self.to - self.from).signum()
+    }
+
+    /// When the k-th position is reached.
+    pub(super) fn parameter(&self, k: usize) -> f64 {
+        ((self.to - self.from) / self.speed).abs() * (k as f64 / self.steps as f64)
+    }
+}
+
+/// A position in which the drive cannot go further, or another branch of the motion crosses.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpecialPosition {
+    /// The value of what is driven, in SI units.
+    pub value: f64,
+    /// The coordinates there.
+    pub positions: Vec<f64>,
+}
+
+/// What the sweep met.
+pub(super) struct Swept<'m> {
+    pub(super) system: System<'m>,
+    pub(super) mobility: Mobility,
+    pub(super) motion: Vec<AnyPrescribed>,
+    pub(super) branches: Vec<SpecialPosition>,
+    pub(super) limit: Option<SpecialPosition>,
+    pub(super) failure: Option<Failure>,
+    pub(super) found: Found,
+}
+
+/// Drives a mechanism from its assembled position to where the sweep begins, and through its range, on one branch.
+///
+/// # Errors
+/// [`What::NotHolonomic`], and if where the sweep begins cannot be reached.
+pub(super) fn sweep<'m>(
+    mechanism: &'m dyn AnyMechanism,
+    assembled: Vec<f64>,
+    sweep: &Sweep,
+    interrupt: &AtomicBool,
+) -> Result<Swept<'m>, Failure> {
+    let (system, mobility, q) = approach(mechanism, assembled, sweep)?;
+    let held = sweep.held.iter().map(|(driven, value)| Law { driven: *driven, start: *value, rate: 0.0 });
+    let laws = [Law { driven: sweep.driven, start: sweep.from, rate: sweep.rate() }].into_iter().chain(held).collect();
+    let system = system.running(laws);
+    let path = Path::new(&system, &q, sweep.parameter(sweep.steps));
+    let start = path.start(&q)?;
+    let mut followed =
+        Followed { path: &path, sweep, interrupt, motion: Vec::new(), branches: Vec::new(), limit: None };
+    let mut search = Search::new(&path);
+    let failure = followed.follow(path.before(start), &mut search).err();
+    if let (true, Some(failure)) = (followed.motion.is_empty(), &failure) {
+        return Err(failure.clone());
+    }
+    let found = search.conclude();
+    let Followed { motion, branches, limit, .. } = followed;
+    Ok(Swept { motion, branches, limit, failure, found, mobility, system: system.clone() })
+}
+
+/// Brings what is driven and held from where it was assembled to where the sweep begins, while time stands still.
+fn approach<'m>(
+    mechanism: &'m dyn AnyMechanism,
+    q: Vec<f64>,
+    sweep: &Sweep,
+) -> Result<(System<'m>, Mobility, Vec<f64>), Failure> {
+    let targets = [(sweep.driven, sweep.from)].into_iter().chain(sweep.held.iter().copied());
+    let law = |(driven, target): (Driven, f64)| {
+        let start = driven.value_of(mechanism, 0.0, &q);
+        // What is there but for rounding need not be moved.
+        let is_there = (target - start).abs() <= THERE * target.abs().max(start.abs());
+        Law { driven, start: if is_there { target } else { start }, rate: if is_there { 0.0 } else { target - start } }
+    };
+    let (system, mobility) = System::new(mechanism, targets.map(law).collect(), &q)?;
+    if system.laws.iter().all(|law| law.rate == 0.0) {
+        return Ok((system, mobility, q));
+    }
+    let path = Path::new(&system, &q, 1.0);
+    let (mut from, mut length) = (path.start(&q)?, f64::INFINITY);
+    loop {
+        let piece = path.next(&from, &mut length)?;
+        let x = path.locate(&piece, 1.0);
+        if let Some(end) = piece.limit
+            && path.at(&piece, end).1 < 1.0
+        {
+            let (q, p) = path.at(&piece, end);
+            return Err(limit(&system, &q, p).1);
+        }
+        if path.reached(&piece) >= 1.0 || piece.limit.is_some() {
+            let q = path.solve(&piece, x, 1.0).ok_or_else(|| system.singular(&path.at(&piece, x).0, 1.0))?;
+            return Ok((system, mobility, q));
+        }
+        from = piece.to;
+    }
+}
+
+/// A curve as far as it has been followed.
+struct Followed<'s> {
+    path: &'s Path<'s>,
+    sweep: &'s Sweep,
+    interrupt: &'s AtomicBool,
+    motion: Vec<AnyPrescribed>,
+    branches: Vec<SpecialPosition>,
+    limit: Option<SpecialPosition>,
+}
+
+impl<'s> Followed<'s> {
+    /// Follows the curve until its end or what ends the sweep; rows are recorded and extremes are looked for on the way.
+    fn follow(&mut self, mut from: Point, search: &mut Search<'s>) -> Result<(), Failure> {
+        let (path, end, mut length) = (self.path, self.sweep.parameter(self.sweep.steps), f64::INFINITY);
+        loop {
+            let piece = Rc::new(path.next(&from, &mut length)?);
+            // The curve may begin before the sweep does.
+            let is_within = path.reached(&piece) > 0.0 || piece.limit.is_some();
+            let looked =
+                if is_within { search.look(&piece, [0.0, end].map(|p| path.locate(&piece, p))) } else { Ok(()) };
+            // These may be millions, and the record may be interrupted.
+            self.record(&piece)?;
+            looked?;
+            let crossings = piece.crossings.iter().map(|x| path.at(&piece, *x));
+            let branch = |(positions, p)| SpecialPosition { value: path.system.laws[0].at(p), positions };
+            self.branches.extend(crossings.filter(|(_, p)| (0.0..=end).contains(p)).map(branch));
+            if let Some(x) = piece.limit
+                && self.motion.len() <= self.sweep.steps
+            {
+                let (q, p) = path.at(&piece, x);
+                let (position, failure) = limit(path.system, &q, p);
+                self.limit = Some(position);
+                return Err(failure);
+            }
+            if path.reached(&piece) >= end || self.motion.len() > self.sweep.steps {
+                return Ok(());
+            }
+            from = piece.to.clone();
+        }
+    }
+
+    /// The rows in a step.
+    fn record(&mut self, piece: &Piece) -> Result<(), Failure> {
+        let reached = piece.limit.map_or_else(|| self.path.reached(piece), |x| self.path.at(piece, x).1);
+        while self.motion.len() <= self.sweep.steps && self.sweep.parameter(self.motion.len()) <= reached {
+            let p = self.sweep.parameter(self.motion.len());
+            if self.interrupt.load(Ordering::Relaxed) {
+                let (q, _) = self.path.at(piece, self.path.locate(piece, p));
+                let system = self.path.system;
+                return Err(system.mechanism.failure(What::Interrupted, system.time(p), &q));
+            }
+            match self.path.motion(piece, self.path.locate(piece, p), p) {
+                Ok(motion) => self.motion.push(motion),
+                // In a limit position itself, which is reported.
+                Err(Failure { what: What::DriveSingular { .. }, .. }) if piece.limit.is_some() => break,
+                Err(failure) => return Err(failure),
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A limit position, and the failure to pass it.
+fn limit(system: &System, positions: &[f64], p: f64) -> (SpecialPosition, Failure) {
+    let (mechanism, value) = (system.mechanism, system.laws[0].at(p));
+    let driven = system.laws[0].driven.quantity(mechanism.description());
+    let shown = format!("{:.9} {}", value / driven.factor, driven.unit);
+    let what = What::LimitPosition { driven: driven.name, value: shown };
+    let failure = mechanism.failure(what, system.time(p), positions);
+    (SpecialPosition { value, positions: positions.to_vec() }, failure)
+}

@@ -1,0 +1,83 @@
+//! A sweep as a table: that of its trajectory, and what only a sweep has.
+
+use super::{Extremes, Kinematics, Sweep};
+use crate::model::{AnyMechanism, At};
+use crate::motion::typed::Any;
+use crate::record::table::{Column, Table};
+use sim_kernel::{Description, Mechanism, Quantity};
+
+impl<M: Mechanism> Kinematics<M> {
+    /// The columns of the trajectory and, before the outputs: `drive_NAME`, what each drive and hold exerts;
+    /// `transmission_index`; and for each output y that is a function of positions `ratio_y`, dy/ds with s what is driven,
+    /// and `advantage_y`, the mechanical advantage ds/dy.
+    pub fn table(&self) -> Table {
+        let mut table = Table::of(&self.mechanism, &self.trajectory);
+        let any = Any(&self.mechanism);
+        let rates: Vec<_> = self.trajectory.samples.iter().map(|sample| any.output_rates(At::sample(sample))).collect();
+        let swept = Columns {
+            description: const { &M::DESCRIPTION },
+            sweep: &self.sweep,
+            forces: &self.forces,
+            transmission: &self.transmission,
+            extremes: &self.extremes,
+            rates: &rates,
+        };
+        table.insert_before_outputs(swept.columns());
+        table
+    }
+}
+
+/// What the columns of a sweep are made of.
+struct Columns<'a> {
+    description: &'static Description,
+    sweep: &'a Sweep,
+    forces: &'a [Vec<f64>],
+    transmission: &'a [f64],
+    extremes: &'a Extremes,
+    /// The rates of the outputs that have one, at each sample.
+    rates: &'a [Vec<f64>],
+}
+
+impl Columns<'_> {
+    fn columns(&self) -> Vec<Column> {
+        let driven = [self.sweep.driven].into_iter().chain(self.sweep.held.iter().map(|(driven, _)| *driven));
+        let mut columns: Vec<Column> = driven
+            .zip(self.forces)
+            .map(|(driven, forces)| Column {
+                name: format!("drive_{}", driven.quantity(self.description).name),
+                unit: driven.force_unit(self.description).into(),
+                values: forces.clone(),
+            })
+            .collect();
+        let transmission = self.transmission.to_vec();
+        columns.push(Column { name: "transmission_index".into(), unit: "1".into(), values: transmission });
+        columns.extend(self.ratios());
+        columns
+    }
+
+    fn ratios(&self) -> impl Iterator<Item = Column> + '_ {
+        let (s, rate) = (self.sweep.driven.quantity(self.description), self.sweep.rate());
+        let rated = self.description.rated_outputs.iter().enumerate();
+        let rated = rated.filter(|(_, output)| self.extremes.ratios[**output].is_some());
+        rated.flat_map(move |(place, output)| {
+            let y = &self.description.outputs[*output];
+            let values = self.rates.iter().map(|rates| rates[place] / rate * s.factor / y.factor);
+            let values: Vec<f64> = values.collect();
+            let inverse = values.iter().map(|value| 1.0 / value).collect();
+            [
+                Column { name: format!("ratio_{}", y.name), unit: quotient(y, s).into(), values },
+                Column { name: format!("advantage_{}", y.name), unit: quotient(s, y).into(), values: inverse },
+            ]
+        })
+    }
+}
+
+/// The unit of a quotient: `m/rad`, or 1.
+pub(crate) fn quotient(above: &Quantity, below: &Quantity) -> String {
+    let bracketed = |unit: &str| if unit.contains(['*', '/']) { format!("({unit})") } else { unit.to_owned() };
+    match (above.unit, below.unit) {
+        (above, below) if above == below => "1".into(),
+        (above, "1") => above.into(),
+        (above, below) => format!("{above}/{}", bracketed(below)),
+    }
+}

@@ -1,0 +1,161 @@
+//! How accelerations, multipliers and outputs change with state and inputs.
+
+use super::Change;
+use super::reduce::Reduction;
+use crate::model::{AnyMechanism, At, Control, constants};
+use crate::motion::lengths::measure;
+use crate::state::failure::Failure;
+use nalgebra::{DMatrix, DVector};
+use sim_kernel::Dual;
+
+/// The step of differences of fourth order, as a part of what a variable is measured by: the fifth root of rounding.
+const STEP: f64 = 1e-3;
+
+/// The derivatives of z = (q'', lambda) at a state.
+pub(crate) struct Derivatives<'m> {
+    mechanism: &'m dyn AnyMechanism,
+    at: At<'m, f64>,
+    inputs: &'m [Control],
+    /// z there.
+    solution: DVector<f64>,
+    /// By q and by q', each n + m x n, from the generated kernels; these refuse a pivot where constraints are redundant.
+    by_state: Option<[DMatrix<f64>; 2]>,
+}
+
+impl<'m> Derivatives<'m> {
+    pub(crate) fn at(
+        mechanism: &'m dyn AnyMechanism,
+        at: At<'m, f64>,
+        inputs: &'m [Control],
+    ) -> Result<Derivatives<'m>, Failure> {
+        let solution = mechanism.accelerate(at)?;
+        let by_state = mechanism.by_state(at.time, at.positions, at.speeds);
+        Ok(Derivatives { mechanism, at, inputs, solution, by_state })
+    }
+
+    pub(super) fn mechanism(&self) -> &'m dyn AnyMechanism {
+        self.mechanism
+    }
+
+    /// Where they are.
+    pub(super) fn state(&self) -> At<'m, f64> {
+        self.at
+    }
+
+    /// The accelerations, n.
+    pub(crate) fn accelerations(&self) -> &[f64] {
+        &self.solution.as_slice()[..self.at.positions.len()]
+    }
+
+    /// The change of everything with entry k of x: exact, or where kernels refuse, by differences along the constraints that are good to
+    /// some 1e-11.
+    ///
+    /// # Errors
+    /// As the right-hand side, near the state too.
+    pub(crate) fn along(&self, reduction: &Reduction, k: usize) -> Result<Change, Failure> {
+        let (positions, speeds) = reduction.change(k);
+        let solution = match &self.by_state {
+            Some([by_positions, by_speeds]) => by_positions * &positions + by_speeds * &speeds,
+            None => self.difference_along(reduction, k)?,
+        };
+        Ok(self.change(positions, speeds, &solution))
+    }
+
+    /// What follows from a change of an input.
+    pub(super) fn forced(&self, input: usize) -> Result<Change, Failure> {
+        let still = DVector::zeros(self.at.positions.len());
+        Ok(self.change(still.clone(), still, &self.by_input(self.inputs[input])?))
+    }
+
+    fn change(&self, positions: DVector<f64>, speeds: DVector<f64>, solution: &DVector<f64>) -> Change {
+        let n = self.at.positions.len();
+        let accelerations = solution.rows(0, n).into();
+        Change { positions, speeds, accelerations, multipliers: solution.rows(n, solution.len() - n).into() }
+    }
+
+    #[cold]
+    fn difference_along(&self, reduction: &Reduction, k: usize) -> Result<DVector<f64>, Failure> {
+        let At { time, positions, speeds, .. } = self.at;
+        let h = reduction.independent().len();
+        let size = match k < h {
+            true => measure(self.mechanism, time, positions).0[reduction.independent()[k]],
+            false => {
+                let j = reduction.independent_speeds()[k - h];
+                measure(self.mechanism, time, positions).0[j].max(speeds[j].abs())
+            }
+        };
+        difference(size, &|step| {
+            let (mut q, mut qd) = (positions.to_vec(), speeds.to_vec());
+            match k < h {
+                true => q[reduction.independent()[k]] += step,
+                false => qd[reduction.independent_speeds()[k - h]] += step,
+            }
+            reduction.follow(self.mechanism, time, (&mut q, &mut qd))?;
+            self.mechanism.accelerate(At::moving(time, &q, &qd))
+        })
+    }
+
+    /// How z changes with an input.
+    fn by_input(&self, control: Control) -> Result<DVector<f64>, Failure> {
+        let [positions, speeds] = [self.at.positions, self.at.speeds].map(constants);
+        let still = At::moving(Dual::constant(self.at.time), &positions, &speeds);
+        match self.mechanism.solution_along(still, Some(control)) {
+            Some(solution) => Ok(DVector::from_iterator(solution.len(), solution.iter().map(|value| value.derivative))),
+            None => self.difference_by_input(control),
+        }
+    }
+
+    #[cold]
+    fn difference_by_input(&self, control: Control) -> Result<DVector<f64>, Failure> {
+        let Derivatives { mechanism, at, .. } = self;
+        let (parameters, inputs) = (mechanism.parameters(), mechanism.inputs());
+        let description = mechanism.description();
+        match control {
+            Control::Parameter(p) => difference(parameters[p].abs().max(description.parameters[p].factor), &|step| {
+                let mut parameters = parameters.clone();
+                parameters[p] += step;
+                mechanism.accelerate_with(&parameters, &inputs, *at)
+            }),
+            Control::Input(input) => {
+                let held = mechanism.held_inputs(at.time, at.positions)[input];
+                let size = held.held().unwrap_or_default().abs();
+                difference(size.max(description.inputs[input].factor), &|step| {
+                    let mut inputs = inputs.clone();
+                    inputs[input] = held.map(|value| value + step);
+                    mechanism.accelerate_with(&parameters, &inputs, *at)
+                })
+            }
+        }
+    }
+}
+
+/// f'(0) by central differences of fourth order, of a variable that is measured by a size.
+fn difference(size: f64, f: &dyn Fn(f64) -> Result<DVector<f64>, Failure>) -> Result<DVector<f64>, Failure> {
+    let step = STEP * size;
+    let apart = |steps: f64| Ok::<_, Failure>(f(steps * step)? - f(-steps * step)?);
+    Ok((8.0 * apart(1.0)? - apart(2.0)?) / (12.0 * step))
+}
+
+/// Whether constraints change with a parameter, which then is no input.
+pub(super) fn constraints_depend_on(mechanism: &dyn AnyMechanism, at: At<f64>, control: Control) -> bool {
+    let positions = constants(at.positions);
+    let still = At::moving(Dual::constant(at.time), &positions, &[]);
+    mechanism.constraints_along(still, Some(control)).iter().flatten().any(|value| value.derivative != 0.0)
+}
+
+/// How the outputs change with a change of everything, and with an input.
+pub(super) fn output_slopes(derivatives: &Derivatives, change: &Change, input: Option<Control>) -> Vec<f64> {
+    let moving = |values: &[f64], change: &DVector<f64>| -> Vec<Dual> {
+        values.iter().zip(change).map(|(value, derivative)| Dual { value: *value, derivative: *derivative }).collect()
+    };
+    let Derivatives { mechanism, at, solution, .. } = derivatives;
+    let (accelerations, multipliers) = solution.as_slice().split_at(at.positions.len());
+    let moving = At {
+        time: Dual::constant(at.time),
+        positions: &moving(at.positions, &change.positions),
+        speeds: &moving(at.speeds, &change.speeds),
+        accelerations: &moving(accelerations, &change.accelerations),
+        multipliers: &moving(multipliers, &change.multipliers),
+    };
+    mechanism.outputs_along(moving, input).iter().map(|value| value.derivative).collect()
+}

@@ -1,0 +1,52 @@
+//! Eigenvalues and modes.
+
+use crate::numerics::eigen::{NoEigenvalues, eigen};
+use nalgebra::{Complex, DMatrix, DVector};
+
+/// A small motion that keeps its shape: dq = Re(shape e^(eigenvalue t)).
+#[derive(Clone, Debug)]
+pub struct Mode {
+    /// The eigenvalue, in 1/s; the one with positive imaginary part of a pair.
+    pub eigenvalue: Complex<f64>,
+    /// The change of each coordinate, the largest being 1; in SI units.
+    pub shape: Vec<Complex<f64>>,
+}
+
+impl Mode {
+    /// The frequency of the motion in Hz: |Im| / 2 pi; 0 if it does not oscillate.
+    pub fn frequency(&self) -> f64 {
+        self.eigenvalue.im.abs() / std::f64::consts::TAU
+    }
+
+    /// -Re / |eigenvalue|: 0 undamped, 1 from critical damping on, negative where it grows.
+    pub fn damping_ratio(&self) -> f64 {
+        let size = self.eigenvalue.norm();
+        if size == 0.0 { 0.0 } else { -self.eigenvalue.re / size }
+    }
+}
+
+/// The eigenvalues of a matrix, by imaginary part, and its modes: one for each pair of conjugate eigenvalues and each real one.
+/// `positions` makes the changes of all coordinates of an eigenvector.
+pub(super) fn modes(
+    a: &DMatrix<f64>,
+    positions: impl Fn(&DVector<Complex<f64>>) -> DVector<Complex<f64>>,
+) -> Result<(Vec<Complex<f64>>, Vec<Mode>), NoEigenvalues> {
+    let found = eigen(a)?;
+    let mut order: Vec<usize> = (0..found.values.len()).collect();
+    order.sort_by(|i, j| {
+        let (a, b) = (found.values[*i], found.values[*j]);
+        a.im.abs().total_cmp(&b.im.abs()).then(a.im.total_cmp(&b.im)).then(a.re.total_cmp(&b.re))
+    });
+    let mode = |k: &usize| {
+        let shape = positions(&found.vectors.column(*k).into());
+        Mode { eigenvalue: found.values[*k], shape: normalised(shape) }
+    };
+    let shown = order.iter().filter(|k| found.values[**k].im >= 0.0);
+    Ok((order.iter().map(|k| found.values[*k]).collect(), shown.map(mode).collect()))
+}
+
+/// The largest entry 1.
+fn normalised(shape: DVector<Complex<f64>>) -> Vec<Complex<f64>> {
+    let largest = shape.iter().copied().fold(Complex::new(0.0, 0.0), |a, b| if b.norm() > a.norm() { b } else { a });
+    shape.iter().map(|entry| if largest.norm() == 0.0 { *entry } else { entry / largest }).collect()
+}

@@ -1,0 +1,90 @@
+//! Whether a motion is steady in its coordinates: whether its linearisation stays what it is.
+
+use super::derivatives::Derivatives;
+use super::reduce::Reduction;
+use super::{columns, matrix};
+use crate::model::{AnyMechanism, At};
+use crate::motion::lengths::measure;
+use crate::state::failure::Failure;
+use nalgebra::{Complex, DMatrix};
+
+/// Where A changes by less than this part of it while the fastest mode turns by 1 rad, the motion is steady: starts are given in
+/// some six digits.
+const STEADY: f64 = 1e-6;
+/// The step of differences in time, in the time in which the fastest mode turns by 1 rad. Those of second order, which a
+/// motion that starts from rest needs, have 1e-7 of rounding then where A itself is by differences.
+const STEP: f64 = 1e-2;
+
+/// The coordinates that do not move uniformly, where A changes along the motion; none where it does not.
+///
+/// A steady motion moves along coordinates that nothing depends on, at constant speeds, and has an A that is constant.
+pub(super) fn unsteady(
+    derivatives: &Derivatives,
+    reduction: &Reduction,
+    a: &DMatrix<f64>,
+    eigenvalues: &[Complex<f64>],
+) -> Result<Vec<usize>, Failure> {
+    let (mechanism, at) = (derivatives.mechanism(), derivatives.state());
+    let sizes = measure(mechanism, at.time, at.positions).0;
+    let parts = |values: &[f64]| -> Vec<f64> { values.iter().zip(&sizes).map(|(v, size)| v.abs() / size).collect() };
+    let (speeds, accelerations) = (parts(at.speeds), parts(derivatives.accelerations()));
+    // How fast things go, in 1/s.
+    let modes = eigenvalues.iter().map(|value| value.norm());
+    let rate = modes.chain(speeds.iter().copied()).chain(accelerations.iter().map(|a| a.sqrt())).fold(0.0, f64::max);
+    if rate == 0.0 || a.is_empty() {
+        return Ok(Vec::new());
+    }
+    let [before, after] = [-STEP, STEP].map(|part| later(mechanism, derivatives, reduction, part / rate));
+    let (before, after) = (before?, after?);
+    let h = reduction.independent().len();
+    let unit = |k: usize| match k < h {
+        true => sizes[reduction.independent()[k]],
+        false => sizes[reduction.independent_speeds()[k - h]] * rate,
+    };
+    let is_steady = |i: usize, k: usize| {
+        let size = unit(k) / unit(i) / rate;
+        let slope = (after[(i, k)] - before[(i, k)]) / (2.0 * STEP);
+        let bend = (after[(i, k)] + before[(i, k)] - 2.0 * a[(i, k)]) / (STEP * STEP);
+        (slope * size).abs() <= STEADY && (bend * size).abs() <= STEADY
+    };
+    if (0..a.nrows()).all(|i| (0..a.ncols()).all(|k| is_steady(i, k))) {
+        return Ok(Vec::new());
+    }
+    let beyond = |parts: &[f64], least: f64| (0..parts.len()).filter(|j| parts[*j] > least).collect::<Vec<usize>>();
+    let (bent, moving) = (beyond(&accelerations, STEADY * rate * rate), beyond(&speeds, STEADY * rate));
+    if bent.is_empty() {
+        return Ok(moving);
+    }
+    // Of a quaternion that turns some entries are at their turning points.
+    let quaternions = quaternions(mechanism);
+    let turns = |j: &usize| quaternions.iter().any(|four| four.contains(j) && four.iter().any(|k| bent.contains(k)));
+    Ok((0..sizes.len()).filter(|j| bent.contains(j) || moving.contains(j) && turns(j)).collect())
+}
+
+/// The coordinates of each quaternion.
+pub(crate) fn quaternions(mechanism: &dyn AnyMechanism) -> Vec<[usize; 4]> {
+    let description = mechanism.description();
+    let n = description.coordinates.len();
+    // The slopes of q.q are twice the entries: here not zero.
+    let jacobian = mechanism.constraint_jacobian(0.0, &vec![1.0; n]);
+    let four = |row: &usize| (0..n).filter(|j| jacobian[(*row, *j)] != 0.0).collect::<Vec<usize>>().try_into().ok();
+    description.norm_constraints.iter().filter_map(four).collect()
+}
+
+/// A a little later along the motion, or earlier, in the same coordinates.
+fn later(
+    mechanism: &dyn AnyMechanism,
+    derivatives: &Derivatives,
+    reduction: &Reduction,
+    step: f64,
+) -> Result<DMatrix<f64>, Failure> {
+    let At { time, positions, speeds, .. } = derivatives.state();
+    let accelerations = derivatives.accelerations();
+    let mut q: Vec<f64> =
+        (0..positions.len()).map(|j| positions[j] + step * (speeds[j] + step / 2.0 * accelerations[j])).collect();
+    let mut qd: Vec<f64> = (0..positions.len()).map(|j| speeds[j] + step * accelerations[j]).collect();
+    reduction.follow(mechanism, time + step, (&mut q, &mut qd))?;
+    let at = At::moving(time + step, &q, &qd);
+    let reduction = reduction.moved(mechanism, at);
+    Ok(matrix(&reduction, &columns(&Derivatives::at(mechanism, at, &[])?, &reduction)?))
+}

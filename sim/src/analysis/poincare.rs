@@ -1,0 +1,142 @@
+//! Poincaré sections: the states of a motion each time an event happens, and its period.
+
+use crate::analysis::kinematics::Driven;
+use crate::events::{Crossing, Occurrence};
+use crate::model::At;
+use crate::motion::Motion;
+use crate::motion::measures::Measures;
+use crate::run::run;
+use crate::start::assemble::Start;
+use crate::state::failure::Failure;
+use crate::state::settings::{Rows, Settings, StopAt};
+use crate::state::trajectory::{Phase, State, Trajectory};
+use sim_kernel::{Description, Mechanism};
+use std::f64::consts::TAU;
+
+/// The part within which two states are the same, of a motion's extent and of the speeds that lead through it.
+const SAME: f64 = 1e-6;
+
+/// What is asked of a section.
+#[derive(Clone, Copy, Debug)]
+pub struct Sectioning {
+    /// The event, by index.
+    pub event: usize,
+    /// In which direction its condition has to cross; any, if none is given.
+    pub crossing: Option<Crossing>,
+    /// After how many of its occurrences the motion ends.
+    pub count: usize,
+}
+
+/// The states in which a motion crosses a section.
+#[derive(Clone, Debug)]
+pub struct Section<M: Mechanism> {
+    /// The mechanism with its parameters.
+    pub mechanism: M,
+    /// The states, with accelerations and reactions. It ends with a failure if the motion did.
+    pub trajectory: Trajectory<M>,
+    /// The period, if the states repeat.
+    pub period: Option<Period>,
+}
+
+/// How a motion repeats.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Period {
+    /// Seconds from one return to the same state to the next, on average.
+    pub seconds: f64,
+    /// Crossings of the section until it returns: 1 for a simple cycle.
+    pub crossings: usize,
+}
+
+/// Runs a mechanism until an event has happened so often, or until the end of its settings, and keeps the states where it
+/// did: points of the return map (Guckenheimer and Holmes, Nonlinear Oscillations, 1983, sec. 1.5).
+///
+/// States are the same where coordinates, angles but for whole turns, and speeds agree to a millionth: angles of 1 rad, others of
+/// the largest that they are in the section, or that their speeds would make them from one crossing to the next; speeds of
+/// the largest in the section, or of those that lead through that in this time. So neither a section where the motion turns back,
+/// with speeds that are rounding, nor one through the origin hides a period. A periodic motion is told from three states on.
+///
+/// # Errors
+/// If no start can be assembled, or no state sampled. What ends the motion on the way does not lose the states.
+pub fn poincare<M: Mechanism>(
+    mechanism: M,
+    start: &Start<M>,
+    section: &Sectioning,
+    settings: &Settings,
+) -> Result<Section<M>, Failure> {
+    // Crossings in both directions alternate.
+    let most = if section.crossing.is_some() { 2 * section.count } else { section.count };
+    let stop = Some(StopAt { event: section.event, occurrence: most });
+    let found = run(mechanism, start, &Settings { rows: Rows::Even(1), stop, ..*settings })?;
+    let is_wanted = |event: &&Occurrence<M>| {
+        event.event == section.event && section.crossing.is_none_or(|crossing| event.crossing == crossing)
+    };
+    let (mut samples, mut phases) = (Vec::new(), Vec::new());
+    for event in found.events.iter().filter(is_wanted).take(section.count) {
+        let phase = phase_before(&found.trajectory, &event.state);
+        let mechanism = phase.map_or(mechanism, |phase| phase.mechanism);
+        phases.extend(phase.map(|phase| Phase { first: samples.len(), ..*phase }));
+        let measures = Measures::at(&mechanism, event.state.time, &event.state.positions);
+        samples.push(Motion::new(mechanism, settings.stabilisation, measures).sample(event.state)?);
+    }
+    let states: Vec<At<f64>> = samples.iter().map(At::sample).collect();
+    Ok(Section {
+        mechanism,
+        period: period(const { &M::DESCRIPTION }, &states),
+        trajectory: Trajectory { samples, phases, failure: found.trajectory.failure },
+    })
+}
+
+/// The phase that an event ends or lies in.
+fn phase_before<'t, M: Mechanism>(trajectory: &'t Trajectory<M>, state: &State<M>) -> Option<&'t Phase<M>> {
+    let begins = |phase: &Phase<M>| trajectory.samples[phase.first].state.time;
+    let later = trajectory.phases.partition_point(|phase| begins(phase) < state.time);
+    trajectory.phases.get(later.saturating_sub(1))
+}
+
+/// The least number of crossings after which all states are the same again.
+fn period(description: &'static Description, states: &[At<f64>]) -> Option<Period> {
+    let between = states.last()?.time - states.first()?.time;
+    let usual = between / (states.len() - 1).max(1) as f64;
+    let is_angle: Vec<bool> =
+        (0..description.coordinates.len()).map(|j| Driven::Coordinate(j).turn(description).is_some()).collect();
+    let [of_angles, of_others] = [true, false].map(|kind| Extent::of(states, usual, |j| is_angle[j] == kind));
+    let of_angles = Extent { positions: 1.0, speeds: of_angles.speeds.max(1.0 / usual) };
+    let is_same = |a: &At<f64>, b: &At<f64>| {
+        is_angle.iter().enumerate().all(|(j, is_angle)| {
+            let (apart, faster) = (b.positions[j] - a.positions[j], b.speeds[j] - a.speeds[j]);
+            match is_angle {
+                true => of_angles.is_nothing(apart - TAU * (apart / TAU).round(), faster),
+                false => of_others.is_nothing(apart, faster),
+            }
+        })
+    };
+    let repeats = |k: &usize| states.iter().zip(&states[*k..]).all(|(a, b)| is_same(a, b));
+    let crossings = (1..states.len().div_ceil(2)).find(repeats)?;
+    let returns = (states.len() - 1) / crossings;
+    let seconds = (states[returns * crossings].time - states[0].time) / returns as f64;
+    Some(Period { seconds, crossings })
+}
+
+/// How far coordinates of one kind go, and how fast.
+struct Extent {
+    positions: f64,
+    speeds: f64,
+}
+
+impl Extent {
+    /// In the section, and from one state of it to the next, which takes this long.
+    fn of(states: &[At<f64>], between: f64, is_of_kind: impl Fn(usize) -> bool) -> Extent {
+        let largest = |values: &[f64]| {
+            let of_kind = values.iter().enumerate().filter(|(j, _)| is_of_kind(*j));
+            of_kind.fold(0.0f64, |largest, (_, value)| largest.max(value.abs()))
+        };
+        let over = |values: &dyn Fn(&At<f64>) -> f64| states.iter().map(values).fold(0.0, f64::max);
+        let (positions, speeds) = (over(&|at| largest(at.positions)), over(&|at| largest(at.speeds)));
+        Extent { positions: positions.max(speeds * between), speeds: speeds.max(positions / between) }
+    }
+
+    /// Whether a difference of positions and one of speeds are too small to tell states apart.
+    fn is_nothing(&self, positions: f64, speeds: f64) -> bool {
+        positions.abs() <= SAME * self.positions && speeds.abs() <= SAME * self.speeds
+    }
+}

@@ -1,0 +1,103 @@
+//! The order of convergence that a method shows.
+
+use super::Check;
+use super::runs::Sizes;
+use super::worst::Worst;
+use crate::integrate::{Advance, Course, Dop853, Steps, integrate};
+use crate::motion::Motion;
+use crate::motion::measures::Measures;
+use crate::state::failure::Failure;
+use crate::state::settings::{Stabilisation, Stepping};
+use crate::state::trajectory::{Sample, State};
+use sim_kernel::{Array, Mechanism};
+use std::ops::ControlFlow;
+
+/// The error is the largest at this many equidistant times: at a single one it may happen to vanish.
+const TIMES: usize = 4;
+/// From this relative error on the terms of higher order are small: order shows.
+const ASYMPTOTIC: f64 = 1e-4;
+/// An error is read off the reference to one digit where it is so much larger than what is known of the reference's own.
+const READABLE: f64 = 30.0;
+/// The error may be as large as if one halving of the step had been for nothing: its constant changes with the step, by terms of
+/// the next order, which are no longer negligible where the first error is taken. A method of an order less by one is
+/// above that after five halvings, by two after three.
+const BOUND: f64 = 16.0;
+/// Projection leaves 1e-12 of a constraint's terms open, which the geometry of a loop may magnify ten times: nothing is read off
+/// errors below.
+const OPEN: f64 = 1e-11;
+
+/// The binary logarithm of the number of steps, and the error.
+type Measured = (i32, f64);
+
+/// A method shows its order along a motion: its error, at the smallest step where it stands out of rounding, against what the
+/// first in the asymptotic range foretells by the order.
+///
+/// # Errors
+/// If the motion fails.
+pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
+    mechanism: &M,
+    start: State<M>,
+    end: f64,
+    method: impl Fn() -> A,
+    order: f64,
+) -> Result<Check, Failure> {
+    let check = |figure: f64, meaning: String| Ok(Check::new("order of convergence", figure, BOUND, meaning));
+    let reference = states(mechanism, start, end, &mut Dop853::new(), 4096)?;
+    let sizes = Sizes::of(mechanism, &reference);
+    let distance = |found: &[Sample<M>]| {
+        let mut worst = Worst::default();
+        found.iter().zip(&reference).for_each(|(a, b)| sizes.compare(&a.state, &b.state, &mut worst));
+        worst.figure
+    };
+    // What is left of order 8, and rounding.
+    let floor = distance(&states(mechanism, start, end, &mut Dop853::new(), 2048)?).max(f64::EPSILON);
+    let open = if M::L::LEN > 0 { OPEN } else { 0.0 };
+    let (mut first, mut last): (Option<Measured>, Option<Measured>) = (None, None);
+    for power in 2..16 {
+        let foretold = |(at, error): Measured| error * (-order * f64::from(power - at)).exp2();
+        if first.is_some_and(|first| foretold(first) < READABLE * floor) {
+            break;
+        }
+        // Steps too large for the motion say nothing.
+        let Ok(found) = states(mechanism, start, end, &mut method(), 1 << power) else { continue };
+        let error = distance(&found);
+        match first {
+            None if error > ASYMPTOTIC => {}
+            None if error < (READABLE * order.exp2() * floor).max(open) => {
+                return check(0.0, format!("exact to rounding: error {error:.1e}, known to {floor:.1e}"));
+            }
+            None => first = Some((power, error)),
+            Some(_) => last = Some((power, error)),
+        }
+    }
+    let (Some((coarse, error)), Some((fine, left))) = (first, last) else {
+        return check(f64::INFINITY, "no step is small enough for the method to converge".into());
+    };
+    let halvings = fine - coarse;
+    let observed = (error / left).log2() / f64::from(halvings);
+    let figure = left / (error * (-order * f64::from(halvings)).exp2()).max(open);
+    check(figure, format!("error over what order {order} foretells {halvings} halvings before; observed {observed:.2}"))
+}
+
+/// The motion by equal steps, at equidistant times.
+fn states<M: Mechanism>(
+    mechanism: &M,
+    start: State<M>,
+    end: f64,
+    method: &mut dyn Advance<M>,
+    steps: usize,
+) -> Result<Vec<Sample<M>>, Failure> {
+    let measures = Measures::at(mechanism, start.time, &start.positions);
+    let motion = Motion::new(*mechanism, Stabilisation::Projection, measures);
+    let course = Course { begin: start.time, end, stepping: Stepping::Equal(steps) };
+    // A step may be split, so times are told by their middles.
+    let time = |k: usize| start.time + (end - start.time) * (k as f64 + 0.5) / steps as f64;
+    let mut found: Vec<Sample<M>> = Vec::new();
+    integrate(&motion, method, &course, motion.sample(start)?, &mut Steps::default(), |step| {
+        if step.to.state.time > time((found.len() + 1) * (steps / TIMES) - 1) {
+            found.push(*step.to);
+        }
+        Ok(ControlFlow::Continue(()))
+    })?;
+    Ok(found)
+}

@@ -1,0 +1,128 @@
+//! Checks of whole runs.
+
+use super::scale::scales;
+use super::worst::{Worst, largest, relative};
+use super::{Check, places};
+use crate::model::{AnyMechanism, At};
+use crate::motion::typed::Any;
+use crate::run::Run;
+use crate::state::trajectory::{Sample, State};
+use sim_kernel::{Array, Mechanism};
+
+/// The constraints of every sample, in positions and velocities: each relative to the largest that its own terms are in
+/// any sample. Of positions these are at least a thousandth of the largest of any whose reaction has its unit: the height that a
+/// slider is kept at may be zero, and is rounding of the others then. Of velocities they are at least what speeds as fast as
+/// the fastest coordinate's make of a row of C_q: the row of a coordinate that stands still is rounding of the others.
+pub fn constraint_residuals<M: Mechanism>(run: &Run<M>) -> Check {
+    let samples = &run.trajectory.samples;
+    let open: Vec<[Vec<Open>; 2]> = {
+        let places = places(samples);
+        let scales = scales(&Any(&run.mechanism), &places);
+        let speed = largest(places.iter().flat_map(|at| at.speeds.iter().zip(&scales).map(|(u, s)| s * u)));
+        let with = run.trajectory.with_mechanisms(&run.mechanism).zip(&places);
+        with.map(|((mechanism, _), at)| residuals(&Any(&mechanism), at, &scales, speed)).collect()
+    };
+    let mut worst = Worst::<(&str, &str, f64)>::default();
+    let constraints = M::DESCRIPTION.constraints;
+    let largest_in = |level: usize, row: usize| largest(open.iter().map(|open| open[level][row].size));
+    let of_unit = |unit: &str| {
+        let rows = (0..M::L::LEN).filter(|row| constraints[*row].unit == unit);
+        largest(rows.map(|row| largest_in(0, row)))
+    };
+    for (level, name) in ["|C|", "|C_q q' + C_t|"].into_iter().enumerate() {
+        for row in 0..M::L::LEN {
+            let least = if level == 0 { LEAST_PART * of_unit(constraints[row].unit) } else { 0.0 };
+            let size = largest_in(level, row).max(least);
+            for (open, sample) in open.iter().zip(samples) {
+                let figure = relative(open[level][row].open.abs(), size);
+                worst.enter(figure, (name, constraints[row].name, sample.state.time));
+            }
+        }
+    }
+    let meaning = match worst.at {
+        ("", ..) => "largest |C| and |C_q q' + C_t| relative to their terms".into(),
+        (what, row, time) => format!("largest {what} relative to its terms: `{row}` at t = {time:.4} s"),
+    };
+    Check::new("constraints along the run", worst.figure, 1e-9, meaning)
+}
+
+/// Rounding of the largest terms is 1e-16 of them, and 1e-13 of such a part, where 1e-9 is the bound.
+const LEAST_PART: f64 = 1e-3;
+
+/// By how much a constraint is open, and the magnitude of its terms.
+struct Open {
+    open: f64,
+    size: f64,
+}
+
+/// C, then C_q q' + C_t.
+fn residuals(mechanism: &dyn AnyMechanism, at: &At<f64>, scales: &[f64], speed: f64) -> [Vec<Open>; 2] {
+    let (t, q) = (at.time, at.positions);
+    let (values, magnitudes) = (mechanism.constraints(t, q), mechanism.constraint_magnitudes(t, q));
+    let (jacobian, drift) = (mechanism.constraint_jacobian(t, q), mechanism.constraint_time_derivative(t, q));
+    let positions = values.iter().zip(magnitudes.iter()).map(|(open, size)| Open { open: *open, size: *size });
+    let velocity = |row: usize| {
+        let terms = at.speeds.iter().enumerate().map(|(j, u)| jacobian[(row, j)] * u);
+        let open = terms.sum::<f64>() + drift[row];
+        let moved = at.speeds.iter().zip(scales).enumerate();
+        let size: f64 = moved.map(|(j, (u, s))| jacobian[(row, j)].abs() * u.abs().max(speed / s)).sum();
+        Open { open, size: size + drift[row].abs() }
+    };
+    [positions.collect(), (0..values.len()).map(velocity).collect()]
+}
+
+/// Kinetic energy less the work of loads and drives.
+pub fn energy_balance<M: Mechanism>(run: &Run<M>) -> Check {
+    let meaning = "change of kinetic energy less work and what events take, relative to the largest of them".into();
+    Check::new("energy and work", run.energy_balance, 1e-7, meaning)
+}
+
+/// Two runs of one mechanism.
+pub fn runs_agree<M: Mechanism>(name: &'static str, one: &Run<M>, other: &Run<M>) -> Check {
+    let (figure, worst) = difference(one, other);
+    let meaning = format!("largest difference of a coordinate or speed, relative to its largest: `{worst}`");
+    Check::new(name, figure, 1e-6, meaning)
+}
+
+/// The largest difference of any coordinate or speed between two runs with the same rows, relative to how far each comes,
+/// and whose it is.
+pub fn difference<M: Mechanism>(one: &Run<M>, other: &Run<M>) -> (f64, &'static str) {
+    let (a, b) = (&one.trajectory.samples, &other.trajectory.samples);
+    if a.len() != b.len() {
+        return (f64::INFINITY, "number of rows");
+    }
+    let sizes = Sizes::of(&one.mechanism, a);
+    let mut worst = Worst::default();
+    a.iter().zip(b).for_each(|(a, b)| sizes.compare(&a.state, &b.state, &mut worst));
+    (worst.figure, worst.at)
+}
+
+/// A coordinate that carries less than this part of what others do, in sqrt(kg)*m, is compared with it: the error of a
+/// step is bounded for the whole state, and projection spreads it.
+const SHARE: f64 = 1e-2;
+
+/// How far each coordinate and each speed comes.
+pub(super) struct Sizes([Vec<f64>; 2]);
+
+impl Sizes {
+    /// In these samples of one run.
+    pub(super) fn of<M: Mechanism>(mechanism: &M, samples: &[Sample<M>]) -> Sizes {
+        let places = places(samples);
+        let scales = scales(&Any(mechanism), &places);
+        let sizes = |values: &dyn Fn(&At<f64>, usize) -> f64| {
+            let own: Vec<f64> = (0..M::Q::LEN).map(|i| largest(places.iter().map(|at| values(at, i)))).collect();
+            let all = largest(own.iter().zip(&scales).map(|(size, scale)| scale * size));
+            own.iter().zip(&scales).map(|(size, scale)| size.max(SHARE * all / scale)).collect()
+        };
+        Sizes([sizes(&|at, i| at.positions[i]), sizes(&|at, i| at.speeds[i])])
+    }
+
+    /// Enters the differences of two states.
+    pub(super) fn compare<M: Mechanism>(&self, a: &State<M>, b: &State<M>, worst: &mut Worst<&'static str>) {
+        for (i, coordinate) in M::DESCRIPTION.coordinates.iter().enumerate() {
+            let Sizes([positions, speeds]) = self;
+            worst.enter(relative((a.positions[i] - b.positions[i]).abs(), positions[i]), coordinate.position.name);
+            worst.enter(relative((a.speeds[i] - b.speeds[i]).abs(), speeds[i]), coordinate.speed.name);
+        }
+    }
+}

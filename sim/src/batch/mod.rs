@@ -1,0 +1,169 @@
+//! The equations of motion at many states, several at once.
+
+mod vector;
+
+use crate::Failure;
+use crate::motion::equations::accelerate;
+use crate::state::trajectory::State;
+use sim_kernel::{Array, Dynamics, LaneMask, Lanes, Mask, Mechanism, Scalar};
+pub use vector::{Vectors, Work};
+
+/// States evaluated at once: what the widest vector instructions hold.
+const LANES: usize = 8;
+
+/// What is found at a state.
+type Solution<M> = Dynamics<f64, <M as Mechanism>::Q, <M as Mechanism>::L>;
+/// A mechanism of which every lane is another trajectory.
+type InLanes<M> = <M as Mechanism>::On<Lanes<LANES>>;
+/// What its equations of motion need of the parameters.
+type Prepared<M> = <InLanes<M> as Mechanism<Lanes<LANES>>>::Prepared;
+/// Its coordinates.
+type Q<M> = <InLanes<M> as Mechanism<Lanes<LANES>>>::Q;
+/// What is found in all lanes.
+type Solutions<M> = Dynamics<Lanes<LANES>, Q<M>, <InLanes<M> as Mechanism<Lanes<LANES>>>::L>;
+
+/// Accelerations, multipliers and power at each of many states: the same bits as [`accelerate`](crate::accelerate) gives
+/// one after the other, but eight at once, with the widest vector instructions that the processor has.
+///
+/// `found` gets an entry for each state, in their order; its memory is used again. A state whose pivots the planned
+/// elimination refuses is solved by complete pivoting.
+///
+/// Returns the failures, with the places of their states; the others stand. What failed is marked `refused` in `found`.
+#[must_use = "these states have no solution"]
+pub fn accelerate_each<M: Mechanism>(
+    mechanism: &M,
+    states: &[State<M>],
+    found: &mut Vec<Solution<M>>,
+) -> Vec<(usize, Failure)> {
+    accelerate_each_with(Vectors::widest(), mechanism, states, found)
+}
+
+/// [`accelerate_each`] with chosen vector instructions, for measurements.
+#[must_use = "these states have no solution"]
+pub fn accelerate_each_with<M: Mechanism>(
+    vectors: Vectors,
+    mechanism: &M,
+    states: &[State<M>],
+    found: &mut Vec<Solution<M>>,
+) -> Vec<(usize, Failure)> {
+    found.resize(states.len(), unsolved::<M>());
+    vectors.run(Batch { mechanism, states, found })
+}
+
+fn unsolved<M: Mechanism>() -> Solution<M> {
+    Dynamics { accelerations: M::Q::filled(0.0), multipliers: M::L::filled(0.0), power: 0.0, refused: true }
+}
+
+struct Batch<'a, M: Mechanism> {
+    mechanism: &'a M,
+    states: &'a [State<M>],
+    found: &'a mut [Solution<M>],
+}
+
+// Loops in what follows, because closures given to iterators are functions of their own, and what is not inlined is
+// compiled for the baseline.
+impl<M: Mechanism> Work for Batch<'_, M> {
+    type Output = Vec<(usize, Failure)>;
+
+    #[inline(always)]
+    fn run(self) -> Vec<(usize, Failure)> {
+        let mut failures = Vec::new();
+        let prepared = self.mechanism.on(Lanes::from_f64).prepare();
+        for first in (0..self.states.len()).step_by(LANES) {
+            let (states, found) = (&self.states[first..], &mut self.found[first..]);
+            let filled;
+            let chunk = match states.first_chunk() {
+                Some(chunk) => chunk,
+                None => {
+                    filled = fill(states);
+                    &filled
+                }
+            };
+            let solved = dynamics::<M>(&prepared, chunk);
+            if (solved.refused | is_not_finite::<M>(&solved)).any() {
+                one_by_one(self.mechanism, first, states, found, &mut failures);
+            } else if let Some(found) = found.first_chunk_mut() {
+                scatter::<M>(&solved, found);
+            } else {
+                let mut all = [unsolved::<M>(); LANES];
+                scatter::<M>(&solved, &mut all);
+                found.copy_from_slice(&all[..found.len()]);
+            }
+        }
+        failures
+    }
+}
+
+/// The last states, fewer than there are lanes: the first of them stands in for those that are missing.
+#[cold]
+#[inline(never)]
+fn fill<M: Mechanism>(states: &[State<M>]) -> [State<M>; LANES] {
+    std::array::from_fn(|lane| states[if lane < states.len() { lane } else { 0 }])
+}
+
+/// The kernel at as many states as there are lanes.
+#[inline(always)]
+fn dynamics<M: Mechanism>(prepared: &Prepared<M>, states: &[State<M>; LANES]) -> Solutions<M> {
+    let (mut positions, mut speeds) = (Q::<M>::filled(Lanes::from_f64(0.0)), Q::<M>::filled(Lanes::from_f64(0.0)));
+    for i in 0..M::Q::LEN {
+        positions[i] = column(states, |state| state.positions[i]);
+        speeds[i] = column(states, |state| state.speeds[i]);
+    }
+    let time = column(states, |state| state.time);
+    InLanes::<M>::prepared_dynamics(prepared, time, &positions, &speeds)
+}
+
+#[inline(always)]
+fn column<T>([a, b, c, d, e, f, g, h]: &[T; LANES], entry: impl Fn(&T) -> f64) -> Lanes<LANES> {
+    Lanes::from([entry(a), entry(b), entry(c), entry(d), entry(e), entry(f), entry(g), entry(h)])
+}
+
+/// Where anything of a solution is infinite or NaN.
+#[inline(always)]
+fn is_not_finite<M: Mechanism>(solved: &Solutions<M>) -> LaneMask<LANES> {
+    // 0 x is 0 unless x is infinite or NaN, and so is the sum of such.
+    let zero = Lanes::from_f64(0.0);
+    let mut sum = zero * solved.power;
+    for i in 0..M::Q::LEN {
+        sum = sum + zero * solved.accelerations[i];
+    }
+    for i in 0..M::L::LEN {
+        sum = sum + zero * solved.multipliers[i];
+    }
+    Lanes::not(Lanes::from_f64(1.0).greater(sum))
+}
+
+#[inline(always)]
+fn scatter<M: Mechanism>(solved: &Solutions<M>, found: &mut [Solution<M>; LANES]) {
+    for lane in 0..LANES {
+        for i in 0..M::Q::LEN {
+            found[lane].accelerations[i] = solved.accelerations[i].lane(lane);
+        }
+        for i in 0..M::L::LEN {
+            found[lane].multipliers[i] = solved.multipliers[i].lane(lane);
+        }
+        found[lane].power = solved.power.lane(lane);
+        found[lane].refused = false;
+    }
+}
+
+/// The states of one call of the kernel again, when it has refused one or more of them.
+#[cold]
+#[inline(never)]
+fn one_by_one<M: Mechanism>(
+    mechanism: &M,
+    first: usize,
+    states: &[State<M>],
+    found: &mut [Solution<M>],
+    failures: &mut Vec<(usize, Failure)>,
+) {
+    for (lane, (state, found)) in states.iter().zip(found).enumerate().take(LANES) {
+        match accelerate(mechanism, state.time, &state.positions, &state.speeds) {
+            Ok(solution) => *found = solution,
+            Err(failure) => {
+                *found = unsolved::<M>();
+                failures.push((first + lane, failure));
+            }
+        }
+    }
+}

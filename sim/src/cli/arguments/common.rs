@@ -1,0 +1,83 @@
+//! What several commands ask alike.
+
+use crate::Format;
+use clap::Args;
+
+/// How much is said, and to whom.
+#[derive(Args, Clone, Copy)]
+pub(in crate::cli) struct Voice {
+    /// Prints JSON, for programs.
+    #[arg(long, global = true, conflicts_with = "quiet")]
+    pub(in crate::cli) json: bool,
+
+    /// Prints nothing but errors.
+    #[arg(long, short, global = true)]
+    pub(in crate::cli) quiet: bool,
+}
+
+/// Width and height, in logical pixels.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::cli) struct Size(pub(in crate::cli) f64, pub(in crate::cli) f64);
+
+impl Size {
+    /// For figures.
+    pub(in crate::cli) fn show(self) -> crate::output::show::Size {
+        crate::output::show::Size { width: self.0, height: self.1 }
+    }
+}
+
+impl std::str::FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Size, String> {
+        let side = |text: &str| text.parse().ok().filter(|side| (240.0..=8000.0).contains(side));
+        let sides = text.split_once('x').and_then(|(width, height)| Some(Size(side(width)?, side(height)?)));
+        sides.ok_or_else(|| "width and height from 240 to 8000 are needed, as in 960x540".to_owned())
+    }
+}
+
+impl std::fmt::Display for Size {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}x{}", self.0, self.1)
+    }
+}
+
+/// Which files are written, and how large figures are.
+#[derive(Args)]
+pub(in crate::cli) struct WrittenArguments {
+    /// Formats of the table, of csv, jsonl, npy, npz and, where built with it, parquet.
+    #[arg(long, value_name = "FORMAT", value_delimiter = ',', default_value = "csv", value_parser = format)]
+    pub(in crate::cli) format: Vec<Format>,
+
+    /// Width and height of figures in pixels of SVG; PNG has twice as many.
+    #[arg(long, value_name = "WxH", default_value = "960x540")]
+    pub(in crate::cli) size: Size,
+
+    /// Writes no figures.
+    #[arg(long)]
+    pub(in crate::cli) no_figures: bool,
+}
+
+pub(in crate::cli) fn format(name: &str) -> Result<Format, String> {
+    let names = || Format::ALL.iter().map(|format| format.name());
+    let found = Format::ALL.iter().copied().find(|format| format.name() == name);
+    found.ok_or_else(|| match name {
+        "parquet" => "this program was built without the feature `parquet`".to_owned(),
+        _ => format!("known are {}", names().collect::<Vec<_>>().join(", ")),
+    })
+}
+
+/// A mechanism and its start.
+#[derive(Args)]
+pub(in crate::cli) struct StartArguments {
+    /// The mechanism, as `list` names it.
+    pub(in crate::cli) model: String,
+
+    /// Sets a parameter, as in `--set O2A=180mm`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(in crate::cli) set: Vec<String>,
+
+    /// Sets a start value, as in `--initial alpha=30deg`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub(in crate::cli) initial: Vec<String>,
+}

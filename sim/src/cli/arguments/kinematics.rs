@@ -1,0 +1,61 @@
+//! What is driven, and how.
+
+use super::common::WrittenArguments;
+use clap::Args;
+use std::path::PathBuf;
+
+/// What is driven, and how.
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  sim kinematics quick-return --drive alpha --from 0 --to 360deg --speed 75rpm --steps 720\n  \
+    sim kinematics four-bar\n  sim kinematics slider-crank --drive x --from 0.5 --to 0.4 --speed 0.1\n\n\
+    Files written to DIR:\n  trajectory.csv   as of a run, and drive_NAME, transmission_index, ratio_OUTPUT, advantage_OUTPUT\n  \
+    summary.json     strokes, time ratios, peaks, limit positions, and where they are\n  \
+    NAME.svg, .png   a figure for each group of outputs against what is driven; drive, transmission, ratios, mechanism"
+)]
+pub(in crate::cli) struct KinematicsArguments {
+    /// The mechanism, as `list` names it.
+    pub(in crate::cli) model: String,
+
+    /// What is driven: a coordinate, or an output that is a function of positions [default: the coordinate that a constraint
+    /// prescribes, or the first that is given at the start].
+    #[arg(long, value_name = "NAME")]
+    pub(in crate::cli) drive: Option<String>,
+
+    /// Where the sweep begins [default: where the mechanism starts].
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub(in crate::cli) from: Option<String>,
+
+    /// Where it ends [default: one turn further, if it is an angle].
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub(in crate::cli) to: Option<String>,
+
+    /// How fast it is driven [default: its speed at the start].
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub(in crate::cli) speed: Option<String>,
+
+    /// Records N + 1 positions at equal intervals.
+    #[arg(long, value_name = "N", default_value_t = 720, value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+    pub(in crate::cli) steps: u32,
+
+    /// Holds a further degree of freedom where it is or at a value, as in `--hold phi2` or `--hold phi2=30deg`; may be
+    /// repeated.
+    #[arg(long, value_name = "NAME[=VALUE]", allow_hyphen_values = true)]
+    pub(in crate::cli) hold: Vec<String>,
+
+    /// Sets a parameter, as in `--set O2A=180mm`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(in crate::cli) set: Vec<String>,
+
+    /// Sets a start value, as in `--initial alpha=30deg`; may be repeated. What is given here, or guessed, decides on which
+    /// branch the mechanism is assembled.
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub(in crate::cli) initial: Vec<String>,
+
+    /// Where to write [default: out/MODEL-kinematics].
+    #[arg(long, value_name = "DIR")]
+    pub(in crate::cli) out: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(in crate::cli) written: WrittenArguments,
+}

@@ -1,0 +1,197 @@
+//! What can be said on the command line.
+
+mod common;
+mod kinematics;
+mod linearize;
+mod poincare;
+mod run;
+
+use clap::{Args, Parser, Subcommand};
+use common::Size;
+pub(super) use common::{StartArguments, Voice};
+pub(super) use kinematics::KinematicsArguments;
+pub(super) use linearize::LinearizeArguments;
+pub(super) use poincare::PoincareArguments;
+pub(super) use run::RunArguments;
+use std::path::PathBuf;
+
+/// Runs mechanisms that were declared in the language, and shows their motion.
+#[derive(Parser)]
+#[command(
+    version,
+    arg_required_else_help = true,
+    after_help = "Examples, for a mechanism that `list` shows as quick-return:\n  sim list\n  sim run quick-return\n  sim run quick-return --t-end 5 --set O2A=180mm\n  sim run quick-return --method rk4 --steps 8192\n  \
+                  sim run quick-return --initial alpha=30deg --initial alpha_dot=60rpm --out out/slow\n  \
+                  sim run out/slow/run.json --t-end 10\n  sim new my-linkage\n\n\
+                  Exit status: 0 done, 1 the work failed (what was computed is written), 2 the command line is wrong, 130 interrupted\n  \
+                  by SIGINT (Ctrl-C) or SIGTERM: a run then writes what it has, and a second one ends it at once."
+)]
+pub(super) struct Arguments {
+    #[command(flatten)]
+    pub(super) voice: Voice,
+
+    #[command(subcommand)]
+    pub(super) command: Command,
+}
+
+#[derive(Subcommand)]
+pub(super) enum Command {
+    /// Lists the mechanisms.
+    List,
+    /// Shows what a mechanism has: coordinates, parameters, constraints, outputs, sizes.
+    Info(InfoArguments),
+    /// Runs a mechanism and writes its motion, a summary and figures.
+    Run(Box<RunArguments>),
+    /// Compares a mechanism's kernels, equations and runs with independent ways to the same numbers.
+    Verify(VerifyArguments),
+    /// Assembles the start and prints it, with degrees of freedom and redundant constraints.
+    Assemble(AssembleArguments),
+    /// Finds the equilibrium near the start and the eigenvalues of small motions about it.
+    Equilibrium(StartArguments),
+    /// Drives a mechanism through a range: positions, velocities, reactions, driving torque, strokes, limit positions.
+    Kinematics(Box<KinematicsArguments>),
+    /// Linearises a mechanism about a state: matrices for a controller, eigenvalues, modes.
+    Linearize(LinearizeArguments),
+    /// Takes the states of a motion each time an event happens, and finds its period.
+    Poincare(Box<PoincareArguments>),
+    /// Draws quantities of a run over time, or against another.
+    Plot(PlotArguments),
+    /// Draws the same quantities of several runs in one figure each.
+    Compare(CompareArguments),
+    /// Makes a crate with a mechanism of your own.
+    New(NewArguments),
+    /// Prints what installs with a program: shell completions, the man page, the schema of run files.
+    Generate(GenerateArguments),
+}
+
+/// Which mechanism.
+#[derive(Args)]
+pub(super) struct InfoArguments {
+    /// The mechanism, as `list` names it.
+    pub(super) model: String,
+}
+
+/// What to draw of a run.
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  sim plot out/quick-return x6 x6_velocity\n  sim plot out/quick-return alpha_dot --against alpha\n\n\
+    Quantities are the columns of trajectory.csv. Those of one unit share axes; others are stacked over one time axis."
+)]
+pub(super) struct PlotArguments {
+    /// The directory of a run, or its trajectory.csv.
+    pub(super) run: PathBuf,
+
+    /// The quantities, as columns of the table are called.
+    #[arg(required = true, value_name = "NAME")]
+    pub(super) quantities: Vec<String>,
+
+    /// The quantity along the abscissa, instead of time.
+    #[arg(long, value_name = "NAME", default_value = "t")]
+    pub(super) against: String,
+
+    /// The file to write, without its extension [default: DIR/plot-NAMES].
+    #[arg(long, value_name = "PATH")]
+    pub(super) out: Option<PathBuf>,
+
+    /// The title.
+    #[arg(long, default_value = "")]
+    pub(super) title: String,
+
+    /// Width and height of figures in pixels of SVG; PNG has twice as many.
+    #[arg(long, value_name = "WxH", default_value = "960x540")]
+    pub(super) size: Size,
+}
+
+/// What to compare.
+#[derive(Args)]
+#[command(
+    after_help = "Example:\n  sim compare out/quick-return out/shorter-crank --quantity x6 --out out/compared\n\n\
+    Curves are called after their directories."
+)]
+pub(super) struct CompareArguments {
+    /// The directories of runs, or their trajectory.csv.
+    #[arg(required = true, num_args = 2.., value_name = "RUN")]
+    pub(super) runs: Vec<PathBuf>,
+
+    /// A quantity to draw, as a column of the tables is called; may be repeated [default: all they share but
+    /// accelerations].
+    #[arg(long, value_name = "NAME")]
+    pub(super) quantity: Vec<String>,
+
+    /// Where to write.
+    #[arg(long, value_name = "DIR", default_value = "out/compare")]
+    pub(super) out: PathBuf,
+
+    /// Width and height of figures in pixels of SVG; PNG has twice as many.
+    #[arg(long, value_name = "WxH", default_value = "960x540")]
+    pub(super) size: Size,
+}
+
+/// What to make.
+#[derive(Args)]
+pub(super) struct NewArguments {
+    /// The directory to make; its last part is the crate's name.
+    pub(super) path: PathBuf,
+
+    /// Where Linkwright is: a folder with its workspace, or the address of its git repository [default: where this
+    /// program was built].
+    #[arg(long, value_name = "PATH|URL")]
+    pub(super) linkwright: Option<String>,
+}
+
+/// What to print.
+#[derive(Args)]
+pub(super) struct GenerateArguments {
+    /// Which of them.
+    #[command(subcommand)]
+    pub(super) what: Generated,
+}
+
+/// What can be printed.
+#[derive(Subcommand)]
+pub(super) enum Generated {
+    /// Completions for a shell.
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
+    /// The man page, in roff.
+    Man,
+    /// The JSON schema of run files.
+    Schema,
+}
+
+/// What to verify.
+#[derive(Args)]
+#[command(
+    after_help = "One row for each check: how far two ways to the same numbers are apart, how far they may be, and \
+    the verdict. Exit status 1 if a check fails."
+)]
+pub(super) struct VerifyArguments {
+    /// The mechanism, as `list` names it.
+    pub(super) model: String,
+
+    /// Verifies the motion until then, or for as long as 150 steps of DOP853 take.
+    #[arg(long, value_name = "TIME", default_value = "2", allow_hyphen_values = true)]
+    pub(super) t_end: String,
+
+    /// Sets a parameter, as in `--set O2A=180mm`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(super) set: Vec<String>,
+
+    /// Sets a start value, as in `--initial alpha=30deg`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub(super) initial: Vec<String>,
+}
+
+/// What to assemble.
+#[derive(Args)]
+pub(super) struct AssembleArguments {
+    #[command(flatten)]
+    pub(super) start: StartArguments,
+
+    /// Lists the loops that close in closed form, and all configurations that have what the start gives: elbow up and elbow
+    /// down.
+    #[arg(long)]
+    pub(super) branches: bool,
+}

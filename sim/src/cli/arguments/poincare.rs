@@ -1,0 +1,62 @@
+//! Which section of which motion.
+
+use super::common::{StartArguments, WrittenArguments};
+use crate::Crossing;
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// Which section of which motion.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  sim poincare pendulum --event bottom --direction rising --count 50\n  \
+    sim poincare slider-crank --event dead_point --count 200\n\n\
+    Files written to DIR:\n  trajectory.csv    the states of the section, a row for each crossing, with all outputs\n  \
+    summary.json      crossings, period\n  section_NAME.svg  and .png: speed against position of each coordinate, a dot for each")]
+pub(in crate::cli) struct PoincareArguments {
+    #[command(flatten)]
+    pub(in crate::cli) start: StartArguments,
+
+    /// The event at which states are taken.
+    #[arg(long, value_name = "EVENT")]
+    pub(in crate::cli) event: String,
+
+    /// In which direction the event's condition, left - right, has to cross zero.
+    #[arg(long, value_enum, default_value_t = Direction::Both)]
+    pub(in crate::cli) direction: Direction,
+
+    /// How many states are taken.
+    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+    pub(in crate::cli) count: u32,
+
+    /// The motion ends then if the event has not happened so often.
+    #[arg(long, value_name = "TIME", default_value = "1000", allow_hyphen_values = true)]
+    pub(in crate::cli) t_end: String,
+
+    /// Relative tolerance of DOP853.
+    #[arg(long, value_name = "NUMBER", default_value_t = 1e-10)]
+    pub(in crate::cli) rtol: f64,
+
+    /// Where to write [default: out/MODEL-poincare].
+    #[arg(long, value_name = "DIR")]
+    pub(in crate::cli) out: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(in crate::cli) written: WrittenArguments,
+}
+
+/// Of the condition of an event.
+#[derive(Clone, Copy, ValueEnum)]
+pub(in crate::cli) enum Direction {
+    Rising,
+    Falling,
+    Both,
+}
+
+impl Direction {
+    pub(in crate::cli) fn crossing(self) -> Option<Crossing> {
+        match self {
+            Direction::Rising => Some(Crossing::Rising),
+            Direction::Falling => Some(Crossing::Falling),
+            Direction::Both => None,
+        }
+    }
+}

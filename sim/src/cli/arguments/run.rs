@@ -1,0 +1,52 @@
+//! How to run.
+
+use super::common::WrittenArguments;
+use crate::cli::settings::SettingsArguments;
+use clap::Args;
+use std::path::PathBuf;
+
+/// How to run.
+#[derive(Args)]
+#[command(
+    args_override_self = true,
+    after_help = "Files written to DIR:\n  \
+    report.html      the mechanism in motion, plots, tables and equations; opens in any browser, without network\n  \
+    trajectory.csv   time, coordinates, speeds, accelerations, multipliers, work done and outputs; headers `name [unit]`\n  \
+    run.json         the run file, which makes this run again: `sim run DIR/run.json`\n  \
+    summary.json     model, parameters, method, events, period, residuals, energy balance\n  \
+    timing.json      wall times; all other files are the same bytes run after run\n  \
+    NAME.svg, .png   a figure for each group of outputs, and mechanism.svg, .png: the mechanism in several positions\n\n\
+    A value may have a unit of the same dimension: 180mm, 0.18, \"180 mm\". Without one it is in the declared unit."
+)]
+pub(in crate::cli) struct RunArguments {
+    /// The mechanism, as `list` names it; or a run file, NAME.json, which other words of the command line override.
+    #[arg(value_name = "MODEL|FILE.json")]
+    pub(in crate::cli) model: String,
+
+    #[command(flatten)]
+    pub(in crate::cli) settings: SettingsArguments,
+
+    /// Sets a parameter, as in `--set O2A=180mm`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(in crate::cli) set: Vec<String>,
+
+    /// Sets a start value, as in `--initial alpha=30deg` or `--initial alpha_dot=75rpm`; may be repeated. A coordinate
+    /// that is declared as a guess stays one.
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub(in crate::cli) initial: Vec<String>,
+
+    /// Holds an input at a value instead of its declared course, as in `--input tau=0.5`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(in crate::cli) input: Vec<String>,
+
+    /// Where to write [default: out/MODEL].
+    #[arg(long, value_name = "DIR")]
+    pub(in crate::cli) out: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(in crate::cli) written: WrittenArguments,
+
+    /// Writes no report.
+    #[arg(long)]
+    pub(in crate::cli) no_report: bool,
+}

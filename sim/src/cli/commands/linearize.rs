@@ -1,0 +1,205 @@
+//! `sim linearize`.
+
+use crate::cli::arguments::{LinearizeArguments, Voice};
+use crate::cli::commands::steady::advice;
+use crate::cli::given::{mechanism_with, start_with};
+use crate::cli::settings::positive;
+use crate::cli::{Stop, print, unknown};
+use crate::output::formats::numpy::write_matrices;
+use crate::{
+    Control, Description, Linearization, Mode, Settings, Start, State, WriteError, assemble, equilibrium, linearize,
+    run, write_json,
+};
+use nalgebra::{Complex, DMatrix};
+use serde_json::{Map, Value, json};
+use sim_kernel::Mechanism;
+
+/// Linearises a mechanism, writes the matrices and prints the modes.
+pub(in crate::cli) fn linearize_command<M: Mechanism>(
+    arguments: &LinearizeArguments,
+    voice: Voice,
+) -> Result<(), Stop> {
+    let description = const { &M::DESCRIPTION };
+    let mechanism = mechanism_with::<M>(description, &arguments.start.set)?;
+    let start = start_with(&mechanism, description, &arguments.start.initial)?;
+    let inputs = controls(description, &arguments.input)?;
+    let state = state_at(&mechanism, &start, &arguments.at)?;
+    let State { time, positions, speeds, .. } = &state;
+    let Linearization { independent, independent_speeds, unsteady, a, b, c, d, eigenvalues, modes, .. } =
+        linearize(&mechanism, &state, &inputs)?;
+    let found = Found {
+        description,
+        time: *time,
+        positions: positions.as_ref(),
+        speeds: speeds.as_ref(),
+        states: states(description, &independent, &independent_speeds),
+        unsteady: names(description, &unsteady),
+        advice: advice(&mechanism, &state, &unsteady),
+        inputs: inputs.iter().map(|input| input.name_in(description)).collect(),
+        matrices: [("A", &a), ("B", &b), ("C", &c), ("D", &d)],
+        eigenvalues: &eigenvalues,
+        modes: &modes,
+    };
+    tell(&found, arguments, voice)
+}
+
+/// What was found, of a mechanism of any type.
+struct Found<'a> {
+    description: &'static Description,
+    time: f64,
+    positions: &'a [f64],
+    speeds: &'a [f64],
+    /// The names of the entries of x.
+    states: Vec<&'static str>,
+    /// The coordinates in which the motion is not steady, and in which it may be.
+    unsteady: Vec<&'static str>,
+    advice: Option<String>,
+    inputs: Vec<&'static str>,
+    matrices: [(&'static str, &'a DMatrix<f64>); 4],
+    eigenvalues: &'a [Complex<f64>],
+    modes: &'a [Mode],
+}
+
+/// Writes what was found, and prints it.
+fn tell(found: &Found, arguments: &LinearizeArguments, voice: Voice) -> Result<(), Stop> {
+    let directory = arguments.out.clone().unwrap_or_else(|| format!("out/{}-linear", found.description.name).into());
+    std::fs::create_dir_all(&directory).map_err(|why| WriteError::new(&directory, why))?;
+    let said = summary(found, &arguments.at);
+    write_json(&said, &directory.join("linear.json"))?;
+    write_matrices(&found.matrices, &directory.join("linear.npz"))?;
+    match voice {
+        Voice { quiet: true, .. } => Ok(()),
+        Voice { json: true, .. } => print(&format!("{said:#}\n")),
+        _ => print(&format!("{}written      {}: linear.json, linear.npz\n", report(found), directory.display())),
+    }
+}
+
+/// What is named, or all inputs.
+fn controls(description: &'static Description, named: &[String]) -> Result<Vec<Control>, Stop> {
+    let inputs = description.inputs.iter().enumerate().map(|(i, input)| (input.name, Control::Input(i)));
+    if named.is_empty() {
+        return Ok(inputs.map(|(_, control)| control).collect());
+    }
+    let parameters = description.parameters.iter().enumerate().map(|(i, p)| (p.name, Control::Parameter(i)));
+    let known: Vec<(&str, Control)> = inputs.chain(parameters).collect();
+    let control = |name: &String| {
+        let found = known.iter().find(|(known, _)| known == name).map(|(_, control)| *control);
+        found.ok_or_else(|| unknown("input or parameter", name, known.iter().map(|(known, _)| *known)))
+    };
+    named.iter().map(control).collect()
+}
+
+fn state_at<M: Mechanism>(mechanism: &M, start: &Start<M>, place: &str) -> Result<State<M>, Stop> {
+    match place {
+        "equilibrium" => Ok(equilibrium(mechanism, start)?.state),
+        "initial" => Ok(assemble(mechanism, start)?),
+        time => {
+            let run = run(*mechanism, start, &Settings::new(positive("--at", time)?))?;
+            match (run.trajectory.failure, run.trajectory.samples.last()) {
+                (Some(failure), _) => Err(failure.into()),
+                (None, Some(sample)) => Ok(sample.state),
+                (None, None) => Err(Stop::Failed(anyhow::anyhow!("nothing was recorded"))),
+            }
+        }
+    }
+}
+
+fn summary(found: &Found, place: &str) -> Value {
+    let coordinates = found.description.coordinates;
+    let rows = |matrix: &DMatrix<f64>| -> Value {
+        matrix.row_iter().map(|row| row.iter().copied().collect::<Vec<f64>>()).collect::<Vec<_>>().into()
+    };
+    let mode = |mode: &Mode| {
+        let shape = coordinates
+            .iter()
+            .zip(&mode.shape)
+            .map(|(c, entry)| (c.position.name.to_owned(), json!({ "amplitude": entry.norm(), "phase": entry.arg() })));
+        json!({
+            "eigenvalue": [mode.eigenvalue.re, mode.eigenvalue.im],
+            "frequency_hz": mode.frequency(),
+            "damping_ratio": mode.damping_ratio(),
+            "shape": shape.collect::<Map<_, _>>(),
+        })
+    };
+    let positions = coordinates.iter().zip(found.positions).map(|(c, q)| (c.position.name.to_owned(), json!(q)));
+    let speeds = coordinates.iter().zip(found.speeds).map(|(c, qd)| (c.speed.name.to_owned(), json!(qd)));
+    let mut said = json!({
+        "model": found.description.name,
+        "at": place,
+        "time": found.time,
+        "coordinates": positions.collect::<Map<_, _>>(),
+        "speeds": speeds.collect::<Map<_, _>>(),
+        "states": found.states,
+        "steady": found.unsteady.is_empty(),
+        "unsteady": found.unsteady,
+        "advice": found.advice,
+        "inputs": found.inputs,
+        "outputs": found.description.outputs.iter().map(|o| o.name).collect::<Vec<_>>(),
+    });
+    for (name, matrix) in found.matrices {
+        said[name] = rows(matrix);
+    }
+    said["eigenvalues"] = found.eigenvalues.iter().map(|value| json!([value.re, value.im])).collect();
+    said["modes"] = found.modes.iter().map(mode).collect();
+    said
+}
+
+/// The names of coordinates.
+fn names(description: &Description, coordinates: &[usize]) -> Vec<&'static str> {
+    coordinates.iter().map(|j| description.coordinates[*j].position.name).collect()
+}
+
+/// The names of the entries of x.
+fn states(description: &Description, independent: &[usize], independent_speeds: &[usize]) -> Vec<&'static str> {
+    let coordinates = description.coordinates;
+    let positions = independent.iter().map(|j| coordinates[*j].position.name);
+    positions.chain(independent_speeds.iter().map(|j| coordinates[*j].speed.name)).collect()
+}
+
+fn report(found: &Found) -> String {
+    let coordinates = found.description.coordinates;
+    let mut text = format!("{:<12} t = {:?} s\n", "at", found.time);
+    for (c, q) in coordinates.iter().zip(found.positions) {
+        text += &format!("{:<12} {:>20.12} {}\n", c.position.name, q / c.position.factor, c.position.unit);
+    }
+    text += &format!("{:<12} {}\n", "states", found.states.join(", "));
+    if let Some(advice) = &found.advice {
+        let coordinates = found.unsteady.join(", ");
+        text +=
+            &format!("{:<12} no: A changes as {coordinates} go on, and the modes are those of an instant\n", "steady");
+        text += &format!("{:<12} {advice}\n", "");
+    } else if found.speeds.iter().any(|speed| *speed != 0.0) {
+        text += &format!("{:<12} yes: A stays as it is while the motion goes on\n", "steady");
+    }
+    for (k, mode) in found.modes.iter().enumerate() {
+        let Mode { eigenvalue, .. } = mode;
+        text += &format!(
+            "{:<12} {:.9} {:+.9} i 1/s",
+            format!("mode {}", k + 1),
+            plain(eigenvalue.re, 9),
+            plain(eigenvalue.im, 9)
+        );
+        text += &match (eigenvalue.im == 0.0, eigenvalue.re > 0.0) {
+            (true, true) => ", grows\n".to_owned(),
+            (true, false) => ", does not oscillate\n".to_owned(),
+            _ => format!(", {:.9} Hz, damping ratio {:.6}\n", mode.frequency(), plain(mode.damping_ratio(), 6)),
+        };
+        let entries = coordinates.iter().zip(&mode.shape);
+        let entries = entries.map(|(c, entry)| format!("{} {}", c.position.name, polar(entry.norm(), entry.arg())));
+        text += &format!("{:<12} {}\n", "", entries.collect::<Vec<_>>().join(", "));
+    }
+    text
+}
+
+/// The number, without the sign where so many digits print it as zero.
+fn plain(value: f64, digits: i32) -> f64 {
+    if value.abs() < 0.5 * 0.1f64.powi(digits) { 0.0 } else { value }
+}
+
+/// A real number where the phase is 0 or half a turn, else amplitude and phase in degrees.
+fn polar(amplitude: f64, phase: f64) -> String {
+    match phase {
+        _ if phase.sin().abs() < 1e-6 || amplitude < 1e-9 => format!("{:.6}", plain(amplitude * phase.cos(), 6)),
+        _ => format!("{amplitude:.6} at {:.2} deg", phase.to_degrees()),
+    }
+}

@@ -1,0 +1,15 @@
+//! What each command does.
+
+pub(super) mod compare;
+pub(super) mod generate;
+pub(super) mod info;
+pub(super) mod kinematics;
+pub(super) mod linearize;
+pub(super) mod list;
+pub(super) mod new;
+pub(super) mod plot;
+pub(super) mod poincare;
+pub(super) mod run;
+pub(super) mod statics;
+pub(super) mod steady;
+pub(super) mod verify;

@@ -1,0 +1,91 @@
+//! `sim poincare`.
+
+use crate::cli::arguments::{PoincareArguments, Voice};
+use crate::cli::files::folder;
+use crate::cli::files::written::Files;
+use crate::cli::given::{mechanism_with, start_with};
+use crate::cli::progress;
+use crate::cli::settings::positive;
+use crate::cli::{Stop, unknown};
+use crate::output::show;
+use crate::{Failure, Method, Period, Sectioning, Settings, Table, What, poincare};
+use serde_json::json;
+use sim_kernel::{Description, Mechanism};
+use std::path::Path;
+
+/// Takes a section of a motion, writes it and prints its period.
+pub(in crate::cli) fn poincare_command<M: Mechanism>(arguments: &PoincareArguments, voice: Voice) -> Result<(), Stop> {
+    let description = const { &M::DESCRIPTION };
+    let mechanism = mechanism_with::<M>(description, &arguments.start.set)?;
+    let start = start_with(&mechanism, description, &arguments.start.initial)?;
+    let events = || description.events.iter().map(|event| event.name);
+    let event = events().position(|name| name == arguments.event);
+    let event = event.ok_or_else(|| unknown("event", &arguments.event, events()))?;
+    if !(1e-14..=0.1).contains(&arguments.rtol) {
+        return Err(Stop::Usage("--rtol from 1e-14 to 0.1 is possible; numbers here have 16 digits".into()));
+    }
+    let section = Sectioning { event, crossing: arguments.direction.crossing(), count: arguments.count as usize };
+    let end = positive("--t-end", &arguments.t_end)?;
+    let settings = Settings::adaptive(Method::Dop853, end, arguments.rtol);
+    let directory = arguments.out.clone().unwrap_or_else(|| format!("out/{}-poincare", description.name).into());
+    let files = Files::new(description, &directory, &["mechanism"])?;
+    let found = progress::watched(&settings, voice, |settings| poincare(mechanism, &start, &section, settings))?;
+    let table = Table::of(&found.mechanism, &found.trajectory);
+    let draw = |directory: &Path| show::section_figures(&found, directory, arguments.written.size.show());
+    let (period, failure) = (found.period, found.trajectory.failure.as_ref());
+    tell(description, &table, (period, failure), arguments, &draw, (files, voice))
+}
+
+/// Writes what was found, and prints it.
+fn tell(
+    description: &Description,
+    table: &Table,
+    (period, failure): (Option<Period>, Option<&Failure>),
+    arguments: &PoincareArguments,
+    draw: &dyn Fn(&Path) -> show::Figures,
+    (mut files, voice): (Files, Voice),
+) -> Result<(), Stop> {
+    let times = table.times();
+    let mut said = json!({
+        "model": description.name,
+        "event": arguments.event,
+        "crossings": times.len(),
+        "asked": arguments.count,
+        "period": period.map(|period| json!({ "seconds": period.seconds, "crossings": period.crossings })),
+        "times": times,
+        "failure": failure.map(ToString::to_string),
+    });
+    files.add_table(table, &arguments.written.format);
+    Files::name_run(table, &mut [&mut said]);
+    folder::tell("summary.json", said.clone());
+    if !arguments.written.no_figures && !times.is_empty() {
+        files.add_figures(draw);
+    }
+    files.finish();
+    files.say(voice, said, &format!("{}{}", report(description, arguments, times, period), files.line()))?;
+    let problems = match failure {
+        Some(failure) => vec![failure.to_string()],
+        None if times.is_empty() => vec![format!(
+            "event `{}` has not happened in {} s{}. Give a longer --t-end, or another event",
+            arguments.event,
+            positive("--t-end", &arguments.t_end)?,
+            if arguments.direction.crossing().is_some() { " in this direction" } else { "" }
+        )],
+        None => Vec::new(),
+    };
+    files.check(problems, failure.is_some_and(|failure| failure.what == What::Interrupted))
+}
+
+fn report(description: &Description, arguments: &PoincareArguments, times: &[f64], period: Option<Period>) -> String {
+    let mut text = format!("{:<12} {}\n", "model", description.name);
+    text += &format!("{:<12} {} states at `{}`", "section", times.len(), arguments.event);
+    if let (Some(first), Some(last)) = (times.first(), times.last()) {
+        text += &format!(", from {first:.9} s to {last:.9} s");
+    }
+    text += "\n";
+    text += &match period {
+        Some(period) => format!("{:<12} {:.12} s, {} crossing(s) each\n", "period", period.seconds, period.crossings),
+        None => format!("{:<12} none: no state comes again\n", "period"),
+    };
+    text
+}

@@ -1,0 +1,223 @@
+//! `sim run`.
+
+use crate::cli::Stop;
+use crate::cli::arguments::{RunArguments, Voice};
+use crate::cli::commands::list::counted;
+use crate::cli::files::folder;
+use crate::cli::files::run_file::Reproduction;
+use crate::cli::files::written::Files;
+use crate::cli::given::{held_at, mechanism_with, start_with};
+use crate::cli::progress;
+use crate::output::happening::impulses;
+use crate::output::outcome::{Outcome, Recorded};
+use crate::output::show::{self, About};
+use crate::output::write::summary_of;
+use crate::{Start, Stepping, Table, What, assemble, mobility, run, write_json};
+use serde_json::{Value, json};
+use sim_kernel::Mechanism;
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// Runs a mechanism, writes what it found, and prints a short table.
+pub(in crate::cli) fn run_command<M: Mechanism>(arguments: &RunArguments, voice: Voice) -> Result<(), Stop> {
+    let description = const { &M::DESCRIPTION };
+    let clock = Instant::now();
+    let mechanism = mechanism_with::<M>(description, &arguments.set)?;
+    let mechanism = held_at(&mechanism, description, &arguments.input)?;
+    let start = start_with(&mechanism, description, &arguments.initial)?;
+    let settings = arguments.settings.settings(description)?;
+    let mut reproduction = Reproduction::new(&mechanism, &start, &settings, arguments);
+    let directory = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(description.name));
+    let files = Files::new(description, &directory, &["mechanism"])?;
+    warn_of_redundancy(&mechanism, &start, voice);
+    let found = progress::watched(&settings, voice, |settings| run(mechanism, &start, settings))?;
+    let table = Table::of(&found.mechanism, &found.trajectory);
+    told(&found, &table, arguments, (&mut reproduction, files, clock), voice)
+}
+
+/// Writes what was found, prints a short table, and says what went wrong.
+fn told(
+    found: &dyn Recorded,
+    table: &Table,
+    arguments: &RunArguments,
+    (reproduction, mut files, clock): (&mut Reproduction, Files, Instant),
+    voice: Voice,
+) -> Result<(), Stop> {
+    let outcome = found.outcome();
+    let mut summary = summary_of(&outcome, table);
+    let times = write(&mut files, found, (&outcome, table, &mut summary), arguments, (reproduction, clock));
+    files.say(voice, summary, &report(&outcome, &files, &times))?;
+    let is_interrupted = outcome.failure.as_ref().is_some_and(|failure| failure.what == What::Interrupted);
+    files.check(failures(&outcome, table), is_interrupted)
+}
+
+/// Seconds from the start of a run.
+struct Times {
+    /// Until figures were begun.
+    without_figures: f64,
+    /// Until all was written.
+    total: f64,
+}
+
+/// Writes everything: tables, run file, figures, report, and last the times; the summary when all of them are whole.
+fn write(
+    files: &mut Files,
+    run: &dyn Recorded,
+    (outcome, table, summary): (&Outcome, &Table, &mut Value),
+    arguments: &RunArguments,
+    (reproduction, clock): (&mut Reproduction, Instant),
+) -> Times {
+    let seconds = || clock.elapsed().as_secs_f64();
+    files.add_table(table, &arguments.written.format);
+    let run_name = Files::name_run(table, &mut [&mut reproduction.file, summary]);
+    files.add("run.json", |path| write_json(&reproduction.file, path));
+    folder::tell("summary.json", summary.clone());
+    let without_figures = seconds();
+    let is_shown = !table.times().is_empty() && files.has_room();
+    if !arguments.no_report && is_shown {
+        let about = About { summary, command: &reproduction.command, run_file: Some(&reproduction.text()) };
+        files.add("report.html", |path| show::report_of(run, outcome, table, &about, path));
+    }
+    if !arguments.written.no_figures && is_shown && files.has_room() {
+        let size = arguments.written.size.show();
+        files.add_figures(|directory| show::figures_of(run, outcome, table, directory, size));
+    }
+    let times = Times { without_figures, total: seconds() };
+    let timing = json!({
+        "run": run_name,
+        "integration_seconds": outcome.integration_seconds,
+        "without_figures_seconds": times.without_figures,
+        "total_seconds": times.total,
+    });
+    files.add("timing.json", |path| write_json(&timing, path));
+    files.finish();
+    times
+}
+
+/// What went wrong in the motion or its outputs.
+fn failures(outcome: &Outcome, table: &Table) -> Vec<String> {
+    let of_output = |(name, time): &(&str, f64)| {
+        format!(
+            "output `{name}` is not finite at t = {time} s: its expression leaves its domain there (division by zero, root or \
+             logarithm of a negative number). The motion is not affected"
+        )
+    };
+    match &outcome.failure {
+        Some(failure) => vec![failure.to_string()],
+        None => table.undefined_outputs().first().map(of_output).into_iter().collect(),
+    }
+}
+
+/// Names redundant constraints before a run, which may be long.
+fn warn_of_redundancy<M: Mechanism>(mechanism: &M, start: &Start<M>, voice: Voice) {
+    let Ok(first) = assemble(mechanism, start) else { return };
+    if !voice.quiet {
+        let found = mobility(mechanism, first.time, &first.positions);
+        found.redundancies().iter().for_each(|line| eprintln!("redundant constraint: {line}"));
+    }
+}
+
+/// The method, its steps and what they took.
+fn method(run: &Outcome) -> String {
+    let settings = &run.settings;
+    let steps = match settings.stepping {
+        Stepping::Equal(steps) => format!("{} of {:.6e} s", counted(steps, "step"), settings.end / steps as f64),
+        Stepping::Adaptive(tolerance) => {
+            let accepted = usize::try_from(run.steps.accepted).unwrap_or(usize::MAX);
+            format!("rtol {:e}, {}, {} refused", tolerance.relative, counted(accepted, "step"), run.steps.rejected)
+        }
+    };
+    let (name, kept) = (settings.method.name(), settings.stabilisation);
+    format!("{name}, {steps}, {} right-hand sides, {kept}", run.evaluations)
+}
+
+/// That the event which was to end the run has not done so, where it came to its end.
+fn never(run: &Outcome) -> Option<String> {
+    let stop = run.settings.stop.filter(|_| run.failure.is_none())?;
+    let event = run.description.events.get(stop.event)?.name;
+    let times = run.events.iter().filter(|happening| happening.event == stop.event).count();
+    let (count, asked) = (counted(times, "time"), stop.occurrence);
+    (times < asked).then(|| format!("`{event}` has happened {count}, not {asked}: the run went on to its end"))
+}
+
+/// A line of the report: what it tells, and that.
+type Line = (&'static str, String);
+
+/// The short table for the terminal.
+fn report(run: &Outcome, files: &Files, times: &Times) -> String {
+    let description = run.description;
+    let end = run.settings.end;
+    let reached = run.reached;
+    let span = if reached == end { format!("0 to {end:?} s") } else { format!("0 to {reached:?} s of {end:?} s") };
+    let mut rows = vec![("model", description.name.to_owned()), ("method", method(run)), ("time", span)];
+    rows.extend(happened(run));
+    rows.extend(quality(run));
+    let milliseconds = |seconds: f64| 1e3 * seconds;
+    let integration = milliseconds(run.integration_seconds);
+    let (without, total) = (milliseconds(times.without_figures), milliseconds(times.total));
+    rows.push((
+        "wall time",
+        format!("{integration:.2} ms integration, {without:.0} ms without figures, {total:.0} ms in all"),
+    ));
+    let is_figure = |name: &&String| name.ends_with(".svg") || name.ends_with(".png");
+    let others: Vec<&str> = files.names.iter().filter(|name| !is_figure(name)).map(String::as_str).collect();
+    let figures = counted(files.names.iter().filter(|name| name.ends_with(".svg")).count(), "figure");
+    rows.push(("written", format!("{}: {}, {figures}", files.directory().display(), others.join(", "))));
+    if files.names.iter().any(|name| name == "report.html") {
+        rows.push(("look at", format!("{}", files.directory().join("report.html").display())));
+    }
+    rows.iter().map(|(name, value)| format!("{name:<12} {value}\n")).collect()
+}
+
+/// What has happened on the way, and what the reader of its numbers has to know of it.
+fn happened(run: &Outcome) -> Vec<Line> {
+    let (description, mut rows) = (run.description, Vec::new());
+    match run.period {
+        Some(period) => rows.push(("period", format!("{period:.12} s"))),
+        None if description.events.iter().any(|event| event.name == "period") => {
+            rows.push(("period", "not reached".into()))
+        }
+        None => {}
+    }
+    for event in run.events.iter().filter(|event| event.name != "period").take(8) {
+        let impulses = impulses(event, description)
+            .into_iter()
+            .map(|(name, value, unit)| format!("; impulse of {name} {value:.6} {unit}"));
+        let more: String = impulses.collect();
+        rows.push(("event", format!("{} at {:.12} s{more}", event.name, event.time)));
+    }
+    rows.extend(never(run).map(|line| ("until", line)));
+    for (of, time) in run.dead_points.iter().take(8) {
+        let of = of.join(", ");
+        rows.push(("dead point", format!("of {of} at {time:.12} s: the motion goes on upon another branch")));
+    }
+    rows.extend(run.mobility.redundancies().into_iter().map(|line| ("redundant", line)));
+    for passed in run.steps.singularities.iter().take(8) {
+        let crossed = "passed straight on: there another way of moving begins, and reactions have no bound";
+        rows.push(("singular", format!("`{}` at {:.9} s, {crossed}", passed.constraint, passed.time)));
+    }
+    rows
+}
+
+/// How good the numbers are.
+fn quality(run: &Outcome) -> Vec<Line> {
+    let mut rows = Vec::new();
+    if !run.description.constraints.is_empty() {
+        let (positions, velocities) = (run.position_residual, run.velocity_residual);
+        rows.push((
+            "constraints",
+            format!("open by at most {positions:.1e} (positions), {velocities:.1e} (velocities)"),
+        ));
+    }
+    rows.push((
+        "energy",
+        format!("balance of kinetic energy and work off by at most {:.1e}, relative", run.energy_balance),
+    ));
+    if run.energy_taken != 0.0 {
+        rows.push(("impact loss", format!("{:.6e} J of kinetic energy taken by events", run.energy_taken)));
+    }
+    if !(run.energy_balance < crate::DOUBTFUL_BALANCE) {
+        rows.push(("warning", "energy does not balance: take smaller steps before you trust these numbers".into()));
+    }
+    rows
+}

@@ -1,0 +1,168 @@
+//! `sim assemble` and `sim equilibrium`.
+
+use crate::cli::arguments::{AssembleArguments, StartArguments, Voice};
+use crate::cli::commands::list::counted;
+use crate::cli::given::{mechanism_with, start_with};
+use crate::cli::quantity::fixed;
+use crate::cli::{Stop, print};
+use crate::output::outcome::list;
+use crate::{Branches, Loop, Mobility, assemble, branches, check_masses, equilibrium, mobility, residuals};
+use nalgebra::Complex;
+use serde_json::{Map, Value, json};
+use sim_kernel::{Description, Mechanism, Quantity};
+use std::fmt::Write;
+
+/// Prints the assembled start, degrees of freedom and redundant constraints.
+pub(in crate::cli) fn assemble_command<M: Mechanism>(arguments: &AssembleArguments, voice: Voice) -> Result<(), Stop> {
+    let description = const { &M::DESCRIPTION };
+    let mechanism = mechanism_with::<M>(description, &arguments.start.set)?;
+    let start = start_with(&mechanism, description, &arguments.start.initial)?;
+    if arguments.branches {
+        let Branches { loops, open, positions } = branches(&mechanism, &start);
+        return say_branches(description, &loops, &open, &positions.iter().map(list).collect::<Vec<_>>(), voice);
+    }
+    let state = assemble(&mechanism, &start)?;
+    check_masses(&mechanism, state.time, &state.positions)?;
+    let found = mobility(&mechanism, state.time, &state.positions);
+    let numbers = (state.positions.as_ref(), state.speeds.as_ref());
+    say_assembled(description, &found, numbers, residuals(&mechanism, &state), voice)
+}
+
+fn say_assembled(
+    description: &Description,
+    found: &Mobility,
+    (positions, speeds): (&[f64], &[f64]),
+    (position, velocity): (f64, f64),
+    voice: Voice,
+) -> Result<(), Stop> {
+    if voice.quiet {
+        return Ok(());
+    }
+    if voice.json {
+        let coordinates = named(description.coordinates.iter().map(|c| &c.position), positions);
+        let speeds = named(description.coordinates.iter().map(|c| &c.speed), speeds);
+        let said = json!({
+            "model": description.name,
+            "degrees_of_freedom": found.degrees_of_freedom,
+            "configuration_freedom": found.configuration_freedom,
+            "redundant_constraints": found.dependent,
+            "singular_constraints": found.singular,
+            "coordinates": coordinates,
+            "speeds": speeds,
+            "residuals": { "position": position, "velocity": velocity },
+        });
+        return print(&format!("{said:#}\n"));
+    }
+    let mut out = String::new();
+    let freedom = crate::cli::commands::info::freedom(found);
+    let coordinates = counted(positions.len(), "coordinate");
+    writeln!(
+        out,
+        "{}: {coordinates}, {}, {freedom}",
+        description.name,
+        counted(description.constraints.len(), "constraint")
+    )?;
+    for line in found.redundancies() {
+        writeln!(out, "redundant    {line}")?;
+    }
+    for line in found.singularities() {
+        writeln!(out, "singular     {line}")?;
+    }
+    for (c, (q, qd)) in description.coordinates.iter().zip(positions.iter().zip(speeds)) {
+        let (position, speed) = (fixed(q / c.position.factor, 15), fixed(qd / c.speed.factor, 15));
+        writeln!(out, "{:<12} {position:>20} {:<10} {speed:>20} {}", c.position.name, c.position.unit, c.speed.unit)?;
+    }
+    writeln!(out, "constraints  open by at most {position:.1e} (positions), {velocity:.1e} (velocities)")?;
+    print(&out)
+}
+
+/// Prints in which ways the loops close, and the configurations.
+fn say_branches(
+    description: &Description,
+    loops: &[Loop],
+    open: &[&str],
+    branches: &[Vec<f64>],
+    voice: Voice,
+) -> Result<(), Stop> {
+    let positions = || description.coordinates.iter().map(|c| &c.position);
+    let coordinates = |q: &Vec<f64>| named(positions(), q);
+    if voice.quiet {
+        return Ok(());
+    }
+    if voice.json {
+        let of = |l: &Loop| json!({ "form": l.form.to_string(), "constraints": l.constraints, "coordinates": l.coordinates });
+        let said = json!({
+            "model": description.name,
+            "loops": loops.iter().map(of).collect::<Vec<_>>(),
+            "not_in_closed_form": open,
+            "branches": branches.iter().map(coordinates).collect::<Vec<_>>(),
+        });
+        return print(&format!("{said:#}\n"));
+    }
+    let mut out = String::new();
+    for Loop { constraints, coordinates, form } in loops {
+        let (constraints, coordinates) = (constraints.join(", "), coordinates.join(", "));
+        writeln!(out, "loop         {constraints} closes {coordinates}: {form}")?;
+    }
+    for name in open {
+        writeln!(out, "loop         {name} is not found in closed form; its guess decides")?;
+    }
+    if branches.is_empty() {
+        writeln!(out, "branches     none: the links do not reach each other")?;
+    }
+    for (k, q) in branches.iter().enumerate() {
+        let values =
+            positions().zip(q.iter()).map(|(c, q)| format!("{} = {} {}", c.name, fixed(q / c.factor, 12), c.unit));
+        writeln!(out, "branch {:<5} {}", k + 1, values.collect::<Vec<_>>().join(", "))?;
+    }
+    print(&out)
+}
+
+/// Prints an equilibrium, its reactions and the eigenvalues of small motions.
+pub(in crate::cli) fn equilibrium_command<M: Mechanism>(arguments: &StartArguments, voice: Voice) -> Result<(), Stop> {
+    let description = const { &M::DESCRIPTION };
+    let mechanism = mechanism_with::<M>(description, &arguments.set)?;
+    let found = equilibrium(&mechanism, &start_with(&mechanism, description, &arguments.initial)?)?;
+    let (positions, multipliers) = (found.state.positions.as_ref(), found.multipliers.as_ref());
+    say_equilibrium(description, positions, multipliers, &found.eigenvalues, voice)
+}
+
+fn say_equilibrium(
+    description: &Description,
+    positions: &[f64],
+    multipliers: &[f64],
+    eigenvalues: &[Complex<f64>],
+    voice: Voice,
+) -> Result<(), Stop> {
+    if voice.quiet {
+        return Ok(());
+    }
+    if voice.json {
+        let eigenvalues = eigenvalues.iter().map(|value| json!([value.re, value.im]));
+        let said = json!({
+            "model": description.name,
+            "coordinates": named(description.coordinates.iter().map(|c| &c.position), positions),
+            "multipliers": named(description.constraints.iter(), multipliers),
+            "eigenvalues": eigenvalues.collect::<Vec<_>>(),
+        });
+        return print(&format!("{said:#}\n"));
+    }
+    let mut out = String::new();
+    for (c, q) in description.coordinates.iter().zip(positions) {
+        writeln!(out, "{:<20} {:>20} {}", c.position.name, fixed(q / c.position.factor, 12), c.position.unit)?;
+    }
+    for (c, lambda) in description.constraints.iter().zip(multipliers) {
+        writeln!(out, "{:<20} {:>20} {}", format!("lambda_{}", c.name), fixed(lambda / c.factor, 12), c.unit)?;
+    }
+    for value in eigenvalues {
+        writeln!(out, "{:<20} {:>20} {:+.12} i 1/s", "eigenvalue", fixed(value.re, 12), value.im + 0.0)?;
+    }
+    print(&out)
+}
+
+/// Values by name, in their units.
+fn named<'a>(quantities: impl Iterator<Item = &'a Quantity>, values: &[f64]) -> Map<String, Value> {
+    let entry =
+        |(q, value): (&Quantity, &f64)| (q.name.to_owned(), json!({ "value": value / q.factor, "unit": q.unit }));
+    quantities.zip(values.iter()).map(entry).collect()
+}

@@ -1,0 +1,54 @@
+//! `sim verify`.
+
+use crate::analysis::verify::{Check, verify};
+use crate::cli::arguments::{VerifyArguments, Voice};
+use crate::cli::given::{mechanism_with, start_with};
+use crate::cli::settings::positive;
+use crate::cli::{Stop, print};
+use serde_json::json;
+use sim_kernel::Mechanism;
+
+/// Prints one row for each check; fails if one does.
+pub(in crate::cli) fn verify_command<M: Mechanism>(arguments: &VerifyArguments, voice: Voice) -> Result<(), Stop> {
+    let description = const { &M::DESCRIPTION };
+    let mechanism = mechanism_with::<M>(description, &arguments.set)?;
+    let start = start_with(&mechanism, description, &arguments.initial)?;
+    let checks = verify(mechanism, &start, positive("--t-end", &arguments.t_end)?)?;
+    if !voice.quiet {
+        print(&if voice.json { as_json(&checks) } else { as_text(description.name, &checks) })?;
+    }
+    let failing: Vec<&str> = checks.iter().filter(|check| !Check::passes(check)).map(|check| check.name).collect();
+    match failing.is_empty() {
+        true => Ok(()),
+        false => Err(Stop::Failed(anyhow::anyhow!(
+            "{} of {} checks fail: {}",
+            failing.len(),
+            checks.len(),
+            failing.join(", ")
+        ))),
+    }
+}
+
+fn as_json(checks: &[Check]) -> String {
+    let row = |check: &Check| {
+        json!({
+            "name": check.name, "figure": check.figure, "bound": check.bound, "passes": check.passes(), "what": check.meaning,
+        })
+    };
+    format!("{:#}\n", checks.iter().map(row).collect::<serde_json::Value>())
+}
+
+fn as_text(name: &str, checks: &[Check]) -> String {
+    let mut text = format!("{name:<34} {:>9} {:>9}  {:<7} what\n", "figure", "bound", "verdict");
+    for check in checks {
+        let verdict = match check.figure {
+            None => "-",
+            Some(_) if check.passes() => "ok",
+            Some(_) => "FAILS",
+        };
+        let Check { name, bound, meaning, .. } = check;
+        let figure = check.figure.map_or("-".into(), |figure| format!("{figure:.1e}"));
+        text += &format!("{name:<34} {figure:>9} {bound:>9.1e}  {verdict:<7} {meaning}\n");
+    }
+    text
+}

@@ -1,0 +1,224 @@
+//! The folder that results come into: held while a command works for it, and filled at once when all of them are written, so
+//! that what was there before stays until then.
+
+use crate::cli::Stop;
+use crate::cli::files::identity;
+use crate::output::whole::whole;
+use crate::{WriteError, write_json};
+use serde_json::{Map, Value};
+use std::fs::{self, File, TryLockError};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+/// Where files stand until all are written, within the folder that they are for.
+const UNFINISHED: &str = ".unfinished";
+/// Where they stay, until the next run, if some could not be written and earlier ones would be lost.
+const INCOMPLETE: &str = "incomplete";
+
+/// The folder of the command that runs: there is one, and a signal, which comes at any time, ends with what it has.
+static CURRENT: Mutex<Option<Folder>> = Mutex::new(None);
+
+/// A folder that is held, with what is written for it.
+struct Folder {
+    directory: PathBuf,
+    /// Whether it was made for this command.
+    is_new: bool,
+    /// The operating system's lock, which ends with the process.
+    _lock: Option<File>,
+    /// The files that are whole.
+    names: Vec<String>,
+    /// The file that tells of the run, by which the others are known as its own.
+    summary: Option<(String, Value)>,
+    /// What such commands write, and what the run before has written.
+    earlier: Vec<String>,
+}
+
+/// What came of it.
+#[derive(Default)]
+pub(in crate::cli) struct Filled {
+    /// The files that are in their places.
+    pub(in crate::cli) names: Vec<String>,
+    /// Why others are not.
+    pub(in crate::cli) failures: Vec<WriteError>,
+    /// Where all of them are instead, because some could not be written.
+    pub(in crate::cli) aside: Option<PathBuf>,
+}
+
+/// Makes a folder, holds it, and gives the folder within it where files are to be written.
+pub(in crate::cli) fn hold(directory: &Path, mut earlier: Vec<String>) -> Result<PathBuf, Stop> {
+    let fail = |path: &Path, why: io::Error| Stop::from(WriteError::new(path, why));
+    let is_new = !directory.exists();
+    fs::create_dir_all(directory).map_err(|why| fail(directory, why))?;
+    let lock = lock(directory)?;
+    let unfinished = directory.join(UNFINISHED);
+    // What a run that was killed has left.
+    let _ = fs::remove_dir_all(&unfinished);
+    fs::create_dir(&unfinished).map_err(|why| fail(&unfinished, why))?;
+    earlier.extend(identity::listed(directory));
+    let folder =
+        Folder { directory: directory.to_owned(), is_new, _lock: lock, names: Vec::new(), summary: None, earlier };
+    *current() = Some(folder);
+    Ok(unfinished)
+}
+
+fn current() -> std::sync::MutexGuard<'static, Option<Folder>> {
+    CURRENT.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn lock(directory: &Path) -> Result<Option<File>, Stop> {
+    let lock = || {
+        let folder = File::open(directory).map_err(TryLockError::Error)?;
+        folder.try_lock().map(|()| folder)
+    };
+    match lock() {
+        Ok(folder) => Ok(Some(folder)),
+        Err(TryLockError::WouldBlock) => Err(Stop::Failed(anyhow::anyhow!(
+            "another run writes to {}: wait until it has ended, or give another folder with `--out`",
+            directory.display()
+        ))),
+        Err(TryLockError::Error(why)) => {
+            eprintln!(
+                "warning: {} cannot be locked ({why}): see that nothing else writes there meanwhile",
+                directory.display()
+            );
+            Ok(None)
+        }
+    }
+}
+
+/// Takes note of a file that is whole.
+pub(in crate::cli) fn add(name: &str) {
+    if let Some(folder) = current().as_mut() {
+        folder.names.push(name.to_owned());
+    }
+}
+
+/// Keeps what a run is told by, under this name. From then on a signal ends with the files that are whole.
+pub(in crate::cli) fn tell(name: &str, summary: Value) {
+    if let Some(folder) = current().as_mut() {
+        folder.summary = Some((name.to_owned(), summary));
+    }
+}
+
+/// Moves all files to their places, and removes earlier ones that have no successor; or, if `is_short` of some or others
+/// cannot be placed, puts them aside where there are earlier ones.
+pub(in crate::cli) fn fill(is_short: bool) -> Filled {
+    current().take().map_or_else(Filled::default, |folder| folder.fill(is_short))
+}
+
+/// Ends with what there is: the files that are whole, if those are among them that a run is told by, or none.
+pub(in crate::cli) fn end() -> Filled {
+    let mut current = current();
+    let filled = match current.take() {
+        Some(folder) if folder.summary.is_some() => folder.fill(false),
+        _ => Filled::default(),
+    };
+    // Nothing else is written from here on: the process ends.
+    std::mem::forget(current);
+    filled
+}
+
+impl Folder {
+    fn unfinished(&self) -> PathBuf {
+        self.directory.join(UNFINISHED)
+    }
+
+    fn fill(mut self, is_short: bool) -> Filled {
+        let mut filled = Filled::default();
+        let told_by = self.summary.as_ref().map_or(String::new(), |(name, _)| name.clone());
+        if let Err(failure) = self.write_summary() {
+            filled.failures.push(failure);
+        }
+        // What is no file is written to first: afterwards there is no way back.
+        let names = std::mem::take(&mut self.names);
+        let (files, others): (Vec<String>, Vec<String>) = names.into_iter().partition(|name| self.is_file(name));
+        others.iter().for_each(|name| self.place(name, &mut filled));
+        if (is_short || !filled.failures.is_empty()) && self.has_earlier() {
+            return self.put_aside(filled);
+        }
+        self.earlier.retain(|name| !files.contains(name) && !others.contains(name));
+        // The summary, by which others are known, comes last.
+        let (last, files): (Vec<String>, Vec<String>) = files.into_iter().partition(|name| *name == told_by);
+        files.iter().for_each(|name| self.place(name, &mut filled));
+        self.earlier.iter().filter(|name| self.is_file(name)).for_each(|name| self.remove(name, &mut filled));
+        last.iter().for_each(|name| self.place(name, &mut filled));
+        let _ = fs::remove_dir_all(self.directory.join(INCOMPLETE));
+        filled
+    }
+
+    /// Writes what the run is told by, with the digests of all other files.
+    fn write_summary(&mut self) -> Result<(), WriteError> {
+        let Some((name, mut summary)) = self.summary.take() else { return Ok(()) };
+        let unfinished = self.unfinished();
+        let others = self.names.iter().filter(|name| !identity::NAMED.contains(&name.as_str()));
+        let digests = others.filter_map(|name| {
+            let digest = identity::digest(&unfinished.join(name)).ok()?;
+            Some((name.clone(), Value::from(digest)))
+        });
+        summary["digests"] = digests.collect::<Map<_, _>>().into();
+        write_json(&summary, &unfinished.join(&name)).map_err(|failure| self.in_place(failure))?;
+        self.names.push(name);
+        Ok(())
+    }
+
+    /// Whether there is a file of this name, or nothing.
+    fn is_file(&self, name: &str) -> bool {
+        fs::symlink_metadata(self.directory.join(name)).map_or(true, |there| there.is_file())
+    }
+
+    fn has_earlier(&self) -> bool {
+        let is_there =
+            |name: &String| fs::symlink_metadata(self.directory.join(name)).is_ok_and(|there| there.is_file());
+        self.earlier.iter().any(is_there)
+    }
+
+    fn place(&self, name: &str, filled: &mut Filled) {
+        let (from, to) = (self.unfinished().join(name), self.directory.join(name));
+        let placed = match self.is_file(name) {
+            true => fs::rename(&from, &to),
+            // Through links, and into what is no file.
+            false => whole(&to, |file| io::copy(&mut File::open(&from)?, file).map(|_| ())),
+        };
+        match placed {
+            Ok(()) => filled.names.push(name.to_owned()),
+            Err(why) => filled.failures.push(WriteError::new(&to, why)),
+        }
+    }
+
+    fn remove(&self, name: &str, filled: &mut Filled) {
+        let path = self.directory.join(name);
+        match fs::remove_file(&path) {
+            Err(why) if why.kind() != io::ErrorKind::NotFound => filled.failures.push(WriteError::new(&path, why)),
+            _ => {}
+        }
+    }
+
+    fn put_aside(&self, mut filled: Filled) -> Filled {
+        let aside = self.directory.join(INCOMPLETE);
+        let _ = fs::remove_dir_all(&aside);
+        match fs::rename(self.unfinished(), &aside) {
+            Ok(()) => filled.aside = Some(aside),
+            Err(why) => filled.failures.push(WriteError::new(&aside, why)),
+        }
+        filled
+    }
+
+    /// A failure to write where files stand until all are written, told by the place that they are for.
+    fn in_place(&self, failure: WriteError) -> WriteError {
+        match failure.path.strip_prefix(self.unfinished()) {
+            Ok(name) => WriteError { path: self.directory.join(name), ..failure },
+            Err(_) => failure,
+        }
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(self.unfinished());
+        if self.is_new {
+            // Only if it is empty.
+            let _ = fs::remove_dir(&self.directory);
+        }
+    }
+}

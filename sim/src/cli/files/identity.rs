@@ -1,0 +1,91 @@
+//! Which files belong to one run: some name it, and its summary lists the digests of all others.
+
+use crate::Table;
+use crate::cli::Stop;
+use crate::cli::files::json;
+use crate::state::digest::Digest;
+use serde_json::Value;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+/// The member that names the run.
+pub(in crate::cli) const RUN: &str = "run";
+/// Files that name it themselves, so that they may be edited.
+pub(in crate::cli) const NAMED: [&str; 3] = [SUMMARY, "run.json", "timing.json"];
+const SUMMARY: &str = "summary.json";
+
+/// Opens a file that has an end, which devices may not have.
+fn open(path: &Path) -> io::Result<File> {
+    match path.metadata()?.is_file() {
+        true => File::open(path),
+        false => Err(io::ErrorKind::InvalidInput.into()),
+    }
+}
+
+/// The digest of a file.
+pub(in crate::cli) fn digest(path: &Path) -> io::Result<String> {
+    let (mut digest, mut file, mut part) = (Digest::new(), open(path)?, vec![0; 1 << 16]);
+    loop {
+        match file.read(&mut part)? {
+            0 => return Ok(digest.text()),
+            length => digest.add(&part[..length]),
+        }
+    }
+}
+
+/// What a run is known by: the digest of its table and of what else it was and found.
+pub(in crate::cli) fn of_run(table: &Table, values: &[&Value]) -> String {
+    let mut digest = Digest::new();
+    for column in &table.columns {
+        digest.add(column.header().as_bytes());
+        column.values.iter().for_each(|value| digest.add(&value.to_bits().to_le_bytes()));
+    }
+    values.iter().for_each(|value| digest.add(value.to_string().as_bytes()));
+    digest.text()
+}
+
+/// The files of the run whose summary stands in a folder.
+pub(in crate::cli) fn listed(directory: &Path) -> Vec<String> {
+    let summary = read(&directory.join(SUMMARY));
+    let names = summary.as_ref().and_then(digests).into_iter().flatten().map(|(name, _)| name.clone());
+    let is_name = |name: &String| Path::new(name).file_name().is_some_and(|file| file == name.as_str());
+    names.filter(is_name).chain(NAMED.map(String::from)).collect()
+}
+
+fn digests(summary: &Value) -> Option<&serde_json::Map<String, Value>> {
+    summary.get("digests")?.as_object()
+}
+
+fn read(path: &Path) -> Option<Value> {
+    json::parse(&io::read_to_string(open(path).ok()?).ok()?).ok()
+}
+
+/// Refuses a folder whose files are not all of one run, as where a run was killed while it moved its files there.
+pub(in crate::cli) fn check(directory: &Path) -> Result<(), Stop> {
+    match stranger(directory) {
+        None => Ok(()),
+        Some((one, other)) => Err(Stop::Failed(anyhow::anyhow!(
+            "the files in {} are not of one run: {one} does not belong to {other}. Run it again into this folder, or copy the \
+             file that you mean to another",
+            directory.display()
+        ))),
+    }
+}
+
+/// A file that is not of the run that another tells of.
+fn stranger(directory: &Path) -> Option<(String, &'static str)> {
+    let mut named = NAMED.into_iter().filter(|name| directory.join(name).is_file());
+    let first = named.next()?;
+    let told = read(&directory.join(first));
+    let run = |value: &Option<Value>| value.as_ref().and_then(|value| value.get(RUN).cloned());
+    if let Some(other) = named.find(|name| run(&read(&directory.join(name))) != run(&told)) {
+        return Some((other.to_owned(), first));
+    }
+    let digests = digests(told.as_ref().filter(|_| first == SUMMARY)?)?;
+    let differs = |name: &String, known: &Value| digest(&directory.join(name)).is_ok_and(|found| *known != *found);
+    let changed = digests.iter().find(|(name, known)| differs(name, known)).map(|(name, _)| name.clone());
+    let tables = crate::Format::ALL.iter().map(|format| format!("trajectory.{}", format.name()));
+    let added = || tables.into_iter().find(|name| !digests.contains_key(name) && directory.join(name).is_file());
+    changed.or_else(added).map(|name| (name, first))
+}

@@ -1,0 +1,91 @@
+//! Runs read back from their directories.
+
+use crate::WriteError;
+use crate::cli::files::identity;
+use crate::cli::{Stop, unknown};
+use std::path::{Path, PathBuf};
+
+/// The table of a run.
+pub(in crate::cli) struct Stored {
+    /// What curves of it are called: its directory.
+    pub(in crate::cli) name: String,
+    columns: Vec<StoredColumn>,
+}
+
+/// A column, as its header says.
+pub(in crate::cli) struct StoredColumn {
+    /// Its name.
+    pub(in crate::cli) name: String,
+    /// Its unit.
+    pub(in crate::cli) unit: String,
+    /// Its values.
+    pub(in crate::cli) values: Vec<f64>,
+}
+
+impl Stored {
+    /// Reads a run's directory, or its CSV.
+    pub(in crate::cli) fn read(path: &Path) -> Result<Stored, Stop> {
+        if path.is_dir() {
+            identity::check(path)?;
+        }
+        let file = if path.is_dir() { path.join("trajectory.csv") } else { path.to_owned() };
+        if !file.is_file() {
+            return Err(Stop::Usage(format!(
+                "no run at {}: {} is missing; `run` writes it, unless other formats are asked for",
+                path.display(),
+                file.display()
+            )));
+        }
+        let fail = |why: &dyn std::fmt::Display| Stop::Failed(anyhow::anyhow!("cannot read {}: {why}", file.display()));
+        let mut reader = csv::Reader::from_path(&file).map_err(|why| fail(&why))?;
+        let mut columns: Vec<StoredColumn> = reader.headers().map_err(|why| fail(&why))?.iter().map(column).collect();
+        for record in reader.records() {
+            let record = record.map_err(|why| fail(&why))?;
+            for (column, cell) in columns.iter_mut().zip(&record) {
+                let line = column.values.len() + 2;
+                let value = cell.parse().map_err(|_| fail(&format!("line {line}: `{cell}` is no number")))?;
+                column.values.push(value);
+            }
+        }
+        let directory = file.parent().and_then(Path::file_name).unwrap_or(file.as_os_str());
+        Ok(Stored { name: directory.to_string_lossy().into_owned(), columns })
+    }
+
+    /// A column by name.
+    pub(in crate::cli) fn column(&self, name: &str) -> Result<&StoredColumn, Stop> {
+        let known = || self.columns.iter().map(|column| column.name.as_str());
+        self.columns.iter().find(|column| column.name == name).ok_or_else(|| unknown("quantity", name, known()))
+    }
+
+    /// The names of all columns.
+    pub(in crate::cli) fn names(&self) -> impl Iterator<Item = &str> {
+        self.columns.iter().map(|column| column.name.as_str())
+    }
+}
+
+impl StoredColumn {
+    /// `name [unit]`.
+    pub(in crate::cli) fn header(&self) -> String {
+        format!("{} [{}]", self.name, self.unit)
+    }
+}
+
+/// A column from its header, `name [unit]`.
+fn column(header: &str) -> StoredColumn {
+    let (name, unit) = header.split_once(" [").unwrap_or((header, "1]"));
+    StoredColumn { name: name.to_owned(), unit: unit.trim_end_matches(']').to_owned(), values: Vec::new() }
+}
+
+/// A directory and the name of a figure in it, from a path without extension.
+pub(in crate::cli) fn place(path: &Path) -> (PathBuf, String) {
+    let name = path.file_name().map_or("plot".into(), |name| name.to_string_lossy().into_owned());
+    (path.parent().unwrap_or(Path::new("")).to_owned(), name)
+}
+
+/// That a directory cannot be made is told as for files.
+pub(in crate::cli) fn make(directory: &Path) -> Result<(), WriteError> {
+    match directory.as_os_str().is_empty() {
+        true => Ok(()),
+        false => std::fs::create_dir_all(directory).map_err(|why| WriteError::new(directory, why)),
+    }
+}

@@ -1,0 +1,134 @@
+//! The files that a command writes.
+
+use crate::cli::arguments::Voice;
+use crate::cli::files::folder;
+use crate::cli::files::identity::{self, RUN};
+use crate::cli::{Stop, print};
+use crate::output::show::{Figures, ShowError};
+use crate::{Format, Table, write_table};
+use serde_json::Value;
+use sim_kernel::Description;
+use std::path::{Path, PathBuf};
+
+/// Files as they are written one after the other, for a folder into which they are moved at last; one that cannot be written
+/// does not keep the others from it.
+pub(in crate::cli) struct Files {
+    directory: PathBuf,
+    /// Where they are written.
+    unfinished: PathBuf,
+    /// The names of those that were written.
+    pub(in crate::cli) names: Vec<String>,
+    /// Why others could not be.
+    pub(in crate::cli) failures: Vec<String>,
+    /// Whether one could not be written.
+    is_short: bool,
+}
+
+impl Files {
+    /// Makes the folder and holds it, before work that may take long. What was written to it earlier, these figures too, goes
+    /// when [`Files::finish`] has something newer.
+    pub(in crate::cli) fn new(description: &Description, directory: &Path, figures: &[&str]) -> Result<Files, Stop> {
+        let figures = description.figures.iter().map(|figure| figure.name).chain(figures.iter().copied());
+        let figures = figures.flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]);
+        let tables = ["csv", "jsonl", "npy", "npz", "parquet"].map(|extension| format!("trajectory.{extension}"));
+        let unfinished = folder::hold(directory, figures.chain(tables).chain(["report.html".into()]).collect())?;
+        let (names, failures) = (Vec::new(), Vec::new());
+        Ok(Files { directory: directory.to_owned(), unfinished, names, failures, is_short: false })
+    }
+
+    /// Writes a file.
+    pub(in crate::cli) fn add<E: Into<ShowError>>(&mut self, name: &str, write: impl FnOnce(&Path) -> Result<(), E>) {
+        match write(&self.unfinished.join(name)) {
+            Ok(()) => folder::add(name),
+            Err(failure) => self.fail(failure.into()),
+        }
+    }
+
+    /// Writes a table in these formats.
+    pub(in crate::cli) fn add_table(&mut self, table: &Table, formats: &[Format]) {
+        for format in Format::ALL.iter().filter(|format| formats.contains(format)) {
+            self.add(&format!("trajectory.{}", format.name()), |path| {
+                write_table(table, *format, path.parent().unwrap_or(path)).map(|_| ())
+            });
+        }
+    }
+
+    /// Where they come to.
+    pub(in crate::cli) fn directory(&self) -> &Path {
+        &self.directory
+    }
+
+    /// Draws figures into a folder that it is given.
+    pub(in crate::cli) fn add_figures(&mut self, draw: impl FnOnce(&Path) -> Figures) {
+        let drawn = draw(&self.unfinished);
+        let names = drawn.names.iter().flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]);
+        names.for_each(|name| folder::add(&name));
+        drawn.failures.into_iter().for_each(|failure| self.fail(failure));
+    }
+
+    /// Whether all could be written until now: where there is no room for numbers, pictures would only take it.
+    pub(in crate::cli) fn has_room(&self) -> bool {
+        !self.is_short
+    }
+
+    /// Takes note of what could not be written or drawn, by its place.
+    fn fail(&mut self, failure: ShowError) {
+        let failure = match failure {
+            ShowError::Write { path, why } => {
+                self.is_short = true;
+                let path = path.strip_prefix(&self.unfinished).map_or(path.clone(), |name| self.directory.join(name));
+                ShowError::Write { path, why }
+            }
+            other => other,
+        };
+        self.failures.push(failure.to_string());
+    }
+
+    /// Names a run by its table and these values, which from here on bear the name.
+    pub(in crate::cli) fn name_run(table: &Table, values: &mut [&mut Value]) -> Value {
+        let run = Value::from(identity::of_run(table, &values.iter().map(|value| &**value).collect::<Vec<_>>()));
+        for object in values.iter_mut().filter_map(|value| value.as_object_mut()) {
+            object.shift_insert(0, RUN.to_owned(), run.clone());
+        }
+        run
+    }
+
+    /// Moves all files to their places, with `summary.json`, which tells of them. Only then earlier ones go.
+    pub(in crate::cli) fn finish(&mut self) {
+        let filled = folder::fill(self.is_short);
+        self.failures.extend(filled.failures.iter().map(ToString::to_string));
+        if let Some(aside) = filled.aside {
+            let (directory, aside) = (self.directory.display(), aside.display());
+            self.failures.push(format!("earlier results stay in {directory}; what could be written is in {aside}"));
+        }
+        self.names = filled.names;
+    }
+
+    /// Prints what was found: as JSON with the directory and the files, or as text.
+    pub(in crate::cli) fn say(&self, voice: Voice, mut said: Value, text: &str) -> Result<(), Stop> {
+        match voice {
+            Voice { quiet: true, .. } => Ok(()),
+            Voice { json: true, .. } => {
+                said["directory"] = self.directory.to_string_lossy().into();
+                said["files"] = self.names.clone().into();
+                print(&format!("{said:#}\n"))
+            }
+            _ => print(text),
+        }
+    }
+
+    /// The line on what was written.
+    pub(in crate::cli) fn line(&self) -> String {
+        format!("written      {}: {}\n", self.directory.display(), self.names.join(", "))
+    }
+
+    /// Of these and what else went wrong, one error.
+    pub(in crate::cli) fn check(self, others: Vec<String>, is_interrupted: bool) -> Result<(), Stop> {
+        let problems = [others, self.failures].concat().join("\nerror: ");
+        match problems.is_empty() {
+            true => Ok(()),
+            false if is_interrupted => Err(Stop::Interrupted(anyhow::anyhow!(problems))),
+            false => Err(Stop::Failed(anyhow::anyhow!(problems))),
+        }
+    }
+}

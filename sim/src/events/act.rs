@@ -1,0 +1,186 @@
+//! What events do: constraints that are switched, parameters and coordinates that are set, impacts.
+//!
+//! An impact changes the speeds by the impulsive equations (Pfeiffer and Glocker, Multibody Dynamics with Unilateral
+//! Contacts, 1996, chapter 8, for bilateral rows and Newton's coefficient e):
+//!
+//! ```text
+//! M (v+ - v-) + C_q' L = 0        C_q v+ + C_t = -e (C_q v- + C_t)
+//! ```
+//!
+//! with e = 0 for every row that holds already. Where a constraint becomes active, or speeds are set that the
+//! constraints do not allow, the same equations with e = 0 for all rows bring the speeds onto them.
+
+use crate::model::conditional::is_active;
+use crate::motion::equations::impulse;
+use crate::motion::measures::Measures;
+use crate::motion::mobility::check_masses;
+use crate::motion::project::project_positions;
+use crate::motion::residuals::rates;
+use crate::state::failure::{Failure, What, constraint_name};
+use crate::state::saved::{Bytes, Damaged};
+use crate::state::trajectory::State;
+use sim_kernel::event::{Assignment, Event, Hit, Step, Switch, Target};
+use sim_kernel::{Array, Mechanism};
+
+/// What an event has changed.
+#[derive(Clone, Copy, Debug)]
+pub struct Change<M: Mechanism> {
+    /// The mechanism from then on.
+    pub mechanism: M,
+    /// The state after, at the same time.
+    pub state: State<M>,
+    /// The impulse of each constraint row: its multiplier, summed up over the time of the impact.
+    pub impulses: M::L,
+    /// The kinetic energy that is gone, in joules.
+    pub energy_taken: f64,
+    /// Whether the motion ends here.
+    pub ends: bool,
+}
+
+/// Does what an event says, for the so-many-th time.
+///
+/// # Errors
+/// [`What::NotFinite`], [`What::Restitution`], [`What::EventOpens`], and as the equations of an impact.
+pub fn act<M: Mechanism>(
+    mechanism: &M,
+    before: &State<M>,
+    event: &'static Event,
+    occurrence: usize,
+) -> Result<Change<M>, Failure> {
+    let mut change = Change::none(*mechanism, *before);
+    for step in event.steps {
+        match step {
+            Step::Stop(after) => change.ends |= occurrence >= *after,
+            Step::Set(assignments) => change.set(assignments, event)?,
+            Step::Switch(switches) => change.switch(switches, event)?,
+            Step::Impact(hits) => change.hit(hits, event)?,
+        }
+    }
+    change.settle(event)?;
+    change.energy_taken = kinetic_energy(mechanism, before) - kinetic_energy(&change.mechanism, &change.state);
+    Ok(change)
+}
+
+fn kinetic_energy<M: Mechanism>(mechanism: &M, state: &State<M>) -> f64 {
+    mechanism.kinetic_energy(state.time, &state.positions, &state.speeds)
+}
+
+impl<M: Mechanism> Change<M> {
+    /// None.
+    pub(crate) fn none(mechanism: M, state: State<M>) -> Change<M> {
+        Change { mechanism, state, impulses: M::L::filled(0.0), energy_taken: 0.0, ends: false }
+    }
+
+    /// All of it as bytes, or from them.
+    pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        bytes.mechanism(&mut self.mechanism)?;
+        bytes.state(&mut self.state)?;
+        bytes.numbers(self.impulses.as_mut())?;
+        bytes.number(&mut self.energy_taken)?;
+        bytes.flag(&mut self.ends)
+    }
+
+    fn fail<T>(&self, what: What) -> Result<T, Failure> {
+        Err(Failure::at::<M>(what, self.state.time, &self.state.positions))
+    }
+
+    fn values(&self) -> M::EventValues {
+        self.mechanism.event_values(self.state.time, &self.state.positions, &self.state.speeds)
+    }
+
+    fn set(&mut self, assignments: &[Assignment], event: &'static Event) -> Result<(), Failure> {
+        let values = self.values();
+        let mut parameters = self.mechanism.parameters();
+        for Assignment { target, value } in assignments {
+            let value = values[*value];
+            if !value.is_finite() {
+                let quantity = format!("what event `{}` sets", event.name);
+                return self.fail(What::NotFinite { quantity });
+            }
+            match *target {
+                Target::Parameter(index) => parameters[index] = value,
+                Target::Position(index) => self.state.positions[index] = value,
+                Target::Speed(index) => self.state.speeds[index] = value,
+            }
+        }
+        self.mechanism = self.mechanism.with_parameters(parameters);
+        check_masses(&self.mechanism, self.state.time, &self.state.positions)
+    }
+
+    fn switch(&mut self, switches: &[Switch], event: &'static Event) -> Result<(), Failure> {
+        let mut activities = self.mechanism.activities();
+        for Switch { conditional, active } in switches {
+            activities[*conditional] = f64::from(u8::from(*active));
+        }
+        self.mechanism = self.mechanism.with_activities(activities);
+        self.settle(event)
+    }
+
+    /// An impact on constraints that hold for its instant.
+    fn hit(&mut self, hits: &[Hit], event: &'static Event) -> Result<(), Failure> {
+        let values = self.values();
+        let mut activities = self.mechanism.activities();
+        let mut restitution = M::L::filled(0.0);
+        for Hit { conditional, restitution: value } in hits {
+            activities[*conditional] = 1.0;
+            let (described, coefficient) = (&M::DESCRIPTION.conditionals[*conditional], values[*value]);
+            if !(coefficient >= 0.0 && coefficient.is_finite()) {
+                return self.fail(What::Restitution { event: event.name, constraint: described.name, coefficient });
+            }
+            let rows = described.first_row..described.first_row + described.rows;
+            rows.for_each(|row| restitution[row] = coefficient);
+        }
+        let struck = self.mechanism.with_activities(activities);
+        self.check_closed(&struck, event)?;
+        self.push(&struck, |row, rate| (1.0 + restitution[row]) * rate)
+    }
+
+    /// Brings the state onto the constraints that hold.
+    fn settle(&mut self, event: &'static Event) -> Result<(), Failure> {
+        let mechanism = self.mechanism;
+        self.check_closed(&mechanism, event)?;
+        let measures = Measures::at(&mechanism, self.state.time, &self.state.positions);
+        project_positions(&mechanism, &measures, self.state.time, &mut self.state.positions)?;
+        let linear = mechanism.constraint_linearization(self.state.time, &self.state.positions);
+        let open = rates::<M>(&linear, &self.state.speeds);
+        let size = |row: usize| {
+            let terms = linear.jacobian[row].iter().zip(self.state.speeds.iter());
+            terms.map(|(c, v)| (c * v).abs()).sum::<f64>() + linear.time_derivative[row].abs()
+        };
+        match (0..M::L::LEN).any(|row| !(open[row].abs() <= ROUNDING * size(row) + f64::EPSILON)) {
+            true => self.push(&mechanism, |_, rate| rate),
+            false => Ok(()),
+        }
+    }
+
+    /// Changes the speeds by an impulse, so that the rates of the constraints of `mechanism` fall by `fall`.
+    fn push(&mut self, mechanism: &M, fall: impl Fn(usize, f64) -> f64) -> Result<(), Failure> {
+        let (time, q) = (self.state.time, &self.state.positions);
+        let linear = mechanism.constraint_linearization(time, q);
+        let open = rates::<M>(&linear, &self.state.speeds);
+        let fall = M::L::from_fn(|row| fall(row, open[row]));
+        let (speeds, impulses) = impulse(mechanism, time, q, &linear.jacobian, &fall)?;
+        self.state.speeds = M::Q::from_fn(|j| self.state.speeds[j] - speeds[j]);
+        self.impulses = M::L::from_fn(|row| self.impulses[row] - impulses[row]);
+        Ok(())
+    }
+
+    /// That the positions satisfy the constraints, up to how exactly an event is located.
+    fn check_closed(&self, mechanism: &M, event: &'static Event) -> Result<(), Failure> {
+        let (time, q) = (self.state.time, &self.state.positions);
+        let (values, magnitudes) = (mechanism.constraints(time, q), mechanism.constraint_magnitudes(time, q));
+        let open = |row: &usize| !(values[*row].abs() <= LOCATED * magnitudes[*row] + 1e-9);
+        match (0..M::L::LEN).filter(|row| is_active(mechanism, *row)).find(open) {
+            None => Ok(()),
+            Some(row) => {
+                let (constraint, residual) = (constraint_name::<M>(row), values[row]);
+                self.fail(What::EventOpens { event: event.name, constraint, residual })
+            }
+        }
+    }
+}
+
+/// A rate this small beside its terms is rounding.
+const ROUNDING: f64 = 1e-12;
+/// How far open a constraint may be at an event, relative to its terms, to be closed by a projection.
+const LOCATED: f64 = 1e-7;

@@ -1,0 +1,101 @@
+//! How the conditions of events go on from the start of a phase.
+//!
+//! After an event that changes something its condition is zero, up to rounding: whether it is being left or crossed again, is
+//! told by its derivatives along the motion. A condition that an active constraint holds at zero is rounding throughout.
+
+use super::conditions::{conditions, moved, tolerance};
+use crate::motion::Motion;
+use crate::state::failure::Failure;
+use crate::state::saved::{Bytes, Damaged};
+use crate::state::trajectory::{Sample, State};
+use sim_kernel::{Array, Mechanism};
+
+/// Conditions with their first two derivatives in time.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Onset<M: Mechanism> {
+    values: M::Events,
+    rates: M::Events,
+    seconds: M::Events,
+    /// What is no more than the tolerance of constraints and of rounding.
+    pub(crate) noise: M::Events,
+    /// What the change of a condition in the time `d` must exceed to be more than rounding.
+    significant: M::Events,
+    d: f64,
+    tolerance: f64,
+}
+
+/// Constraints are held to 1e-12.
+const OFFSET: f64 = 4e-12;
+/// Rounding of a condition relative to its terms.
+const ROUNDING: f64 = 1e-14;
+
+impl<M: Mechanism> Onset<M> {
+    /// By differences over 1e-5 of the time in which the motion goes a long way, or of the span of the run: third derivatives
+    /// then make less of a rate than rounding.
+    pub(crate) fn of(motion: &Motion<M>, sample: &Sample<M>, span: f64) -> Result<Onset<M>, Failure> {
+        let [fast, sharp] = [&sample.state.speeds, &sample.accelerations].map(|change| motion.measures().size(change));
+        let d = 1e-5 * span.min(1.0 / fast.max(sharp.sqrt()));
+        let values = conditions(motion, &sample.state)?;
+        let (ahead, behind) = (conditions(motion, &moved(sample, d))?, conditions(motion, &moved(sample, -d))?);
+        let terms = terms(motion, &sample.state, &values)?;
+        Ok(Onset {
+            values,
+            rates: M::Events::from_fn(|i| (ahead[i] - behind[i]) / (2.0 * d)),
+            seconds: M::Events::from_fn(|i| (ahead[i] - 2.0 * values[i] + behind[i]) / (d * d)),
+            noise: M::Events::from_fn(|i| OFFSET * terms[i].max(1.0)),
+            significant: M::Events::from_fn(|i| ROUNDING * terms[i]),
+            d,
+            tolerance: tolerance(sample.state.time),
+        })
+    }
+
+    /// None known yet.
+    pub(crate) fn blank() -> Onset<M> {
+        let [values, rates, seconds, noise, significant] = [M::Events::filled(0.0); 5];
+        Onset { values, rates, seconds, noise, significant, d: 0.0, tolerance: 0.0 }
+    }
+
+    /// All of it as bytes, or from them.
+    pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        let Onset { values, rates, seconds, noise, significant, d, tolerance } = self;
+        for numbers in [values, rates, seconds, noise, significant] {
+            bytes.numbers(numbers.as_mut())?;
+        }
+        bytes.number(d)?;
+        bytes.number(tolerance)
+    }
+
+    /// Whether a condition holds here, to the tolerance of a time.
+    pub(crate) fn holds(&self, event: usize) -> bool {
+        self.values[event].abs() <= 2.0 * self.tolerance * self.rates[event].abs() + self.noise[event]
+    }
+
+    /// The sign that a condition has from here on, if it holds here: that of its first derivative, or of its second.
+    pub(crate) fn sign(&self, event: usize) -> f64 {
+        let (rate, second, least) = (self.rates[event], self.seconds[event], self.significant[event]);
+        match () {
+            _ if rate.abs() * self.d > least => rate.signum(),
+            _ if second.abs() * self.d * self.d / 2.0 > least => second.signum(),
+            _ => 0.0,
+        }
+    }
+
+    /// After which time a condition that leaves zero here is zero again, by its derivatives.
+    pub(crate) fn returns_after(&self, event: usize) -> f64 {
+        let time = -2.0 * self.rates[event] / self.seconds[event];
+        if time >= 0.0 { time } else { f64::INFINITY }
+    }
+}
+
+/// The size of the terms of each condition: the sum of |its derivative by a coordinate times the coordinate|.
+fn terms<M: Mechanism>(motion: &Motion<M>, state: &State<M>, values: &M::Events) -> Result<M::Events, Failure> {
+    let mut terms = M::Events::from_fn(|i| values[i].abs());
+    for (j, coordinate) in M::DESCRIPTION.coordinates.iter().enumerate() {
+        let size = state.positions[j].abs().max(coordinate.position.factor);
+        let mut nearby = *state;
+        nearby.positions[j] += 1e-6 * size;
+        let changed = conditions(motion, &nearby)?;
+        terms = M::Events::from_fn(|i| terms[i] + 1e6 * (changed[i] - values[i]).abs());
+    }
+    Ok(terms)
+}

@@ -1,0 +1,39 @@
+//! A place in the motion of a mechanism whose type is erased.
+
+use crate::state::trajectory::{Sample, State};
+use sim_kernel::{Dual, Mechanism};
+
+/// Time, coordinates, speeds, accelerations and multipliers, as numbers of any kind. Those that are left out are zero.
+#[derive(Clone, Copy)]
+pub(crate) struct At<'a, S> {
+    pub(crate) time: S,
+    pub(crate) positions: &'a [S],
+    pub(crate) speeds: &'a [S],
+    pub(crate) accelerations: &'a [S],
+    pub(crate) multipliers: &'a [S],
+}
+
+impl<'a, S> At<'a, S> {
+    /// Without accelerations and multipliers.
+    pub(crate) fn moving(time: S, positions: &'a [S], speeds: &'a [S]) -> At<'a, S> {
+        At { time, positions, speeds, accelerations: &[], multipliers: &[] }
+    }
+}
+
+impl<'a> At<'a, f64> {
+    /// A state, without accelerations and multipliers.
+    pub(crate) fn state<M: Mechanism>(state: &'a State<M>) -> At<'a, f64> {
+        At::moving(state.time, state.positions.as_ref(), state.speeds.as_ref())
+    }
+
+    /// A sample.
+    pub(crate) fn sample<M: Mechanism>(sample: &'a Sample<M>) -> At<'a, f64> {
+        let (accelerations, multipliers) = (sample.accelerations.as_ref(), sample.multipliers.as_ref());
+        At { accelerations, multipliers, ..At::state(&sample.state) }
+    }
+}
+
+/// Numbers that do not change.
+pub(crate) fn constants(values: &[f64]) -> Vec<Dual> {
+    values.iter().map(|value| Dual::constant(*value)).collect()
+}

@@ -1,0 +1,27 @@
+//! What a controller changes.
+
+use sim_kernel::{Description, Mechanism};
+
+/// What a controller changes: by index, in the order of declaration.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Control {
+    /// An input.
+    Input(usize),
+    /// A parameter that stands for one.
+    Parameter(usize),
+}
+
+impl Control {
+    /// Its name.
+    pub fn name<M: Mechanism>(self) -> &'static str {
+        self.name_in(const { &M::DESCRIPTION })
+    }
+
+    /// Its name in a mechanism of this description.
+    pub(crate) fn name_in(self, description: &'static Description) -> &'static str {
+        match self {
+            Control::Input(index) => description.inputs[index].name,
+            Control::Parameter(index) => description.parameters[index].name,
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! The equations of motion at one state, solved: for accelerations and multipliers, and for impulses.
+
+use crate::motion::gimbal;
+use crate::motion::least_norm::least_norm;
+use crate::motion::measures::Measures;
+use crate::motion::reduction::Reduction;
+use crate::numerics::solve::{Solved, solve};
+use crate::state::failure::{Failure, What, constraint_name};
+use sim_kernel::{Array, Dynamics, Mechanism};
+
+/// M^-1 C_q' (C_q M^-1 C_q')^-1 r: the change of speeds that an impulse along the constraints makes to change their
+/// rates by r.
+pub(crate) fn by_inertia<M: Mechanism>(
+    mechanism: &M,
+    time: f64,
+    q: &M::Q,
+    jacobian: &M::LQ,
+    residual: &M::L,
+) -> Result<M::Q, Failure> {
+    Ok(impulse(mechanism, time, q, jacobian, residual)?.0)
+}
+
+/// That change, and the impulse that makes it: x and y with [M C_q'; C_q 0] [x; y] = [0; r].
+pub(crate) fn impulse<M: Mechanism>(
+    mechanism: &M,
+    time: f64,
+    q: &M::Q,
+    jacobian: &M::LQ,
+    residual: &M::L,
+) -> Result<(M::Q, M::L), Failure> {
+    let matrix = saddle::<M>(&mechanism.mass_matrix(time, q), jacobian);
+    let n = M::Q::LEN;
+    let rhs = M::Z::from_fn(|i| if i < n { 0.0 } else { residual[i - n] });
+    let solution = solve_motion::<M>(matrix, rhs, time, q)?;
+    Ok((M::Q::from_fn(|i| solution.solution[i]), M::L::from_fn(|i| solution.solution[n + i])))
+}
+
+/// [M C_q'; C_q 0].
+fn saddle<M: Mechanism>(mass: &M::QQ, jacobian: &M::LQ) -> M::ZZ {
+    let n = M::Q::LEN;
+    let entry = |i: usize, j: usize| match (i < n, j < n) {
+        (true, true) => mass[i][j],
+        (true, false) => jacobian[j - n][i],
+        (false, true) => jacobian[i - n][j],
+        (false, false) => 0.0,
+    };
+    M::ZZ::from_fn(|i| M::Z::from_fn(|j| entry(i, j)))
+}
+
+/// Solves for accelerations and multipliers. Reactions that no equation determines, because their constraints say
+/// what others say already, are zero here.
+fn solve_motion<M: Mechanism>(matrix: M::ZZ, rhs: M::Z, time: f64, q: &M::Q) -> Result<Solved<M::Z>, Failure> {
+    let fail = |unknown: usize| Failure::at::<M>(What::Singular { unknown: unknown_name::<M>(unknown) }, time, q);
+    let solved = solve(matrix, rhs);
+    let undetermined = || solved.undetermined();
+    match undetermined().find(|unknown| *unknown < M::Q::LEN) {
+        Some(acceleration) => Err(fail(acceleration)),
+        None if !solved.is_consistent => Err(fail(undetermined().next().unwrap_or(0))),
+        None => Ok(solved),
+    }
+}
+
+/// Accelerations, multipliers and power at a state, by the generated elimination; where that refuses a pivot, by
+/// complete pivoting on the mass matrix and the constraint Jacobian. Where constraints depend on each other the multipliers
+/// are those of least norm, in SI units.
+///
+/// # Errors
+/// [`What::Singular`] if no unique solution exists, [`What::NotFinite`] if an expression leaves its domain.
+#[inline]
+pub fn accelerate<M: Mechanism>(
+    mechanism: &M,
+    time: f64,
+    q: &M::Q,
+    qd: &M::Q,
+) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
+    solve_equations(mechanism, &mechanism.prepare(), time, q, qd)
+}
+
+/// The same, for what has been prepared.
+#[inline(always)]
+pub(crate) fn solve_equations<M: Mechanism>(
+    mechanism: &M,
+    prepared: &M::Prepared,
+    time: f64,
+    q: &M::Q,
+    qd: &M::Q,
+) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
+    let solved = M::prepared_dynamics(prepared, time, q, qd);
+    if !solved.refused && is_finite(&solved) {
+        return Ok(solved);
+    }
+    accelerate_by_pivoting(mechanism, None, time, *q, *qd)
+}
+
+/// The same where constraints are redundant, as these measures have it: beside the constraints too they are then met in
+/// least squares, where [`accelerate`] would take each row of C_q as it is.
+#[cold]
+pub(crate) fn accelerate_redundant<M: Mechanism>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    time: f64,
+    q: M::Q,
+    qd: M::Q,
+) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
+    accelerate_by_pivoting(mechanism, Some(measures), time, q, qd)
+}
+
+/// Whether all of a solution is.
+#[inline(always)]
+fn is_finite<Q: Array<f64>, L: Array<f64>>(solved: &Dynamics<f64, Q, L>) -> bool {
+    let all_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
+    all_finite(solved.accelerations.as_ref()) && all_finite(solved.multipliers.as_ref()) && solved.power.is_finite()
+}
+
+/// By value, so that states that do not come here stay in registers.
+#[cold]
+fn accelerate_by_pivoting<M: Mechanism>(
+    mechanism: &M,
+    redundant: Option<&Measures<M>>,
+    time: f64,
+    q: M::Q,
+    qd: M::Q,
+) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
+    let (q, qd) = (&q, &qd);
+    let fail = |what| Failure::at::<M>(what, time, q);
+    let (n, m) = (M::Q::LEN, M::L::LEN);
+    let mass = mechanism.mass_matrix(time, q);
+    let jacobian = mechanism.constraint_jacobian(time, q);
+    let (force, convective) = (mechanism.generalized_forces(time, q, qd), mechanism.convective_forces(time, q, qd));
+    let constraint_convective = mechanism.constraint_convective(time, q, qd);
+    let system = |jacobian: &M::LQ, constraint_convective: &M::L| {
+        let rhs = |i: usize| if i < n { force[i] - convective[i] } else { -constraint_convective[i - n] };
+        (saddle::<M>(&mass, jacobian), M::Z::from_fn(rhs))
+    };
+    let (matrix, rhs) = system(&jacobian, &constraint_convective);
+    // Constraints first: what is wrong with them spoils the equations of the coordinates too.
+    let is_sound = |row: &usize| matrix[*row].iter().sum::<f64>().is_finite() && rhs[*row].is_finite();
+    if let Some(row) = (n..n + m).chain(0..n).find(|row| !is_sound(row)) {
+        let quantity = match row < n {
+            true => format!("the equation of {}", unknown_name::<M>(row)),
+            false => format!("constraint `{}`", constraint_name::<M>(row - n)),
+        };
+        return Err(fail(What::NotFinite { quantity }));
+    }
+    let reduction = redundant.map(|measures| (Reduction::new(&jacobian, measures, measures.rank()), measures));
+    let (matrix, rhs) = match &reduction {
+        Some((reduction, _)) => system(&reduction.rows(&jacobian), &reduction.values(&constraint_convective)),
+        None => (matrix, rhs),
+    };
+    let solved = solve_motion::<M>(matrix, rhs, time, q);
+    let solved = solved.map_err(|failure| gimbal::explained(failure, mechanism, time, q))?;
+    let accelerations = M::Q::from_fn(|i| solved.solution[i]);
+    let found = M::L::from_fn(|i| solved.solution[n + i]);
+    let multipliers = match (reduction, solved.undetermined().count()) {
+        (Some((reduction, measures)), _) => reduction.multipliers(measures, &found),
+        (None, 0) => found,
+        (None, undetermined) => least_norm::<M>(jacobian, &found, m - undetermined),
+    };
+    let power = mechanism.power(time, q, qd, &accelerations, &multipliers);
+    if !power.is_finite() {
+        return Err(fail(What::NotFinite { quantity: "the power of the loads".into() }));
+    }
+    Ok(Dynamics { accelerations, multipliers, power, refused: false })
+}
+
+fn unknown_name<M: Mechanism>(unknown: usize) -> String {
+    match M::DESCRIPTION.coordinates.get(unknown) {
+        Some(coordinate) => format!("the acceleration of `{}`", coordinate.position.name),
+        None => format!("the reaction of `{}`", constraint_name::<M>(unknown - M::Q::LEN)),
+    }
+}

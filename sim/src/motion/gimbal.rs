@@ -1,0 +1,53 @@
+//! Gimbal lock: positions in which the angles of an attitude no longer say how it turns.
+
+use crate::state::failure::{Failure, What};
+use nalgebra::DMatrix;
+use sim_kernel::{Array, Description, Mechanism};
+
+/// A motion of the coordinates with kinetic energy this small beside others of their size is none of the body.
+const STILL: f64 = 1e-9;
+/// Entries of a direction this small beside the largest have no part in it.
+const NO_PART: f64 = 0.1;
+
+/// The failure that a motion has here, said as gimbal lock if it is that: in space, where some coordinates can change
+/// together without anything moving, and each of them alone moves something.
+pub(crate) fn explained<M: Mechanism>(failure: Failure, mechanism: &M, time: f64, q: &M::Q) -> Failure {
+    let (mass, jacobian) = (mechanism.mass_matrix(time, q), mechanism.constraint_jacobian(time, q));
+    let mass = DMatrix::from_fn(M::Q::LEN, M::Q::LEN, |i, j| mass[i][j]);
+    let locked = locked(const { &M::DESCRIPTION }, &mass, &|row, j| jacobian[row][j]);
+    if locked.len() < 2 {
+        return failure;
+    }
+    let angles = format!("`{}`", locked.join("` and `"));
+    Failure { what: What::GimbalLock { angles }, ..failure }
+}
+
+/// The coordinates that have part in a motion without kinetic energy, by the mass matrix and the entries of C_q.
+fn locked(
+    description: &'static Description,
+    mass: &DMatrix<f64>,
+    jacobian: &dyn Fn(usize, usize) -> f64,
+) -> Vec<&'static str> {
+    if description.dimension < 3 {
+        return vec![];
+    }
+    let n = mass.nrows();
+    // Each coordinate in the unit in which it alone has energy 1.
+    let size = |i: usize| mass[(i, i)].abs().sqrt();
+    if n == 0 || (0..n).any(|i| !(size(i) > 0.0) || !size(i).is_finite()) {
+        return vec![];
+    }
+    let eigen = DMatrix::from_fn(n, n, |i, j| mass[(i, j)] / (size(i) * size(j))).symmetric_eigen();
+    let (at, least) = eigen.eigenvalues.argmin();
+    if !(least < STILL) {
+        return vec![];
+    }
+    let direction = eigen.eigenvectors.column(at);
+    let largest = direction.amax();
+    let parts: Vec<usize> = (0..n).filter(|i| direction[*i].abs() > NO_PART * largest).collect();
+    // The length of a quaternion moves nothing either, and is held by its constraint.
+    if description.norm_constraints.iter().any(|row| parts.iter().any(|i| jacobian(*row, *i) != 0.0)) {
+        return vec![];
+    }
+    parts.into_iter().map(|i| description.coordinates[i].position.name).collect()
+}

@@ -1,0 +1,123 @@
+//! What the coordinates and the constraints of a mechanism are measured by, so that no unit of length decides what is small,
+//! what is near, and what depends on what.
+
+use crate::model::AnyMechanism;
+use crate::model::conditional::released_rows;
+use crate::motion::lengths::measure;
+use crate::numerics::arrays::array;
+use crate::state::saved::{Bytes, Damaged};
+use sim_kernel::{Array, Mechanism};
+
+/// What the coordinates and the constraints of a mechanism are measured by, and the ranks of its constraint Jacobian: found
+/// once, where a motion starts.
+#[derive(Clone, Copy, Debug)]
+pub struct Measures<M: Mechanism> {
+    /// For each coordinate the change that counts as 1: the mechanism's own length for lengths, and 1 for all others, n.
+    coordinates: M::Q,
+    /// For each constraint the largest that its terms are, or that such changes of the coordinates make it, m.
+    constraints: M::L,
+    /// The ranks of C_q without the rows between speeds, and with them.
+    ranks: [usize; 2],
+    /// Whether some of the constraints that hold say what others say already.
+    is_redundant: bool,
+}
+
+impl<M: Mechanism> Measures<M> {
+    /// Those of a mechanism at a position, its degrees of freedom being known.
+    pub(crate) fn of(
+        mechanism: &M,
+        any: &dyn AnyMechanism,
+        (time, q): (f64, &M::Q),
+        [configuration_freedom, degrees_of_freedom]: [usize; 2],
+        is_redundant: bool,
+    ) -> Measures<M> {
+        let n = M::Q::LEN;
+        let ranks = [n - configuration_freedom.min(n), n - degrees_of_freedom.min(n)];
+        Measures { ranks, is_redundant, ..Measures::of_independent(mechanism, any, time, q) }
+    }
+
+    /// The same where all constraints that hold are taken to be independent.
+    pub(crate) fn of_independent(mechanism: &M, any: &dyn AnyMechanism, time: f64, q: &M::Q) -> Measures<M> {
+        let (coordinates, constraints) = measure(any, time, q.as_ref());
+        let rank = M::L::LEN - released_rows(mechanism);
+        let between_positions = rank.saturating_sub(M::DESCRIPTION.speed_constraints.len());
+        Measures {
+            coordinates: array(&coordinates),
+            constraints: array(&constraints),
+            ranks: [between_positions, rank],
+            is_redundant: false,
+        }
+    }
+
+    /// All of it as bytes, or from them.
+    pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        bytes.numbers(self.coordinates.as_mut())?;
+        bytes.numbers(self.constraints.as_mut())?;
+        self.ranks.iter_mut().try_for_each(|rank| bytes.index(rank, M::Q::LEN.max(M::L::LEN) + 1))?;
+        bytes.flag(&mut self.is_redundant)
+    }
+
+    /// For each coordinate the change that counts as 1, in SI units, n.
+    pub fn coordinates(&self) -> &M::Q {
+        &self.coordinates
+    }
+
+    /// For each constraint the size of its terms, in SI units, m.
+    pub fn constraints(&self) -> &M::L {
+        &self.constraints
+    }
+
+    /// The rank of C_q away from singular positions, of the rows between positions alone.
+    pub(crate) fn rank_of_positions(&self) -> usize {
+        self.ranks[0]
+    }
+
+    /// The rank of C_q away from singular positions.
+    pub(crate) fn rank(&self) -> usize {
+        self.ranks[1]
+    }
+
+    /// Whether some of the constraints that hold say what others say already.
+    #[inline(always)]
+    pub(crate) fn is_redundant(&self) -> bool {
+        self.is_redundant
+    }
+
+    /// C_q with its columns times the changes that count as 1, m x n.
+    #[inline(always)]
+    pub(crate) fn columns(&self, jacobian: &M::LQ) -> M::LQ {
+        match const { mixes_lengths::<M>() } {
+            false => *jacobian,
+            true => M::LQ::from_fn(|i| M::Q::from_fn(|j| jacobian[i][j] * self.coordinates[j])),
+        }
+    }
+
+    /// A change of coordinates in SI units from one in the changes that count as 1, n.
+    #[inline(always)]
+    pub(crate) fn change(&self, change: M::Q) -> M::Q {
+        match const { mixes_lengths::<M>() } {
+            false => change,
+            true => M::Q::from_fn(|j| change[j] * self.coordinates[j]),
+        }
+    }
+
+    /// The largest part of a change of coordinates, beside those that count as 1.
+    #[inline(always)]
+    pub(crate) fn size(&self, change: &M::Q) -> f64 {
+        let largest = |part: &dyn Fn(usize) -> f64| (0..M::Q::LEN).fold(0.0f64, |size, j| size.max(part(j).abs()));
+        match const { mixes_lengths::<M>() } {
+            false => largest(&|j| change[j]) / self.coordinates[0],
+            true => largest(&|j| change[j] / self.coordinates[j]),
+        }
+    }
+}
+
+/// Whether there are lengths and others among the coordinates, so that they have to be measured by different numbers.
+pub(crate) const fn mixes_lengths<M: Mechanism>() -> bool {
+    let (coordinates, mut lengths, mut j) = (M::DESCRIPTION.coordinates, 0, 0);
+    while j < coordinates.len() {
+        lengths += coordinates[j].position.is_length as usize;
+        j += 1;
+    }
+    0 < lengths && lengths < coordinates.len()
+}

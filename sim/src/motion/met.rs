@@ -1,0 +1,45 @@
+//! Whether constraints are met.
+
+use crate::motion::measures::Measures;
+use crate::motion::rows::{Linear, Rows};
+use sim_kernel::{Array, Mechanism};
+
+/// A residual below this part of a constraint's terms is met.
+pub(crate) const TOLERANCE: f64 = 1e-12;
+/// A residual above this part of a constraint's terms is never put down to rounding: a state known no better is lost.
+const LARGEST_ROUNDING: f64 = 1e-6;
+
+/// Whether all of these residuals are at most this part of what the constraints are measured by.
+#[inline(always)]
+pub(crate) fn is_within<M: Mechanism>(measures: &Measures<M>, values: &M::L, part: f64) -> bool {
+    (0..M::L::LEN).all(|row| values[row].abs() <= part * measures.constraints()[row])
+}
+
+/// Whether every residual is at the level of its own rounding.
+#[inline]
+pub(crate) fn is_met<M: Mechanism, R: Rows<M>>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    time: f64,
+    q: &M::Q,
+    linear: &Linear<M, R>,
+) -> bool {
+    is_within(measures, &linear.values, TOLERANCE) || is_met_by_rounding::<M, R>(mechanism, measures, time, q, linear)
+}
+
+#[cold]
+fn is_met_by_rounding<M: Mechanism, R: Rows<M>>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    time: f64,
+    q: &M::Q,
+    linear: &Linear<M, R>,
+) -> bool {
+    let magnitudes = mechanism.constraint_magnitudes(time, q);
+    (0..M::L::LEN).all(|i| {
+        let moved = R::terms(&linear.jacobian, i, q);
+        let rounding = 8.0 * f64::EPSILON * (magnitudes[i] + moved);
+        let size = measures.constraints()[i];
+        linear.values[i].abs() <= (rounding + TOLERANCE * size).min(LARGEST_ROUNDING * size)
+    })
+}

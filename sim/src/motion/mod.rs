@@ -1,0 +1,280 @@
+//! The equations of motion of one mechanism, and how its states are kept on the constraints.
+
+pub(crate) mod equations;
+pub(crate) mod generalized_speeds;
+pub(crate) mod gimbal;
+pub(crate) mod inertia;
+mod keep;
+mod least_norm;
+pub(crate) mod lengths;
+mod measured;
+pub(crate) mod measures;
+pub(crate) mod met;
+pub(crate) mod mobility;
+mod nearby;
+pub(crate) mod partition;
+pub(crate) mod project;
+pub(crate) mod reduction;
+pub(crate) mod residuals;
+pub(crate) mod rows;
+pub(crate) mod singular;
+pub(crate) mod typed;
+pub(crate) mod velocity_variables;
+
+use crate::motion::equations::{accelerate_redundant, solve_equations};
+use crate::motion::generalized_speeds::{determine_speeds, has_generalized_speeds};
+use crate::motion::measures::Measures;
+use crate::motion::partition::Partition;
+use crate::motion::project::{project, smallest_by_inertia};
+use crate::motion::residuals::rates;
+use crate::state::failure::{Failure, What};
+use crate::state::saved::{Bytes, Damaged};
+use crate::state::settings::Stabilisation;
+use crate::state::trajectory::{Sample, State};
+use sim_kernel::{Array, Mechanism};
+use std::cell::{Cell, RefCell};
+
+/// A mechanism in motion: its right-hand side, its stabilisation, and what they have been asked.
+#[derive(Clone, Debug)]
+pub struct Motion<M: Mechanism> {
+    mechanism: M,
+    prepared: M::Prepared,
+    stabilisation: Stabilisation,
+    partition: RefCell<Partition<M>>,
+    measures: Measures<M>,
+    evaluations: Cell<u64>,
+    /// The squares of the longest rows of C_q so far.
+    longest: Cell<M::L>,
+    /// Where constraints are redundant, the largest that the smallest sine has been.
+    widest: Cell<f64>,
+    /// 1/s^2 where a state was last kept on the constraints; s is the smallest sine between a row of C_q and those before.
+    closeness: Cell<f64>,
+    /// Whether states inside a step are brought onto the constraints too.
+    keeps_stages: Cell<bool>,
+    /// Whether the step is made in generalised speeds.
+    is_in_speeds: Cell<bool>,
+    /// The squares of the longest distances so far between rows of what determines the speeds then.
+    farthest_of_speeds: Cell<M::Q>,
+}
+
+impl<M: Mechanism> Motion<M> {
+    /// The motion of a mechanism, kept on its constraints in this way, with what it is measured by.
+    pub fn new(mechanism: M, stabilisation: Stabilisation, measures: Measures<M>) -> Motion<M> {
+        Motion {
+            mechanism,
+            prepared: mechanism.prepare(),
+            stabilisation,
+            partition: RefCell::new(Partition::new()),
+            measures,
+            evaluations: Cell::new(0),
+            longest: Cell::new(M::L::filled(0.0)),
+            widest: Cell::new(0.0),
+            closeness: Cell::new(0.0),
+            keeps_stages: Cell::new(false),
+            is_in_speeds: Cell::new(false),
+            farthest_of_speeds: Cell::new(M::Q::filled(0.0)),
+        }
+    }
+
+    /// What it remembers between steps as bytes, or from them. What is independent is chosen anew for each step, and the least sine
+    /// is told by its end.
+    pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        bytes.mechanism(&mut self.mechanism)?;
+        self.prepared = self.mechanism.prepare();
+        self.measures.transfer(bytes)?;
+        bytes.word(self.evaluations.get_mut())?;
+        bytes.numbers(self.longest.get_mut().as_mut())?;
+        bytes.number(self.widest.get_mut())?;
+        bytes.flag(self.is_in_speeds.get_mut())?;
+        bytes.numbers(self.farthest_of_speeds.get_mut().as_mut())
+    }
+
+    /// What coordinates and constraints are measured by.
+    pub fn measures(&self) -> &Measures<M> {
+        &self.measures
+    }
+
+    /// The mechanism.
+    pub fn mechanism(&self) -> &M {
+        &self.mechanism
+    }
+
+    /// What its equations of motion need of the parameters.
+    #[inline(always)]
+    pub(crate) fn prepared(&self) -> &M::Prepared {
+        &self.prepared
+    }
+
+    /// How many right-hand sides have been evaluated.
+    pub fn evaluations(&self) -> u64 {
+        self.evaluations.get()
+    }
+
+    /// The right-hand side at a state inside a step. Where only the parts of the coordinates along the constraints are integrated, the others
+    /// are first made to follow.
+    ///
+    /// # Errors
+    /// As [`accelerate`](crate::accelerate), and as the solution of the constraints.
+    pub fn sample(&self, state: State<M>) -> Result<Sample<M>, Failure> {
+        self.sample_in_place(state)
+    }
+
+    /// The same, compiled into its caller: what is evaluated step by step so stays in registers, which saves a quarter of a
+    /// run.
+    #[inline(always)]
+    pub(crate) fn sample_in_place(&self, mut state: State<M>) -> Result<Sample<M>, Failure> {
+        self.evaluations.set(self.evaluations.get() + 1);
+        if self.stabilisation == Stabilisation::Partitioning || self.keeps_stages.get() {
+            state = self.brought_to_constraints(state)?;
+        }
+        let mut dynamics = match self.measures.is_redundant() {
+            false => solve_equations(&self.mechanism, &self.prepared, state.time, &state.positions, &state.speeds)?,
+            true => accelerate_redundant(&self.mechanism, &self.measures, state.time, state.positions, state.speeds)?,
+        };
+        if let Stabilisation::Baumgarte(rate) = self.stabilisation {
+            let push = baumgarte(&self.mechanism, &self.measures, state, rate)?;
+            dynamics.accelerations = M::Q::from_fn(|i| dynamics.accelerations[i] - push[i]);
+        }
+        Ok(Sample::new(state, &dynamics, self.mechanism.inputs()))
+    }
+
+    /// By value, so that the state of every other stage stays in registers.
+    #[cold]
+    fn brought_to_constraints(&self, mut state: State<M>) -> Result<State<M>, Failure> {
+        let bring = |state: &mut State<M>| match self.stabilisation {
+            Stabilisation::Partitioning => self.partition.borrow().follow(&self.mechanism, &self.measures, state),
+            _ => project(&self.mechanism, &self.measures, state),
+        };
+        match self.is_in_generalized_speeds() {
+            false => bring(&mut state)?,
+            true => self.with_velocity_variables_kept(&mut state, bring)?,
+        }
+        Ok(state)
+    }
+
+    /// d(q'')/dq and d(q'')/dq' at a sample: the generated kernel, or difference quotients where that refuses a pivot or is
+    /// not what is integrated.
+    ///
+    /// # Errors
+    /// As the right-hand side.
+    pub fn jacobian(&self, at: &Sample<M>) -> Result<(M::QQ, M::QQ), Failure> {
+        let state = &at.state;
+        let is_projected = matches!(self.stabilisation, Stabilisation::Projection | Stabilisation::MassProjection);
+        if !is_projected || self.measures.is_redundant() {
+            return self.difference_quotients(at);
+        }
+        let generated = self.mechanism.dynamics_jacobian(state.time, &state.positions, &state.speeds);
+        if !generated.refused {
+            return Ok((generated.accelerations_by_positions, generated.accelerations_by_speeds));
+        }
+        self.difference_quotients(at)
+    }
+
+    #[cold]
+    fn difference_quotients(&self, at: &Sample<M>) -> Result<(M::QQ, M::QQ), Failure> {
+        let zero = M::QQ::filled(M::Q::filled(0.0));
+        let (mut by_positions, mut by_speeds) = (zero, zero);
+        for j in 0..M::Q::LEN {
+            let (mut moved, mut hastened) = (at.state, at.state);
+            let step = |x: f64| f64::EPSILON.sqrt() * x.abs().max(self.measures.coordinates()[j]);
+            let steps = [step(moved.positions[j]), step(hastened.speeds[j])];
+            moved.positions[j] += steps[0];
+            hastened.speeds[j] += steps[1];
+            let [moved, hastened] = [self.sample(moved)?.accelerations, self.sample(hastened)?.accelerations];
+            for i in 0..M::Q::LEN {
+                by_positions[i][j] = (moved[i] - at.accelerations[i]) / steps[0];
+                by_speeds[i][j] = (hastened[i] - at.accelerations[i]) / steps[1];
+            }
+        }
+        Ok((by_positions, by_speeds))
+    }
+
+    /// The smallest sine between a row of C_q and those before it, where a state was last kept on the constraints; of
+    /// combinations of redundant ones not yet [`relative`](Motion::relative).
+    #[inline]
+    pub(crate) fn least_sine(&self) -> f64 {
+        1.0 / self.closeness.get().sqrt()
+    }
+
+    /// A least sine as it counts beside the largest that it has been, where constraints are redundant.
+    #[inline]
+    pub(crate) fn relative(&self, sine: f64) -> f64 {
+        if self.measures.is_redundant() { sine / self.widest.get() } else { sine }
+    }
+
+    /// The [`least_sine`](Motion::least_sine), as it counts.
+    pub(crate) fn relative_sine(&self) -> f64 {
+        self.relative(self.least_sine())
+    }
+
+    /// Whether states are brought onto the constraints at all.
+    pub(crate) fn keeps_constraints(&self) -> bool {
+        !matches!(self.stabilisation, Stabilisation::Baumgarte(_) | Stabilisation::None)
+    }
+
+    /// Has states inside a step brought onto the constraints too, or no longer.
+    pub(crate) fn keep_stages(&self, keeps: bool) {
+        self.keeps_stages
+            .set(keeps && matches!(self.stabilisation, Stabilisation::Projection | Stabilisation::MassProjection));
+    }
+
+    /// The squares of the longest rows of C_q so far.
+    pub(crate) fn longest(&self) -> M::L {
+        self.longest.get()
+    }
+
+    /// Takes note of a smallest sine: what combinations of redundant constraints are beside each other depends on the
+    /// mechanism, and counts as regular where it is largest.
+    pub(crate) fn widen(&self, sine: f64) {
+        if sine.is_finite() {
+            self.widest.set(self.widest.get().max(sine));
+        }
+    }
+
+    /// Takes note of the squares of the lengths of rows.
+    pub(crate) fn lengthen(&self, square: impl Fn(usize) -> f64) {
+        let longest = self.longest.get();
+        self.longest.set(M::L::from_fn(|row| longest[row].max(square(row))));
+    }
+
+    /// Whether the step is made in generalised speeds.
+    #[inline(always)]
+    pub(crate) fn is_in_generalized_speeds(&self) -> bool {
+        has_generalized_speeds::<M>() && self.is_in_speeds.get()
+    }
+
+    /// Has the step made in the speeds themselves if it fails because generalised speeds do not determine them.
+    pub(crate) fn falls_back(&self, failure: &Failure) -> bool {
+        failure.what == What::SpeedsUndetermined && self.is_in_speeds.replace(false)
+    }
+
+    /// Makes ready for states near this one: chooses what is independent by it.
+    pub fn start(&self, state: &State<M>) {
+        if self.stabilisation == Stabilisation::Partitioning {
+            self.partition.borrow_mut().choose(&self.mechanism, &self.measures, state.time, &state.positions);
+        }
+    }
+
+    /// Chooses whether the step from a sample to a time is made in generalised speeds, if its method can.
+    pub(crate) fn choose_velocity_variables(&self, from: &Sample<M>, time: f64, may_be_in_speeds: bool) {
+        let determine = || determine_speeds(&self.mechanism, &self.measures, (from, time), &self.farthest_of_speeds);
+        self.is_in_speeds.set(may_be_in_speeds && determine());
+    }
+
+    /// Makes ready for a step from a sample to a time: chooses what is independent in it.
+    #[inline]
+    pub fn prepare(&self, from: &Sample<M>, time: f64) {
+        if self.stabilisation == Stabilisation::Partitioning {
+            self.partition.borrow_mut().renew(&self.mechanism, &self.measures, from, time);
+        }
+    }
+}
+
+/// What Baumgarte's method takes from the accelerations: x with [M C_q'; C_q 0] [x; .] = [0; 2 a C' + a^2 C].
+#[cold]
+fn baumgarte<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: State<M>, rate: f64) -> Result<M::Q, Failure> {
+    let linear = mechanism.constraint_linearization(state.time, &state.positions);
+    let speeds = rates::<M>(&linear, &state.speeds);
+    let open = M::L::from_fn(|i| 2.0 * rate * speeds[i] + rate * rate * linear.values[i]);
+    smallest_by_inertia(mechanism, measures, state.time, &state.positions, (&linear.jacobian, &open), measures.rank())
+}

@@ -1,0 +1,342 @@
+//! Projection onto the constraints: positions by Gauss-Newton, velocities by one linear correction.
+//!
+//! Both corrections are the smallest, lengths counted in the mechanism's own length: with D the diagonal matrix of what the
+//! coordinates are measured by, q -= D^2 C_q' (C_q D^2 C_q')^-1 C and q' -= D^2 C_q' (C_q D^2 C_q')^-1 (C_q q' + C_t); or on
+//! request they are the smallest in the metric of the mass matrix. Where constraints are redundant, C_q and what is left of
+//! the constraints are first reduced to the rank of C_q (`redundant`).
+
+mod redundant;
+
+use crate::model::level::{between_positions, has_speed_rows};
+use crate::motion::equations::by_inertia;
+use crate::motion::measures::Measures;
+use crate::motion::met::{TOLERANCE, is_met, is_within};
+use crate::motion::reduction::Reduction;
+use crate::motion::residuals::{rates, rates_of};
+use crate::motion::rows::{Dense, Linear, Rows, Sparse, is_sparse};
+use crate::numerics::arrays::subtract;
+use crate::numerics::factors::Factors;
+use crate::state::failure::{Failure, What, constraint_name, largest};
+use crate::state::trajectory::State;
+use redundant::{correct_redundant_positions, project_redundant, reduced_change};
+use sim_kernel::{Array, ConstraintLinearization, Mechanism};
+use std::cell::Cell;
+
+/// Corrections after which a projection that has not converged is given up.
+const MOST_CORRECTIONS: usize = 10;
+/// A change of positions that is rounding, beside those that count as 1.
+const ROUNDING: f64 = 1e-14;
+/// A change of positions, and rates of constraints beside their terms, below which one factorisation serves both
+/// projections: what it leaves of the rates is of the order of their product.
+const SMALL_CHANGE: f64 = 1e-8;
+const SMALL_RATE: f64 = 1e-5;
+
+type Linearization<M> = ConstraintLinearization<<M as Mechanism>::L, <M as Mechanism>::LQ>;
+
+/// Corrects positions and speeds, as [`project_positions`] and [`project_velocities`] one after the other.
+///
+/// # Errors
+/// As those, and [`What::SingularPosition`] where constraints depend on others that are independent where the mechanism was
+/// measured.
+#[inline]
+pub fn project<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &mut State<M>) -> Result<(), Failure> {
+    project_measured(mechanism, measures, state, &Cell::new(M::L::filled(0.0))).map(|_| ())
+}
+
+/// The same; gives 1/s^2, where s is the smallest sine between a row of C_q D and those before it, of those that are
+/// independent. Rows count relative to the longest that they have been, of which it keeps the squares.
+#[inline]
+pub(crate) fn project_measured<M: Mechanism>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    state: &mut State<M>,
+    longest: &Cell<M::L>,
+) -> Result<f64, Failure> {
+    if M::L::LEN == 0 {
+        return Ok(0.0);
+    }
+    if measures.is_redundant() {
+        return project_redundant(mechanism, measures, state);
+    }
+    match const { is_sparse::<M>() } {
+        false => project_independent::<M, Dense>(mechanism, measures, state, longest),
+        true => project_independent::<M, Sparse>(mechanism, measures, state, longest),
+    }
+}
+
+/// The same where no constraints are redundant.
+#[inline(always)]
+fn project_independent<M: Mechanism, R: Rows<M>>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    state: &mut State<M>,
+    longest: &Cell<M::L>,
+) -> Result<f64, Failure> {
+    let (time, q) = (state.time, &mut state.positions);
+    let (mut linear, mut factors) = (R::linearization(mechanism, time, q), R::Factors::blank());
+    let last_change = correct_positions::<M, R>(mechanism, measures, (time, q), &mut linear, &mut factors)?;
+    let open = rates_of::<M, R>(&linear, &state.speeds);
+    let is_slow = |row: usize| open[row].abs() <= SMALL_RATE * measures.constraints()[row];
+    let serves = !has_speed_rows::<M>() && last_change <= SMALL_CHANGE && (0..M::L::LEN).all(is_slow);
+    let columns = R::columns(&linear.jacobian, measures);
+    if !serves {
+        factorise_again::<M, R>(&columns, &mut factors, time, q)?;
+    }
+    if !factors.is_regular() && factors.dependent().count() > M::L::LEN - measures.rank() {
+        return Err(singular_position::<M, R>(&factors, time, q));
+    }
+    subtract(&mut state.speeds, &least_change::<M, R>(measures, &columns, &factors, open));
+    if !factors.is_regular() {
+        check_dependent_rates::<M, R>(&linear, measures, time, q, &state.speeds)?;
+    }
+    let (mut squares, mut closeness) = (longest.get(), 0.0f64);
+    for k in 0..M::L::LEN {
+        let (row, (square, inverse_pivot)) = (R::constraint(k), factors.row(k));
+        squares[row] = squares[row].max(square);
+        closeness = closeness.max(squares[row] * inverse_pivot);
+    }
+    longest.set(squares);
+    Ok(closeness)
+}
+
+#[cold]
+fn singular_position<M: Mechanism, R: Rows<M>>(factors: &R::Factors, time: f64, q: &M::Q) -> Failure {
+    let constraint = factors.dependent().last().map_or("?", |k| constraint_name::<M>(R::constraint(k)));
+    Failure::at::<M>(What::SingularPosition { constraint }, time, q)
+}
+
+/// Corrects positions until |C_i| <= 8 eps (magnitudes of C_i's terms + sum of |C_ij q_j|) + 1e-12 of what the constraint is
+/// measured by, once at least; gives the constraints linearised there.
+///
+/// An absolute tolerance alone could not be met by constraints with large terms, and without the first correction
+/// the projection would set in at some step and spoil the order of the method.
+///
+/// # Errors
+/// [`What::NotProjected`] after ten corrections, [`What::NotFinite`] if a constraint leaves its domain.
+#[inline]
+pub fn project_positions<M: Mechanism>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    time: f64,
+    q: &mut M::Q,
+) -> Result<Linearization<M>, Failure> {
+    let mut linear = mechanism.constraint_linearization(time, q);
+    match M::L::LEN {
+        0 => {}
+        _ if measures.is_redundant() => correct_redundant_positions(mechanism, measures, (time, q), &mut linear)?,
+        _ => {
+            let mut factors = <Dense as Rows<M>>::Factors::blank();
+            correct_positions::<M, Dense>(mechanism, measures, (time, q), &mut linear, &mut factors)?;
+        }
+    }
+    Ok(linear)
+}
+
+/// Corrects velocities at a position where the constraints are already linearised.
+///
+/// # Errors
+/// [`What::DependentConstraint`] if a constraint that depends on others here contradicts them.
+#[inline]
+pub fn project_velocities<M: Mechanism>(
+    measures: &Measures<M>,
+    linear: &Linearization<M>,
+    time: f64,
+    q: &M::Q,
+    qd: &mut M::Q,
+) -> Result<(), Failure> {
+    if M::L::LEN == 0 {
+        return Ok(());
+    }
+    if measures.is_redundant() {
+        return project_redundant_velocities(measures, linear, time, q, qd);
+    }
+    let open = rates::<M>(linear, qd);
+    let columns = measures.columns(&linear.jacobian);
+    let mut factors = <Dense as Rows<M>>::Factors::blank();
+    factorise::<M, Dense>(&columns, &mut factors, time, q)?;
+    subtract(qd, &least_change::<M, Dense>(measures, &columns, &factors, open));
+    match factors.is_regular() {
+        true => Ok(()),
+        false => check_dependent_rates::<M, Dense>(linear, measures, time, q, qd),
+    }
+}
+
+#[cold]
+fn project_redundant_velocities<M: Mechanism>(
+    measures: &Measures<M>,
+    linear: &Linearization<M>,
+    time: f64,
+    q: &M::Q,
+    qd: &mut M::Q,
+) -> Result<(), Failure> {
+    let open = rates::<M>(linear, qd);
+    subtract(qd, &reduced_change(measures, (&linear.jacobian, measures.rank()), &open, time, q)?.0);
+    check_dependent_rates::<M, Dense>(linear, measures, time, q, qd)
+}
+
+/// The same projections in the metric of the mass matrix M: q -= M^-1 C_q' (C_q M^-1 C_q')^-1 C, and so for q'.
+///
+/// # Errors
+/// As [`project`], and where the mass matrix does not determine the change.
+pub(crate) fn by_mass<M: Mechanism>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    state: &mut State<M>,
+) -> Result<(), Failure> {
+    let (time, q) = (state.time, &mut state.positions);
+    let mut linear = mechanism.constraint_linearization(time, q);
+    correct::<M, Dense>(mechanism, measures, (time, q), &mut linear, |linear, q| {
+        let jacobian = between_positions::<M>(&linear.jacobian);
+        let rank = measures.rank_of_positions();
+        smallest_by_inertia(mechanism, measures, time, q, (&jacobian, &linear.values), rank)
+    })?;
+    let open = rates::<M>(&linear, &state.speeds);
+    let change = smallest_by_inertia(mechanism, measures, time, q, (&linear.jacobian, &open), measures.rank())?;
+    subtract(&mut state.speeds, &change);
+    Ok(())
+}
+
+/// M^-1 C_q' (C_q M^-1 C_q')^-1 r, for C_q of this rank away from singular positions.
+pub(crate) fn smallest_by_inertia<M: Mechanism>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    time: f64,
+    q: &M::Q,
+    (jacobian, open): (&M::LQ, &M::L),
+    rank: usize,
+) -> Result<M::Q, Failure> {
+    if !measures.is_redundant() {
+        return by_inertia(mechanism, time, q, jacobian, open);
+    }
+    let reduction = Reduction::new(jacobian, measures, rank);
+    by_inertia(mechanism, time, q, &reduction.rows(jacobian), &reduction.values(open))
+}
+
+/// Corrects positions; leaves the constraints linearised there, and the factors that the last correction was made with. Gives the
+/// largest change of that, beside those that count as 1.
+///
+/// Both are left in place: copies of them would take as long as the projection.
+#[inline]
+fn correct_positions<M: Mechanism, R: Rows<M>>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    (time, q): (f64, &mut M::Q),
+    linear: &mut Linear<M, R>,
+    factors: &mut R::Factors,
+) -> Result<f64, Failure> {
+    let mut last_change = 0.0;
+    correct::<M, R>(mechanism, measures, (time, q), linear, |linear, q| {
+        let columns = match has_speed_rows::<M>() {
+            false => R::columns(&linear.jacobian, measures),
+            true => R::columns(&R::between_positions(&linear.jacobian), measures),
+        };
+        factorise::<M, R>(&columns, factors, time, q)?;
+        let change = least_change::<M, R>(measures, &columns, factors, linear.values);
+        last_change = measures.size(&change);
+        Ok(change)
+    })?;
+    Ok(last_change)
+}
+
+/// Subtracts corrections from positions, at which the constraints are linearised, until these are met; leaves them linearised
+/// there.
+#[inline]
+fn correct<M: Mechanism, R: Rows<M>>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    (time, q): (f64, &mut M::Q),
+    linear: &mut Linear<M, R>,
+    mut change: impl FnMut(&Linear<M, R>, &M::Q) -> Result<M::Q, Failure>,
+) -> Result<(), Failure> {
+    for _ in 0..MOST_CORRECTIONS {
+        if !linear.values.iter().all(|value| value.is_finite()) {
+            return Err(not_finite::<M>(&linear.values, time, q));
+        }
+        let correction = change(linear, q)?;
+        subtract(q, &correction);
+        if is_rounding(measures, &linear.values, &correction) {
+            return Ok(());
+        }
+        *linear = R::linearization(mechanism, time, q);
+        if is_met::<M, R>(mechanism, measures, time, q, linear) {
+            return Ok(());
+        }
+    }
+    let (row, residual) = largest(linear.values.iter()).unwrap_or((0, f64::NAN));
+    let what = What::NotProjected { constraint: constraint_name::<M>(row), residual, iterations: MOST_CORRECTIONS };
+    Err(Failure::at::<M>(what, time, q))
+}
+
+#[cold]
+fn not_finite<M: Mechanism>(values: &M::L, time: f64, q: &M::Q) -> Failure {
+    let (row, value) = largest(values.iter()).unwrap_or((0, f64::NAN));
+    let quantity = format!("constraint `{}` ({value})", constraint_name::<M>(row));
+    Failure::at::<M>(What::NotFinite { quantity }, time, q)
+}
+
+/// Whether a correction was so small that the constraints linearised before it are those after it, up to rounding:
+/// what it leaves of C is of its second order.
+#[inline]
+fn is_rounding<M: Mechanism>(measures: &Measures<M>, values: &M::L, correction: &M::Q) -> bool {
+    is_within(measures, values, 0.1 * TOLERANCE) && measures.size(correction) <= ROUNDING
+}
+
+/// The factors of A A'.
+#[inline(always)]
+fn factorise<M: Mechanism, R: Rows<M>>(
+    columns: &R::Jacobian,
+    factors: &mut R::Factors,
+    time: f64,
+    q: &M::Q,
+) -> Result<(), Failure> {
+    R::factorise(columns, factors).map_err(|undefined| {
+        let quantity = format!("constraint `{}`", constraint_name::<M>(undefined.row));
+        Failure::at::<M>(What::NotFinite { quantity }, time, q)
+    })
+}
+
+/// Seldom needed: out of line it does not widen the loop that calls it.
+#[inline(never)]
+fn factorise_again<M: Mechanism, R: Rows<M>>(
+    columns: &R::Jacobian,
+    factors: &mut R::Factors,
+    time: f64,
+    q: &M::Q,
+) -> Result<(), Failure> {
+    factorise::<M, R>(columns, factors, time, q)
+}
+
+/// D A' (A A')^-1 r, with A = C_q D.
+#[inline]
+fn least_change<M: Mechanism, R: Rows<M>>(
+    measures: &Measures<M>,
+    columns: &R::Jacobian,
+    factors: &R::Factors,
+    residual: M::L,
+) -> M::Q {
+    measures.change(R::transposed_times(columns, &factors.solve(residual)))
+}
+
+/// A constraint that depends on others must not ask for another speed than they do.
+#[cold]
+fn check_dependent_rates<M: Mechanism, R: Rows<M>>(
+    linear: &Linear<M, R>,
+    measures: &Measures<M>,
+    time: f64,
+    q: &M::Q,
+    qd: &M::Q,
+) -> Result<(), Failure> {
+    let left = rates_of::<M, R>(linear, qd);
+    // A position within 1e-6 of a singular one leaves that part of the speeds.
+    let bound = |i: usize| {
+        1e-6 * (R::terms(&linear.jacobian, i, qd) + linear.time_derivative[i].abs())
+            + TOLERANCE * measures.constraints()[i]
+    };
+    match (0..M::L::LEN).find(|row| !(left[*row].abs() <= bound(*row))) {
+        None => Ok(()),
+        Some(row) => {
+            let what = What::DependentConstraint { constraint: constraint_name::<M>(row) };
+            Err(Failure::at::<M>(what, time, q))
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! Projection where constraints are redundant: C_q and what is left of the constraints are first reduced to the rank of C_q
+//! ([`Reduction`]).
+
+use super::{Linearization, check_dependent_rates, correct, factorise, least_change, singular_position};
+use crate::model::level::between_positions;
+use crate::motion::measures::Measures;
+use crate::motion::reduction::Reduction;
+use crate::motion::residuals::rates;
+use crate::motion::rows::{Dense, Rows};
+use crate::numerics::arrays::subtract;
+use crate::numerics::factors::Factors;
+use crate::state::failure::Failure;
+use crate::state::trajectory::State;
+use sim_kernel::{Array, Mechanism};
+
+/// Corrects positions and speeds; gives 1/s^2, with s the smallest sine between rows of C_q D. Rows of the reduced C_q count relative to 1.
+#[cold]
+pub(super) fn project_redundant<M: Mechanism>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    state: &mut State<M>,
+) -> Result<f64, Failure> {
+    let (time, q) = (state.time, &mut state.positions);
+    let mut linear = mechanism.constraint_linearization(time, q);
+    correct_redundant_positions(mechanism, measures, (time, q), &mut linear)?;
+    let (change, factors) =
+        reduced_change(measures, (&linear.jacobian, measures.rank()), &rates::<M>(&linear, &state.speeds), time, q)?;
+    if factors.dependent().count() > M::L::LEN - measures.rank() {
+        return Err(singular_position::<M, Dense>(&factors, time, q));
+    }
+    subtract(&mut state.speeds, &change);
+    check_dependent_rates::<M, Dense>(&linear, measures, time, q, &state.speeds)?;
+    Ok((0..measures.rank()).fold(0.0, |closeness, row| closeness.max(factors.row(row).1)))
+}
+
+/// Corrects positions, at which the constraints are linearised, until these are met; leaves them linearised there.
+pub(super) fn correct_redundant_positions<M: Mechanism>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    (time, q): (f64, &mut M::Q),
+    linear: &mut Linearization<M>,
+) -> Result<(), Failure> {
+    correct::<M, Dense>(mechanism, measures, (time, q), linear, |linear, q| {
+        let jacobian = between_positions::<M>(&linear.jacobian);
+        let rank = measures.rank_of_positions();
+        reduced_change(measures, (&jacobian, rank), &linear.values, time, q).map(|(change, _)| change)
+    })
+}
+
+/// The smallest change along rows of C_q of this rank that closes what is open of the constraints or of their rates, with the
+/// factors of the reduced rows.
+pub(super) fn reduced_change<M: Mechanism>(
+    measures: &Measures<M>,
+    (jacobian, rank): (&M::LQ, usize),
+    open: &M::L,
+    time: f64,
+    q: &M::Q,
+) -> Result<(M::Q, <Dense as Rows<M>>::Factors), Failure> {
+    let reduction = Reduction::new(jacobian, measures, rank);
+    let columns = measures.columns(&reduction.rows(jacobian));
+    let mut factors = <Dense as Rows<M>>::Factors::blank();
+    factorise::<M, Dense>(&columns, &mut factors, time, q)?;
+    Ok((least_change::<M, Dense>(measures, &columns, &factors, reduction.values(open)), factors))
+}

@@ -1,0 +1,297 @@
+//! Singular positions, where constraints that are independent elsewhere depend on each other, and how a motion passes them.
+//!
+//! Branches of the configuration space cross there. Speeds do not jump, so the motion goes straight on along its own; but
+//! with s the sine of the angle between a row of C_q and those before it, rounding of positions is amplified by 1/s and
+//! that of speeds by 1/s^2. Steps are therefore laid so that such a position falls between stages.
+//!
+//! Sines are taken of C_q D: each coordinate is counted in what it is measured by, so that they are the same for a linkage of
+//! 1 mm and for one of 100 m.
+
+use crate::motion::Motion;
+use crate::motion::reduction::Reduction;
+use crate::motion::rows::{Rows, Sparse, is_sparse, may_have_turned, sparse_rows};
+use crate::numerics::arrays::inner;
+use crate::numerics::root::find_root;
+use crate::state::failure::{Failure, constraint_name};
+use crate::state::trajectory::{Sample, State};
+use sim_kernel::{Array, Mechanism};
+
+/// A singular position that a run has passed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Singularity {
+    /// The constraint that depends on those before it there.
+    pub constraint: &'static str,
+    /// When, in seconds.
+    pub time: f64,
+    /// What is left there of the sine of its angle to them; its row of C_q counts relative to the longest that it has been.
+    pub sine: f64,
+}
+
+/// Below this sine a projection would spoil what a step knows better: rounding of 1e-16 times 1/s^2 is 1e-12.
+pub(crate) const AT: f64 = 0.01;
+/// Below this one reactions are lost: they follow from accelerations.
+pub(crate) const IN: f64 = 1e-3;
+/// Below this one accelerations may be known better by those on both sides, as they follow from positions and speeds that have
+/// been projected.
+pub(crate) const BESIDE: f64 = 0.1;
+/// A row of C_q that vanishes within this part of its length does so but for the error of what it was foretold from.
+const FORETOLD: f64 = 0.1;
+/// The same where it was found inside a step that was made.
+const FOUND: f64 = 0.01;
+/// A row this near to the space of those before it, as a sine, depends on them everywhere.
+const DEPENDENT: f64 = 1e-9;
+/// How near before a singular position the step over it may start, in units of the longest.
+const APPROACH: f64 = 0.9;
+
+/// By what a step over a singular position is made longer if its end would lie beside the next one, or beside this one as that
+/// is just ahead: they keep it in wide gaps between stages.
+const LONGER: [f64; 4] = [1.25, 2.6, 18.0, 64.0];
+/// What of the least sine is far enough at its end.
+const FAR_ENOUGH: f64 = 0.7;
+/// By how much a sine that is not must be larger at another end, for the step to be made longer.
+const MUCH_FARTHER: f64 = 2.0;
+
+/// How far the sines at the ends of steps are foretold, in steps as long as the last.
+const FORESIGHT: f64 = 3.0;
+/// Below this sine, foretold, the way ahead is looked at.
+const LOOK: f64 = 0.3;
+/// By how much the time to a singular position may differ from what the sine and its rate here make it, where that is beyond
+/// the next step: a sine that falls to zero does so evenly at last.
+const UNEVEN: f64 = 2.0;
+
+/// Where a step changes the sine by less than this part of it, the sine tells how far the position is.
+const EVEN: f64 = 0.02;
+/// Below this sine the way ahead is looked at then, if the sine falls: a step over a singular position begins at about half.
+const LOOK_EVENLY: f64 = 0.2;
+
+/// Whether a singular position may lie within the next steps, after two that ended at these sines. Where there have not been two,
+/// it may.
+#[inline]
+pub(crate) fn may_be_ahead([before, now]: [f64; 2]) -> bool {
+    let falls = before - now;
+    match falls.abs() < EVEN * now {
+        true => falls > 0.0 && now < LOOK_EVENLY,
+        false => before.is_infinite() || now - FORESIGHT * falls < LOOK,
+    }
+}
+
+/// How steps over singular positions are laid.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Lie {
+    /// The longest that a step may be that need not be longer, in seconds.
+    pub(crate) longest: f64,
+    /// The place in a step that is farthest from its stages.
+    pub(crate) gap: f64,
+    /// The sine that a step over a singular position begins and ends at, at least; it may be longer for that.
+    pub(crate) least_sine: f64,
+}
+
+/// What lies ahead within about a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Ahead {
+    /// No singular position.
+    Nothing,
+    /// One that a step to this time leads up to, so that the next one leads over it.
+    UpTo(f64),
+    /// One that a step to this time leads over.
+    Over(f64),
+}
+
+/// How to go on from a sample so that stages keep away from the singular position ahead, if there is one.
+pub(crate) fn look_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie) -> Ahead {
+    let now = from.state.time;
+    match singularity_ahead(motion, from, lie) {
+        None => Ahead::Nothing,
+        Some((ahead, h)) if ahead <= lie.gap * h => Ahead::Over(now + far_enough(motion, from, lie, ahead / lie.gap)),
+        Some((ahead, h)) => Ahead::UpTo(now + ahead - APPROACH * lie.gap * h),
+    }
+}
+
+/// How long a step over a singular position is made, so that its end is far enough from any.
+fn far_enough<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie, length: f64) -> f64 {
+    let followed = Followed::at(motion, &from.state);
+    let least_sine = |longer: f64| {
+        let ahead = longer * length;
+        let parts = followed.parts(from.state.time + ahead, &foretold(&from.state, &from.accelerations, ahead));
+        followed.weakest(&parts).map_or(f64::INFINITY, |(_, sine)| sine)
+    };
+    let mut best = (1.0, least_sine(1.0));
+    for longer in LONGER {
+        if best.1 >= FAR_ENOUGH * lie.least_sine {
+            break;
+        }
+        let sine = least_sine(longer);
+        if sine >= MUCH_FARTHER * best.1 {
+            best = (longer, sine);
+        }
+    }
+    best.0 * length
+}
+
+/// The positions so long after a state, foretold from positions, speeds and accelerations.
+pub(crate) fn foretold<M: Mechanism>(state: &State<M>, accelerations: &M::Q, ahead: f64) -> M::Q {
+    M::Q::from_fn(|i| state.positions[i] + ahead * (state.speeds[i] + ahead / 2.0 * accelerations[i]))
+}
+
+/// The time to the first singular position within about a step, foretold from positions, speeds and accelerations, and how
+/// long a step over it may be.
+fn singularity_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie) -> Option<(f64, f64)> {
+    let state = &from.state;
+    let followed = Followed::at(motion, state);
+    let rows = |ahead: f64| followed.parts(state.time + ahead, &foretold(&from.state, &from.accelerations, ahead));
+    let (here, next) = (rows(0.0), rows(lie.longest));
+    let of_row = |row: usize| {
+        let along = |rows: &M::LQ| inner(&rows[row], &here[row]);
+        let sine = followed.sine(row, &here);
+        let slope = sine * (1.0 - along(&next) / along(&here)) / lie.longest;
+        let needed = lie.least_sine / (APPROACH * lie.gap * slope);
+        let h = if needed > lie.longest { needed } else { lie.longest };
+        let reach = 1.5 * h;
+        let root =
+            root_between(along(&here), along(&rows(reach)), 1e-4, &mut |s| Ok(along(&rows(s * reach)))).ok()??;
+        let ahead = root * reach;
+        let is_even = (1.0 / UNEVEN..=UNEVEN).contains(&(ahead * slope / sine));
+        let is_found = followed.sine(row, &rows(ahead)) < FORETOLD && (ahead <= lie.longest || is_even);
+        is_found.then_some((ahead, h))
+    };
+    (0..M::L::LEN).filter_map(of_row).min_by(|(a, _), (b, _)| a.total_cmp(b))
+}
+
+/// The rows of C_q D whose independence is followed: those declared, or where some are redundant, combinations of them that
+/// are not and that stay the same.
+pub(crate) struct Followed<'a, M: Mechanism> {
+    motion: &'a Motion<M>,
+    reduction: Option<Reduction<M>>,
+}
+
+impl<'a, M: Mechanism> Followed<'a, M> {
+    /// Those at a state.
+    pub(crate) fn at(motion: &'a Motion<M>, state: &State<M>) -> Followed<'a, M> {
+        let measures = motion.measures();
+        let reduction = measures.is_redundant().then(|| {
+            let jacobian = motion.mechanism().constraint_jacobian(state.time, &state.positions);
+            Reduction::new(&jacobian, measures, measures.rank())
+        });
+        Followed { motion, reduction }
+    }
+
+    /// The part of each row at a position that is orthogonal to those before it.
+    #[inline]
+    pub(crate) fn parts(&self, time: f64, q: &M::Q) -> M::LQ {
+        self.independent(&self.rows(time, q))
+    }
+
+    /// Whether a row may have turned round between two positions. Where rows are sparse that is told in a time that grows with
+    /// their number alone.
+    pub(crate) fn may_have_passed(&self, [from, to]: [&State<M>; 2]) -> bool {
+        if !const { is_sparse::<M>() } || self.reduction.is_some() {
+            return true;
+        }
+        let columns = |state: &State<M>| {
+            let linear = Sparse::linearization(self.motion.mechanism(), state.time, &state.positions);
+            Sparse::columns(&linear.jacobian, self.motion.measures())
+        };
+        may_have_turned::<M>(&columns(from), &columns(to))
+    }
+
+    /// The part of each of these rows that is orthogonal to those before it.
+    fn independent(&self, rows: &M::LQ) -> M::LQ {
+        match const { is_sparse::<M>() } && self.reduction.is_none() {
+            false => independent_parts::<M>(rows, |k| (k, 0)),
+            true => independent_parts::<M>(rows, |k| (sparse_rows::<M>()[k].constraint, sparse_rows::<M>()[k].first)),
+        }
+    }
+
+    fn rows(&self, time: f64, q: &M::Q) -> M::LQ {
+        let jacobian = self.motion.mechanism().constraint_jacobian(time, q);
+        let columns = self.motion.measures().columns(&jacobian);
+        self.reduction.as_ref().map_or(columns, |reduction| reduction.rows(&columns))
+    }
+
+    /// The length of the independent part of a row, relative to the longest that the row has been; of combinations relative
+    /// to the longest that the shortest of these parts has been.
+    fn sine(&self, row: usize, parts: &M::LQ) -> f64 {
+        let square = inner(&parts[row], &parts[row]);
+        match self.reduction {
+            None => (square / self.motion.longest()[row]).sqrt(),
+            Some(_) => self.motion.relative(square.sqrt()),
+        }
+    }
+
+    /// The row nearest to depending on those before it, of those that do not everywhere, with its sine.
+    fn weakest(&self, parts: &M::LQ) -> Option<(usize, f64)> {
+        let sines = (0..M::L::LEN).map(|row| (row, self.sine(row, parts))).filter(|(_, sine)| *sine > 0.0);
+        sines.min_by(|(_, a), (_, b)| a.total_cmp(b))
+    }
+
+    /// The constraint that a row is, or that has the largest part in it.
+    fn constraint(&self, row: usize) -> &'static str {
+        constraint_name::<M>(self.reduction.as_ref().map_or(row, |reduction| reduction.leading(row)))
+    }
+
+    /// The singular position between two times, if there is one: the part of a row that is independent of those before it turns
+    /// round. `at` gives the state at a time.
+    pub(crate) fn passed(
+        &self,
+        [from, to]: [f64; 2],
+        [before, after]: [&M::LQ; 2],
+        at: &mut dyn FnMut(f64) -> Result<State<M>, Failure>,
+    ) -> Result<Option<Singularity>, Failure> {
+        let time = |fraction: f64| from + fraction * (to - from);
+        let mut parts = |fraction: f64| at(time(fraction)).map(|state| self.parts(state.time, &state.positions));
+        for row in 0..M::L::LEN {
+            let along = |parts: &M::LQ| inner(&parts[row], &before[row]);
+            let found = root_between(along(before), along(after), 1e-12, &mut |s| Ok(along(&parts(s)?)))?;
+            let Some(fraction) = found else { continue };
+            let sine = self.sine(row, &parts(fraction)?);
+            if sine < FOUND {
+                return Ok(Some(Singularity { constraint: self.constraint(row), time: time(fraction), sine }));
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// A root in (0, 1) of a function that falls from a positive value to a negative one, if it does.
+fn root_between(
+    first: f64,
+    last: f64,
+    tolerance: f64,
+    f: &mut dyn FnMut(f64) -> Result<f64, Failure>,
+) -> Result<Option<f64>, Failure> {
+    if first > 0.0 && last < 0.0 { find_root(first, last, tolerance, f).map(Some) } else { Ok(None) }
+}
+
+/// The constraint that is nearest to depending on those before it, of those that do not everywhere, with its sine.
+pub(crate) fn weakest_constraint<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Option<(&'static str, f64)> {
+    let followed = Followed::at(motion, state);
+    let rows = followed.rows(state.time, &state.positions);
+    motion.lengthen(|row| inner(&rows[row], &rows[row]));
+    let parts = followed.independent(&rows);
+    if followed.reduction.is_some() {
+        let lengths = parts.iter().map(|part| inner(part, part).sqrt()).filter(|length| *length > 0.0);
+        motion.widen(lengths.fold(f64::INFINITY, f64::min));
+    }
+    followed.weakest(&parts).map(|(row, sine)| (followed.constraint(row), sine))
+}
+
+/// The part of each row that is orthogonal to those before it; zero for one that depends on them everywhere. The k-th row is
+/// given with the first that it need not be orthogonal to.
+fn independent_parts<M: Mechanism>(jacobian: &M::LQ, row: impl Fn(usize) -> (usize, usize)) -> M::LQ {
+    let mut parts = *jacobian;
+    for k in 0..M::L::LEN {
+        let (i, first) = row(k);
+        let mut part = parts[i];
+        // Twice, so that rounding leaves nothing of what was taken.
+        for (j, _) in (first..k).chain(first..k).map(&row) {
+            let square = inner(&parts[j], &parts[j]);
+            if square > 0.0 {
+                let share = inner(&parts[j], &part) / square;
+                part = M::Q::from_fn(|k| part[k] - share * parts[j][k]);
+            }
+        }
+        let is_dependent = inner(&part, &part) <= DEPENDENT * DEPENDENT * inner(&jacobian[i], &jacobian[i]);
+        parts[i] = if is_dependent { M::Q::filled(0.0) } else { part };
+    }
+    parts
+}

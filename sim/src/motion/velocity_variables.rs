@@ -1,0 +1,156 @@
+//! What is integrated beside the coordinates: generalised speeds u, where some are declared and determine the speeds well, and
+//! the speeds q' elsewhere. Of a body that turns, angular velocities change less than the rates of its coordinates and have
+//! equations of their own, whose solution keeps digits that the rates lose.
+//!
+//! States and samples are in q and q'. A step in generalised speeds starts with u = W q' + w, has q' = N u + n at its stages,
+//! and u' = W q'' + W' q' + w'. Whatever moves its positions onto the constraints leaves u as it is.
+
+use crate::motion::Motion;
+use crate::state::failure::{Failure, What};
+use crate::state::trajectory::{Rates, Sample, State};
+use sim_kernel::{Array, Dual, Mechanism};
+
+/// q on dual numbers.
+type DualQ<M> = <<M as Mechanism>::On<Dual> as Mechanism<Dual>>::Q;
+
+/// A state with its velocity variables in the place of its speeds.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Integrated<M: Mechanism>(State<M>);
+
+impl<M: Mechanism> Integrated<M> {
+    /// Its time.
+    #[inline(always)]
+    pub(crate) fn time(&self) -> f64 {
+        self.0.time
+    }
+
+    /// The same at `time` after a change of `factor` times some rates.
+    #[inline(always)]
+    pub(crate) fn changed(&self, time: f64, factor: f64, rates: &Rates<M>) -> Integrated<M> {
+        Integrated(self.0.changed(time, factor, rates))
+    }
+
+    /// The change from another.
+    pub(crate) fn change_from(&self, from: &Integrated<M>) -> Rates<M> {
+        let (a, b) = (&from.0, &self.0);
+        Rates {
+            positions: M::Q::from_fn(|i| b.positions[i] - a.positions[i]),
+            speeds: M::Q::from_fn(|i| b.speeds[i] - a.speeds[i]),
+            work: b.work - a.work,
+        }
+    }
+}
+
+/// Where speeds follow from velocity variables.
+impl<M: Mechanism> Motion<M> {
+    /// A state as what is integrated.
+    #[inline(always)]
+    pub(crate) fn integrated(&self, state: &State<M>) -> Integrated<M> {
+        match self.is_in_generalized_speeds() {
+            false => Integrated(*state),
+            true => Integrated(State { speeds: self.velocity_variables(state), ..*state }),
+        }
+    }
+
+    /// The state of what is integrated.
+    ///
+    /// # Errors
+    /// [`What::SpeedsUndetermined`].
+    #[inline(always)]
+    pub(crate) fn state(&self, Integrated(state): Integrated<M>) -> Result<State<M>, Failure> {
+        match self.is_in_generalized_speeds() {
+            false => Ok(state),
+            true => Ok(State { speeds: self.speeds(&state, &state.speeds)?, ..state }),
+        }
+    }
+
+    /// The same where a step ends, so that the next one starts with the same velocity variables.
+    ///
+    /// # Errors
+    /// [`What::SpeedsUndetermined`].
+    #[inline(always)]
+    pub(crate) fn end(&self, Integrated(state): Integrated<M>) -> Result<State<M>, Failure> {
+        match self.is_in_generalized_speeds() {
+            false => Ok(state),
+            true => Ok(State { speeds: self.refined_speeds(&state, &state.speeds)?, ..state }),
+        }
+    }
+
+    /// How what is integrated changes at a sample.
+    #[inline(always)]
+    pub(crate) fn rates(&self, sample: &Sample<M>) -> Rates<M> {
+        match self.is_in_generalized_speeds() {
+            false => sample.rates(),
+            true => Rates { speeds: self.rates_of_velocity_variables(sample), ..sample.rates() },
+        }
+    }
+
+    /// A small change at a state as one of positions and speeds: of what is integrated, in speeds that it makes.
+    ///
+    /// # Errors
+    /// [`What::SpeedsUndetermined`].
+    #[inline(always)]
+    pub(crate) fn in_speeds(&self, state: &State<M>, change: &Rates<M>) -> Result<(M::Q, M::Q), Failure> {
+        if !self.is_in_generalized_speeds() {
+            return Ok((change.positions, change.speeds));
+        }
+        let [changed, unchanged] = [self.speeds(state, &change.speeds)?, self.speeds(state, &M::Q::filled(0.0))?];
+        Ok((change.positions, M::Q::from_fn(|i| changed[i] - unchanged[i])))
+    }
+
+    /// Brings a state onto the constraints in some way that may move its positions, its generalised speeds as they were but for
+    /// what constraints that are left ask of them.
+    pub(crate) fn with_velocity_variables_kept(
+        &self,
+        state: &mut State<M>,
+        bring: impl Fn(&mut State<M>) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        let kept = self.velocity_variables(state);
+        bring(state)?;
+        // Where generalised speeds do not determine them, the speeds that it was brought with serve.
+        if let Ok(speeds) = self.refined_speeds(state, &kept) {
+            state.speeds = speeds;
+            if M::ROWS_LEFT.is_some_and(|rows| !rows.is_empty()) {
+                bring(state)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn velocity_variables(&self, state: &State<M>) -> M::Q {
+        self.mechanism().velocity_variables(state.time, &state.positions, &state.speeds)
+    }
+
+    /// q' = N u + n.
+    #[inline(always)]
+    fn speeds(&self, at: &State<M>, variables: &M::Q) -> Result<M::Q, Failure> {
+        let found = M::prepared_velocities(self.prepared(), at.time, &at.positions, variables);
+        match found.refused {
+            false => Ok(found.rates),
+            true => Err(undetermined(at)),
+        }
+    }
+
+    /// The same, corrected by what rounding leaves of u - (W q' + w): it adds up over many short steps, since the squares of
+    /// quaternions round alike in all of them.
+    fn refined_speeds(&self, at: &State<M>, variables: &M::Q) -> Result<M::Q, Failure> {
+        let speeds = self.speeds(at, variables)?;
+        let found = self.velocity_variables(&State { speeds, ..*at });
+        self.speeds(at, &M::Q::from_fn(|i| variables[i] + (variables[i] - found[i])))
+    }
+
+    /// u', the derivative of W q' + w along the motion.
+    fn rates_of_velocity_variables(&self, sample: &Sample<M>) -> M::Q {
+        let (state, mechanism) = (&sample.state, self.mechanism().on(Dual::constant));
+        let along =
+            |values: &M::Q, rates: &M::Q| DualQ::<M>::from_fn(|i| Dual { value: values[i], derivative: rates[i] });
+        let (q, qd) = (along(&state.positions, &state.speeds), along(&state.speeds, &sample.accelerations));
+        let variables = mechanism.velocity_variables(Dual::variable(state.time), &q, &qd);
+        M::Q::from_fn(|i| variables[i].derivative)
+    }
+}
+
+#[cold]
+fn undetermined<M: Mechanism>(at: &State<M>) -> Failure {
+    Failure::at::<M>(What::SpeedsUndetermined, at.time, &at.positions)
+}

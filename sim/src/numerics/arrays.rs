@@ -1,0 +1,28 @@
+//! Arrays as vectors.
+
+use sim_kernel::{Array, Scalar};
+
+/// a' b.
+#[inline]
+pub(crate) fn inner<A: Array<f64>>(a: &A, b: &A) -> f64 {
+    a.iter().zip(b.iter()).map(|(a, b)| a * b).sum()
+}
+
+/// Subtracts a correction from an array.
+#[inline]
+pub(crate) fn subtract<A: Array<f64>>(from: &mut A, correction: &A) {
+    for (value, correction) in from.as_mut().iter_mut().zip(correction.iter()) {
+        *value -= correction;
+    }
+}
+
+/// The array that begins with these numbers; those that are left out are zero.
+pub(crate) fn array<S: Scalar, A: Array<S>>(values: &[S]) -> A {
+    let mut array = A::filled(S::ZERO);
+    copy(values, array.as_mut());
+    array
+}
+
+fn copy<S: Scalar>(from: &[S], to: &mut [S]) {
+    to.iter_mut().zip(from).for_each(|(to, from)| *to = *from);
+}

@@ -1,0 +1,10 @@
+//! Numbers, arrays and matrices, without mechanics.
+
+pub(crate) mod arrays;
+pub(crate) mod eigen;
+pub(crate) mod factors;
+pub(crate) mod insertion;
+pub(crate) mod lu;
+pub(crate) mod nearest;
+pub(crate) mod root;
+pub(crate) mod solve;

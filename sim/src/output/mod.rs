@@ -1,0 +1,8 @@
+//! What is told of a run: in words, tables, files and pictures.
+
+pub(crate) mod formats;
+pub(crate) mod happening;
+pub(crate) mod outcome;
+pub mod show;
+pub(crate) mod whole;
+pub(crate) mod write;

@@ -1,0 +1,148 @@
+//! What a run was and found, without the type of its mechanism: whatever tells of it, in words, tables and pictures, is
+//! compiled once, and not once for each mechanism.
+
+use crate::events::{Crossing, Occurrence};
+use crate::integrate::Steps;
+use crate::motion::mobility::Mobility;
+use crate::run::Run;
+use crate::state::failure::Failure;
+use crate::state::settings::Settings;
+use crate::state::trajectory::Sample;
+use sim_kernel::{Array, Description, Mechanism};
+
+/// A run but for its samples; all in SI units.
+pub(crate) struct Outcome {
+    pub(crate) description: &'static Description,
+    pub(crate) parameters: Vec<f64>,
+    /// Their declared defaults.
+    pub(crate) defaults: Vec<f64>,
+    pub(crate) settings: Settings,
+    /// The first sample.
+    pub(crate) start: Option<Row>,
+    /// The time of the last sample.
+    pub(crate) reached: f64,
+    /// How many samples there are.
+    pub(crate) samples: usize,
+    pub(crate) failure: Option<Failure>,
+    pub(crate) events: Vec<Happening>,
+    /// The independent coordinates of each dead point, and its time.
+    pub(crate) dead_points: Vec<(Vec<&'static str>, f64)>,
+    pub(crate) period: Option<f64>,
+    pub(crate) mobility: Mobility,
+    pub(crate) steps: Steps,
+    pub(crate) evaluations: u64,
+    pub(crate) position_residual: f64,
+    pub(crate) velocity_residual: f64,
+    pub(crate) energy_balance: f64,
+    pub(crate) energy_taken: f64,
+    pub(crate) integration_seconds: f64,
+}
+
+/// An event as it happened.
+pub(crate) struct Happening {
+    /// Which event, by index.
+    pub(crate) event: usize,
+    pub(crate) name: &'static str,
+    pub(crate) crossing: Crossing,
+    pub(crate) time: f64,
+    /// What it took and did, if it does anything.
+    pub(crate) change: Option<Done>,
+}
+
+/// What an event has done.
+pub(crate) struct Done {
+    /// The kinetic energy that is gone, in joules.
+    pub(crate) energy_taken: f64,
+    /// The impulse of each constraint row.
+    pub(crate) impulses: Vec<f64>,
+}
+
+/// A sample with its mechanism.
+pub(crate) struct Row {
+    pub(crate) time: f64,
+    pub(crate) positions: Vec<f64>,
+    pub(crate) speeds: Vec<f64>,
+    pub(crate) accelerations: Vec<f64>,
+    pub(crate) multipliers: Vec<f64>,
+    pub(crate) work: f64,
+    /// The inputs that are held.
+    pub(crate) inputs: Vec<Option<f64>>,
+    pub(crate) parameters: Vec<f64>,
+    pub(crate) kinetic_energy: f64,
+    /// What events have taken of it until then.
+    pub(crate) energy_taken: f64,
+    /// The numbers of the drawing.
+    pub(crate) drawing: Vec<f64>,
+}
+
+/// A run whose mechanism has no type.
+pub(crate) trait Recorded {
+    /// All but the samples.
+    fn outcome(&self) -> Outcome;
+    /// A sample.
+    fn row(&self, index: usize) -> Row;
+}
+
+impl<M: Mechanism> Recorded for Run<M> {
+    fn outcome(&self) -> Outcome {
+        let samples = &self.trajectory.samples;
+        Outcome {
+            description: const { &M::DESCRIPTION },
+            parameters: list(&self.mechanism.parameters()),
+            defaults: list(&M::defaults().parameters()),
+            settings: self.settings,
+            start: (!samples.is_empty()).then(|| self.row(0)),
+            reached: samples.last().map_or(0.0, |sample| sample.state.time),
+            samples: samples.len(),
+            failure: self.trajectory.failure.clone(),
+            events: self.events.iter().map(happening).collect(),
+            dead_points: self.dead_points.iter().map(|point| (point.of.clone(), point.state.time)).collect(),
+            period: self.period(),
+            mobility: self.mobility.clone(),
+            steps: self.steps.clone(),
+            evaluations: self.evaluations,
+            position_residual: self.position_residual,
+            velocity_residual: self.velocity_residual,
+            energy_balance: self.energy_balance,
+            energy_taken: self.energy_taken,
+            integration_seconds: self.integration_time.as_secs_f64(),
+        }
+    }
+
+    fn row(&self, index: usize) -> Row {
+        let phase = self.trajectory.phase_of(index);
+        let mechanism = phase.map_or(&self.mechanism, |phase| &phase.mechanism);
+        Row::new(mechanism, &self.trajectory.samples[index], phase.map_or(0.0, |phase| phase.energy_taken))
+    }
+}
+
+impl Row {
+    /// A sample of a mechanism.
+    pub(crate) fn new<M: Mechanism>(mechanism: &M, sample: &Sample<M>, energy_taken: f64) -> Row {
+        let (t, q, qd) = (sample.state.time, &sample.state.positions, &sample.state.speeds);
+        Row {
+            time: t,
+            positions: list(q),
+            speeds: list(qd),
+            accelerations: list(&sample.accelerations),
+            multipliers: list(&sample.multipliers),
+            work: sample.state.work,
+            inputs: sample.inputs.iter().map(|input| input.held()).collect(),
+            parameters: list(&mechanism.parameters()),
+            kinetic_energy: mechanism.with_inputs(sample.inputs).kinetic_energy(t, q, qd),
+            energy_taken,
+            drawing: list(&mechanism.drawing(t, q)),
+        }
+    }
+}
+
+fn happening<M: Mechanism>(event: &Occurrence<M>) -> Happening {
+    let Occurrence { event: index, name, crossing, state, change } = event;
+    let done = |change: &crate::Change<M>| Done { energy_taken: change.energy_taken, impulses: list(&change.impulses) };
+    Happening { event: *index, name, crossing: *crossing, time: state.time, change: change.as_ref().map(done) }
+}
+
+/// The numbers of an array.
+pub(crate) fn list(numbers: &impl Array<f64>) -> Vec<f64> {
+    numbers.iter().copied().collect()
+}

@@ -1,0 +1,162 @@
+//! The figures of a run: one for each group of outputs, and the mechanism in several positions.
+
+use super::{Curve, Plot, Pose, ShowError, Size, mechanism_of_size, panels};
+use crate::output::outcome::{Outcome, Recorded, Row};
+use crate::{Column, Run, Table};
+use sim_kernel::{Description, Figure, Mechanism};
+use std::ops::Range;
+use std::path::Path;
+
+/// Positions in the picture of the mechanism.
+pub(super) const POSES: usize = 6;
+/// Samples among which they are chosen.
+const MOST_CANDIDATES: usize = 2000;
+
+/// What came of drawing.
+#[derive(Debug, Default)]
+pub struct Figures {
+    /// The names of those that were drawn.
+    pub names: Vec<String>,
+    /// Why others were not.
+    pub failures: Vec<ShowError>,
+}
+
+impl Figures {
+    pub(super) fn add(&mut self, name: &str, result: Result<(), ShowError>) {
+        match result {
+            Ok(()) => self.names.push(name.to_owned()),
+            Err(failure) => self.failures.push(failure),
+        }
+    }
+}
+
+/// Draws every figure of a run into a directory. A group of outputs without any finite value has none.
+pub fn figures<M: Mechanism>(run: &Run<M>, table: &Table, directory: &Path, size: Size) -> Figures {
+    figures_of(run, &run.outcome(), table, directory, size)
+}
+
+pub(crate) fn figures_of(
+    run: &dyn Recorded,
+    outcome: &Outcome,
+    table: &Table,
+    directory: &Path,
+    size: Size,
+) -> Figures {
+    let description = outcome.description;
+    let mut figures = draw_outputs(description, table, ("time [s]", table.times()), directory, size);
+    if !description.drawing.is_empty() {
+        let (name, rows) = (name_beside_groups(description, "mechanism"), chosen(run, outcome, table.times()));
+        figures.add(&name, draw_mechanism(description, &rows, directory, &name, size));
+    }
+    figures
+}
+
+/// A figure for each group of outputs, over an abscissa with its label.
+pub(super) fn draw_outputs(
+    description: &Description,
+    table: &Table,
+    (x_label, x): (&str, &[f64]),
+    directory: &Path,
+    size: Size,
+) -> Figures {
+    let outputs: Vec<_> = table.outputs().iter().zip(description.outputs).collect();
+    let mut figures = Figures::default();
+    for (figure, indices) in groups(description) {
+        let group = &outputs[indices];
+        if group.iter().all(|(column, _)| column.values.iter().all(|value| !value.is_finite())) {
+            continue;
+        }
+        let labels: Vec<&str> = group.iter().map(|(column, output)| label(output.docs, &column.name)).collect();
+        let curves =
+            group.iter().zip(&labels).map(|((column, _), label)| Curve { label, values: column.values.clone() });
+        let columns: Vec<&Column> = group.iter().map(|(column, _)| *column).collect();
+        let y_label = y_label(figure.name, &columns, &labels);
+        let shown = Plot { title: figure.title, x_label, y_label: &y_label, x, curves: curves.collect() };
+        figures.add(figure.name, panels(&[shown], size, directory, figure.name));
+    }
+    figures
+}
+
+/// What a figure that is no group of outputs is called: names of groups have no hyphen.
+pub(super) fn name_beside_groups(description: &Description, name: &str) -> String {
+    match description.figures.iter().any(|figure| figure.name == name) {
+        true => format!("{name}-figure"),
+        false => name.to_owned(),
+    }
+}
+
+/// Each declared figure with the indices of its outputs.
+pub(super) fn groups(description: &Description) -> impl Iterator<Item = (&Figure, Range<usize>)> {
+    description.figures.iter().scan(0, |first, figure| {
+        let outputs = *first..*first + figure.len;
+        *first = outputs.end;
+        Some((figure, outputs))
+    })
+}
+
+/// What a curve is called: the first line of its documentation, or its name.
+pub(super) fn label<'a>(docs: &'a str, name: &'a str) -> &'a str {
+    docs.lines().next().filter(|line| !line.is_empty()).unwrap_or(name)
+}
+
+/// What the curves are, with their unit.
+fn y_label(name: &str, columns: &[&Column], labels: &[&str]) -> String {
+    let mut units: Vec<String> = Vec::new();
+    for column in columns {
+        let unit = format!("[{}]", column.unit);
+        if !units.contains(&unit) {
+            units.push(unit);
+        }
+    }
+    let what = if let [label] = labels { (*label).to_owned() } else { name.replace('_', " ") };
+    format!("{what} {}", units.join(", "))
+}
+
+/// The mechanism at several samples.
+pub(super) fn draw_mechanism(
+    description: &Description,
+    rows: &[Row],
+    directory: &Path,
+    name: &str,
+    size: Size,
+) -> Result<(), ShowError> {
+    let poses: Vec<Pose> = rows.iter().map(|row| Pose { numbers: &row.drawing, time: row.time }).collect();
+    let title = match poses.len() {
+        1 => description.type_name.to_owned(),
+        n => format!("{} in {n} positions", description.type_name),
+    };
+    mechanism_of_size(&title, super::Shapes::of(description), &poses, size, directory, name)
+}
+
+/// The samples at equal times through the period, or where positions differ most, in the order of time.
+fn chosen(run: &dyn Recorded, outcome: &Outcome, times: &[f64]) -> Vec<Row> {
+    let Some(period) = outcome.period else { return most_different(run, outcome.samples) };
+    let nearest = |wanted: f64| {
+        let apart = |index: &usize| (times[*index] - wanted).abs();
+        (0..times.len()).min_by(|a, b| apart(a).total_cmp(&apart(b)))
+    };
+    let mut chosen: Vec<usize> = (0..POSES).filter_map(|i| nearest(period * i as f64 / POSES as f64)).collect();
+    chosen.dedup_by(|a, b| times[*a] == times[*b]);
+    chosen.into_iter().map(|index| run.row(index)).collect()
+}
+
+/// The first sample, then each time the one whose drawing is farthest from all before: at equal times an oscillation
+/// could look as if it stood still.
+fn most_different(run: &dyn Recorded, samples: usize) -> Vec<Row> {
+    let stride = samples.div_ceil(MOST_CANDIDATES).max(1);
+    let candidates: Vec<Row> = (0..samples).step_by(stride).map(|index| run.row(index)).collect();
+    let apart = |a: usize, b: usize| {
+        let squares = candidates[a].drawing.iter().zip(&candidates[b].drawing).map(|(x, y)| (x - y) * (x - y));
+        squares.filter(|square| square.is_finite()).sum::<f64>()
+    };
+    let mut nearest = vec![f64::INFINITY; candidates.len()];
+    let mut taken: Vec<usize> = Vec::new();
+    let mut next = (!candidates.is_empty()).then_some(0);
+    while let Some(index) = next.filter(|_| taken.len() < POSES) {
+        taken.push(index);
+        nearest.iter_mut().enumerate().for_each(|(other, best)| *best = best.min(apart(index, other)));
+        let farthest = (0..candidates.len()).max_by(|a, b| nearest[*a].total_cmp(&nearest[*b]).then(b.cmp(a)));
+        next = farthest.filter(|farthest| nearest[*farthest] > 0.0);
+    }
+    candidates.into_iter().enumerate().filter(|(index, _)| taken.contains(index)).map(|(_, row)| row).collect()
+}

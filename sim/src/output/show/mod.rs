@@ -1,0 +1,149 @@
+//! Static figures, each as SVG and as PNG: curves over time, and a mechanism in several positions; and the report, a
+//! page on which it moves.
+//!
+//! A figure is first laid out as a scene in logical pixels. The scene is written as SVG with real text, and the
+//! PNG is that SVG rendered with two pixels to a logical one. The same input gives the same bytes.
+
+#![cfg_attr(test, allow(clippy::unwrap_used))]
+
+mod dash;
+mod decimate;
+mod error;
+mod figures;
+mod font;
+mod frame;
+mod mechanism;
+mod names;
+mod palette;
+mod parts;
+mod plot;
+mod png;
+mod report;
+mod scene;
+mod section;
+mod svg;
+mod sweep;
+mod symbols;
+mod text;
+mod ticks;
+mod vectors;
+mod view;
+
+use crate::output::whole::whole_bytes;
+use std::fs;
+use std::path::Path;
+
+use scene::Scene;
+
+pub use error::ShowError;
+#[cfg(feature = "cli")]
+pub(crate) use figures::figures_of;
+pub use figures::{Figures, figures};
+pub use parts::Shapes;
+#[cfg(feature = "cli")]
+pub(crate) use report::report_of;
+pub use report::{About, report};
+pub use section::section_figures;
+#[cfg(feature = "cli")]
+pub(crate) use sweep::SWEEP_FIGURES;
+pub use sweep::sweep_figures;
+pub use text::typeset;
+
+/// A curve of a plot.
+#[derive(Clone, Debug)]
+pub struct Curve<'a> {
+    /// What the legend calls it; units as in `m/s^2` are typeset.
+    pub label: &'a str,
+    /// Its values, as many as the plot has abscissae. Values that are not finite are gaps.
+    pub values: Vec<f64>,
+}
+
+/// Curves over a common abscissa.
+#[derive(Clone, Debug)]
+pub struct Plot<'a> {
+    /// The title; may be empty.
+    pub title: &'a str,
+    /// What is along the abscissa: `time [s]`.
+    pub x_label: &'a str,
+    /// What is along the ordinate: `angular speed [rad/s]`. Where it is empty, the label of a single curve
+    /// stands in for it.
+    pub y_label: &'a str,
+    /// The abscissae.
+    pub x: &'a [f64],
+    /// The curves.
+    pub curves: Vec<Curve<'a>>,
+}
+
+/// The size of a figure, in logical pixels: 96 to the inch. PNG has twice as many.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Size {
+    /// Its width.
+    pub width: f64,
+    /// Its height, but for a legend that has to stand below the data.
+    pub height: f64,
+}
+
+impl Default for Size {
+    fn default() -> Size {
+        Size { width: 960.0, height: 540.0 }
+    }
+}
+
+/// One position of a mechanism.
+#[derive(Clone, Copy, Debug)]
+pub struct Pose<'a> {
+    /// The numbers of the mechanism's shapes, in the order of its description.
+    pub numbers: &'a [f64],
+    /// When it is there, in seconds.
+    pub time: f64,
+}
+
+/// Writes the plot to `NAME.svg` and `NAME.png` in the directory, which is made if need be.
+///
+/// # Errors
+///
+/// The plot has nothing to show, a curve has too few or too many values, or a file cannot be written.
+pub fn plot(plot: &Plot, directory: &Path, name: &str) -> Result<(), ShowError> {
+    panels(std::slice::from_ref(plot), Size::default(), directory, name)
+}
+
+/// Writes plots below each other, over one abscissa, to `NAME.svg` and `NAME.png` in the directory, which is made if
+/// need be. The abscissa is named as the last plot says.
+///
+/// # Errors
+///
+/// As [`plot`], and if there is no room for so many.
+pub fn panels(plots: &[Plot], size: Size, directory: &Path, name: &str) -> Result<(), ShowError> {
+    save(&plot::scene(plots, size, name)?, directory, name)
+}
+
+/// Writes the mechanism in several positions to `NAME.svg` and `NAME.png` in the directory, which is made if
+/// need be: the first position strong, later ones fainter, both axes in metres and of equal scale.
+///
+/// # Errors
+///
+/// There is nothing to show, a pose has too few or too many numbers, or a file cannot be written.
+pub fn mechanism(title: &str, shapes: Shapes, poses: &[Pose], directory: &Path, name: &str) -> Result<(), ShowError> {
+    mechanism_of_size(title, shapes, poses, Size::default(), directory, name)
+}
+
+/// The same on a sheet of about this size.
+fn mechanism_of_size(
+    title: &str,
+    shapes: Shapes,
+    poses: &[Pose],
+    size: Size,
+    directory: &Path,
+    name: &str,
+) -> Result<(), ShowError> {
+    save(&mechanism::scene(title, shapes, poses, size, name)?, directory, name)
+}
+
+/// Writes a scene in both formats.
+fn save(scene: &Scene, directory: &Path, name: &str) -> Result<(), ShowError> {
+    let document = svg::document(scene);
+    fs::create_dir_all(directory).map_err(|why| ShowError::write(directory, why))?;
+    let path = directory.join(format!("{name}.svg"));
+    whole_bytes(&path, document.as_bytes()).map_err(|why| ShowError::write(&path, why))?;
+    png::write(scene, &directory.join(format!("{name}.png")))
+}

@@ -1,0 +1,185 @@
+//! The page: its template, filled.
+
+use super::About;
+use super::data::data;
+use super::html::{escaped, number};
+use super::tables::tables;
+use crate::Table;
+use crate::output::outcome::{Outcome, Recorded};
+use sim_kernel::Description;
+
+const TEMPLATE: &str = include_str!("../../../../assets/report/page.html");
+const STYLE: [&str; 2] =
+    [include_str!("../../../../assets/uplot/uPlot.min.css"), include_str!("../../../../assets/report/style.css")];
+const UPLOT: &str = include_str!("../../../../assets/uplot/uPlot.iife.min.js");
+const UPLOT_LICENSE: &str = include_str!("../../../../assets/uplot/LICENSE.txt");
+const SCRIPT: [&str; 8] = [
+    include_str!("../../../../assets/report/samples.js"),
+    include_str!("../../../../assets/report/format.js"),
+    include_str!("../../../../assets/report/view.js"),
+    include_str!("../../../../assets/report/drawing.js"),
+    include_str!("../../../../assets/report/pinch.js"),
+    include_str!("../../../../assets/report/plots.js"),
+    include_str!("../../../../assets/report/player.js"),
+    include_str!("../../../../assets/report/page.js"),
+];
+
+/// Bytes of typeset equations beyond which nobody would read them.
+#[cfg(feature = "analysis")]
+const MOST_OF_EQUATIONS: usize = 300_000;
+
+/// The whole page.
+pub(super) fn page(run: &dyn Recorded, outcome: &Outcome, table: &Table, about: &About) -> String {
+    let description = outcome.description;
+    fill(TEMPLATE, |slot| match slot {
+        "title" => escaped(&spaced(description.type_name)),
+        "docs" => with_code(&escaped(&description.docs.replace('\n', " "))),
+        "style" => STYLE.concat(),
+        "failure" => failure(outcome),
+        "facts" => facts(outcome, about),
+        "tables" => tables(outcome, about.summary),
+        "equations" => equations(description),
+        "reproduce" => reproduce(description, about),
+        "footer" => format!("Linkwright {}. Plots by uPlot 1.6, under the MIT licence.", env!("CARGO_PKG_VERSION")),
+        // Within a script element only its end tag must not occur.
+        "data" => data(run, outcome, table).to_string().replace("</", "<\\/"),
+        "uplot" => format!("/*!\n{UPLOT_LICENSE}*/\n{UPLOT}"),
+        "script" => format!("(() => {{\n\"use strict\";\n{}}})();", SCRIPT.concat()),
+        other => other.to_owned(),
+    })
+}
+
+/// The template with each `{{slot}}` replaced; what is put in is not looked at again.
+fn fill(template: &str, content: impl Fn(&str) -> String) -> String {
+    let mut page = String::new();
+    let mut pieces = template.split("{{");
+    page += pieces.next().unwrap_or_default();
+    for piece in pieces {
+        let (slot, rest) = piece.split_once("}}").unwrap_or((piece, ""));
+        page += &content(slot);
+        page += rest;
+    }
+    page
+}
+
+/// Words between backticks as code.
+fn with_code(html: &str) -> String {
+    let pieces = html.split('`').enumerate();
+    pieces.map(|(i, piece)| if i % 2 == 1 { format!("<code>{piece}</code>") } else { piece.to_owned() }).collect()
+}
+
+/// `QuickReturn` as `Quick return`.
+fn spaced(type_name: &str) -> String {
+    let mut words = String::new();
+    let letters: Vec<char> = type_name.chars().collect();
+    for (i, letter) in letters.iter().enumerate() {
+        let starts_word = i > 0 && letter.is_uppercase() && !letters[i - 1].is_uppercase();
+        let is_acronym = letters.get(i + 1).is_some_and(|next| next.is_uppercase());
+        if starts_word {
+            words.push(' ');
+        }
+        match starts_word && !is_acronym {
+            true => words.extend(letter.to_lowercase()),
+            false => words.push(*letter),
+        }
+    }
+    words
+}
+
+fn failure(run: &Outcome) -> String {
+    let Some(failure) = &run.failure else { return String::new() };
+    format!("<p class=\"failure\"><strong>The run ended early.</strong> {}</p>", escaped(&failure.to_string()))
+}
+
+/// The run in short.
+fn facts(run: &Outcome, about: &About) -> String {
+    let (n, m) = (run.description.coordinates.len(), run.description.constraints.len());
+    let mut facts = vec![("Time", format!("0 to {} s", number(run.reached, 12)), false)];
+    if let Some(period) = run.period {
+        facts.push(("Period", format!("{} s", number(period, 12)), false));
+    }
+    facts.push(("Coordinates", n.to_string(), false));
+    if m > 0 {
+        let open = number(run.position_residual, 2);
+        facts.push(("Constraints", format!("{m}, open by at most {open}"), false));
+    }
+    if let Some(name) = about.summary["method"]["name"].as_str() {
+        facts.push(("Method", name.to_owned(), false));
+    }
+    let doubtful = !(run.energy_balance < crate::DOUBTFUL_BALANCE);
+    facts.push(("Energy balance off by", number(run.energy_balance, 2), doubtful));
+    let item = |(name, value, warn): (&str, String, bool)| {
+        let class = if warn { " class=\"warn\"" } else { "" };
+        format!("<li{class}><span>{name}</span>{}</li>", escaped(&value))
+    };
+    facts.into_iter().map(item).collect::<Vec<_>>().join("\n")
+}
+
+/// The equations of motion, where the declaration can be derived again.
+#[cfg(feature = "analysis")]
+fn equations(description: &Description) -> String {
+    let Ok(parts) = codegen::equations_as(codegen::notation::Notation::MathMl, description.declaration) else {
+        return String::new();
+    };
+    let length: usize = parts.iter().map(|part| part.text.len()).sum();
+    if length > MOST_OF_EQUATIONS {
+        let note = "The equations are too long to be read here; `codegen` prints the kernels made of them.";
+        return format!(
+            "<section class=\"card equations\"><h2>Equations of motion</h2><p class=\"note\">{note}</p></section>"
+        );
+    }
+    let part = |part: &codegen::notation::Part| {
+        let heading = if part.name == "system" { String::new() } else { format!("<h3>{}</h3>\n", part.title) };
+        format!("{heading}<div class=\"row\">{}</div>", apart(&part.text))
+    };
+    let parts: Vec<String> = parts.iter().map(part).collect();
+    format!("<section class=\"card equations\"><h2>Equations of motion</h2>\n{}</section>", parts.join("\n"))
+}
+
+/// Factors and arguments a little apart, as books set them: browsers give the invisible operators no space.
+#[cfg(feature = "analysis")]
+fn apart(mathml: &str) -> String {
+    let spaced = |space: &str, sign: char| format!("<mo {space}=\"0.14em\">{sign}</mo>");
+    let (apply, times) = ('\u{2061}', '\u{2062}');
+    mathml
+        .replace(&format!("<mo>{apply}</mo>"), &spaced("rspace", apply))
+        .replace(&format!("<mo>{times}</mo>"), &spaced("lspace", times))
+}
+
+/// The equations of motion need the derivation at run time.
+#[cfg(not(feature = "analysis"))]
+fn equations(_: &Description) -> String {
+    String::new()
+}
+
+fn reproduce(description: &Description, about: &About) -> String {
+    let mut html = format!("<pre>{}</pre>", escaped(about.command));
+    if let Some(run_file) = about.run_file {
+        html += &format!(
+            "<details class=\"source\"><summary>The run file, run.json</summary><pre>{}</pre></details>",
+            escaped(run_file)
+        );
+    }
+    let declaration = escaped(description.declaration.trim_end());
+    html += &format!("<details class=\"source\"><summary>The declaration</summary><pre>{declaration}</pre></details>");
+    html
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slots_are_filled_once() {
+        let page = fill("<a>{{one}}</a>{{two}}", |slot| format!("[{slot} {{{{one}}}}]"));
+        assert_eq!(page, "<a>[one {{one}}]</a>[two {{one}}]");
+        assert!(!TEMPLATE.contains("</script>\n{{"));
+    }
+
+    #[test]
+    fn names_of_types_are_words() {
+        assert_eq!(spaced("QuickReturn"), "Quick return");
+        assert_eq!(spaced("FourBar"), "Four bar");
+        assert_eq!(spaced("SCARA"), "SCARA");
+    }
+}

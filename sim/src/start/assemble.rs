@@ -1,0 +1,196 @@
+//! A start on the constraints, from given values and guesses.
+
+use crate::model::{AnyMechanism, Linear};
+use crate::motion::typed::Any;
+use crate::numerics::arrays::array;
+use crate::start::dyads::{Branches, Closed, close_loops, nearest};
+use crate::state::failure::{Failure, What, largest};
+use crate::state::trajectory::State;
+use nalgebra::{DMatrix, DVector};
+use sim_kernel::{Description, Mechanism};
+
+/// What is known of the start of a motion; all in SI units.
+#[derive(Clone, Debug)]
+pub struct Start<M: Mechanism> {
+    /// Values or guesses of the coordinates.
+    pub positions: M::Q,
+    /// Speeds; those not given are found.
+    pub speeds: M::Q,
+    /// Which coordinates are given; the others are found.
+    pub position_given: Vec<bool>,
+    /// Which speeds are given.
+    pub speed_given: Vec<bool>,
+}
+
+/// The declared start of a mechanism.
+pub fn declared_start<M: Mechanism>(mechanism: &M) -> Start<M> {
+    let initial = mechanism.initial();
+    let [position_given, speed_given] = declared_given(const { &M::DESCRIPTION });
+    Start { positions: initial.positions, speeds: initial.speeds, position_given, speed_given }
+}
+
+/// Which coordinates and which speeds a declaration gives at the start.
+fn declared_given(description: &Description) -> [Vec<bool>; 2] {
+    let coordinates = description.coordinates;
+    let positions = coordinates.iter().map(|c| c.start == sim_kernel::Start::Given).collect();
+    [positions, coordinates.iter().map(|c| c.speed_given).collect()]
+}
+
+/// Steps of Gauss-Newton, after which assembly is given up.
+const MOST_STEPS: usize = 200;
+
+/// The state at time 0 nearest to a start that satisfies the constraints and all that is given.
+///
+/// Loops that close in closed form are closed so, on the branch nearest to the guesses: see [`branches`]. Otherwise, and
+/// for the last bits, positions by Gauss-Newton with least-norm steps in the free coordinates, halved until the residual falls; speeds
+/// by least squares of least norm, so that a freedom that nothing drives starts at rest.
+///
+/// # Errors
+/// [`What::NotAssembled`] with the closest configuration, [`What::SpeedsContradict`].
+pub fn assemble<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<State<M>, Failure> {
+    let (mechanism, given): (&dyn AnyMechanism, Given) = (&Any(mechanism), start.given());
+    let positions = assemble_positions(mechanism, &given)?;
+    let speeds = assemble_speeds(mechanism, &given, &positions)?;
+    Ok(State { time: 0.0, positions: array(&positions), speeds: array(&speeds), work: 0.0 })
+}
+
+/// All configurations that have the coordinates that the start gives, as far as loops close in closed form: elbow up and
+/// elbow down. Coordinates of other loops are found by Gauss-Newton from their guesses; where that fails there is no
+/// configuration. Angles are within half a turn of their guesses.
+pub fn branches<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Branches<M> {
+    let Closed { loops, open, positions } = branches_of(&Any(mechanism), &start.given());
+    Branches { loops, open, positions: positions.iter().map(|q| array(q)).collect() }
+}
+
+/// A start of a mechanism of any type.
+#[derive(Clone, Copy)]
+struct Given<'a> {
+    positions: &'a [f64],
+    speeds: &'a [f64],
+    position_given: &'a [bool],
+    speed_given: &'a [bool],
+}
+
+impl<M: Mechanism> Start<M> {
+    fn given(&self) -> Given<'_> {
+        Given {
+            positions: self.positions.as_ref(),
+            speeds: self.speeds.as_ref(),
+            position_given: &self.position_given,
+            speed_given: &self.speed_given,
+        }
+    }
+}
+
+fn branches_of(mechanism: &dyn AnyMechanism, start: &Given) -> Closed {
+    let mut found = close_loops(mechanism, start.positions, start.position_given);
+    if !found.open.is_empty() {
+        let names = mechanism.description().coordinates.iter().map(|c| c.position.name);
+        let held: Vec<bool> = names.map(|name| !found.open.contains(&name)).collect();
+        let held = Given { position_given: &held, ..*start };
+        let corrected = found.positions.iter().filter_map(|q| correct_positions(mechanism, &held, q.clone()).ok());
+        found.positions = corrected.collect();
+        found.sort(start.positions);
+    }
+    found
+}
+
+fn assemble_positions(mechanism: &dyn AnyMechanism, start: &Given) -> Result<Vec<f64>, Failure> {
+    let closed = nearest(mechanism, start.positions, start.position_given);
+    correct_positions(mechanism, start, closed.unwrap_or_else(|| start.positions.to_vec()))
+}
+
+fn correct_positions(mechanism: &dyn AnyMechanism, start: &Given, mut q: Vec<f64>) -> Result<Vec<f64>, Failure> {
+    let mut linear = mechanism.constraint_linearization(0.0, &q);
+    for _ in 0..MOST_STEPS {
+        if mechanism.is_met(0.0, &q) {
+            return Ok(polish(mechanism, start, q));
+        }
+        let by_positions = mechanism.between_positions(linear.jacobian);
+        let Some(step) = least_norm_solution(by_positions, start.position_given, &linear.values) else { break };
+        let current = linear.values.norm();
+        let mut scale = 1.0;
+        let accepted = loop {
+            let trial: Vec<f64> = q.iter().zip(&step).map(|(q, step)| q - scale * step).collect();
+            let trial_linear = mechanism.constraint_linearization(0.0, &trial);
+            if trial_linear.values.norm() < current {
+                break Some((trial, trial_linear));
+            }
+            scale /= 2.0;
+            if scale < 1e-10 {
+                break None;
+            }
+        };
+        let Some(better) = accepted else { break };
+        (q, linear) = better;
+    }
+    Err(not_assembled(mechanism, &q))
+}
+
+/// One projection as in every step, if nothing is given that it could move.
+fn polish(mechanism: &dyn AnyMechanism, start: &Given, q: Vec<f64>) -> Vec<f64> {
+    let mut polished = q.clone();
+    let nothing_given = start.position_given.iter().all(|given| !given);
+    if nothing_given && mechanism.project_positions(0.0, &mut polished).is_ok() { polished } else { q }
+}
+
+fn not_assembled(mechanism: &dyn AnyMechanism, q: &[f64]) -> Failure {
+    let values = mechanism.constraints(0.0, q);
+    let Some((row, residual)) = largest(values.iter()) else {
+        return mechanism.failure(What::NotFinite { quantity: "the start".into() }, 0.0, q);
+    };
+    let name = |row: usize| mechanism.constraint_name(row);
+    if !residual.is_finite() {
+        let quantity = format!("constraint `{}` at the guesses", name(row));
+        return mechanism.failure(What::NotFinite { quantity }, 0.0, q);
+    }
+    let others = values.iter().enumerate().filter(|(i, value)| *i != row && value.abs() > 1e-12);
+    let others: Vec<String> = others.map(|(i, value)| format!("`{}` by {value:.3e}", name(i))).collect();
+    let others = if others.is_empty() { String::new() } else { format!(", {}", others.join(", ")) };
+    mechanism.failure(What::NotAssembled { constraint: name(row), residual, others }, 0.0, q)
+}
+
+/// How often speeds that leave a constraint open are corrected.
+const MOST_REFINEMENTS: usize = 4;
+
+fn assemble_speeds(mechanism: &dyn AnyMechanism, start: &Given, q: &[f64]) -> Result<Vec<f64>, Failure> {
+    let Linear { jacobian, time_derivative, .. } = mechanism.constraint_linearization(0.0, q);
+    let given = start.speeds.iter().zip(start.speed_given);
+    let mut speeds = DVector::from_iterator(q.len(), given.map(|(speed, given)| if *given { *speed } else { 0.0 }));
+    let mut open = &jacobian * &speeds + &time_derivative;
+    let mut contradicted = 0;
+    // Once is enough but where lengths are far from 1 m, and the decomposition of J loses digits.
+    for _ in 0..MOST_REFINEMENTS {
+        let Some(step) = least_norm_solution(jacobian.clone(), start.speed_given, &open) else {
+            let quantity = "a derivative of the constraints".into();
+            return Err(mechanism.failure(What::NotFinite { quantity }, 0.0, q));
+        };
+        speeds -= step;
+        open = &jacobian * &speeds + &time_derivative;
+        let terms = |i: usize| jacobian.row(i).iter().zip(&speeds).map(|(c, v)| (c * v).abs()).sum::<f64>();
+        // Least squares leave a few roundings of the terms; a contradiction leaves a part of them.
+        match (0..open.len()).find(|i| !(open[*i].abs() <= 1e-9 * terms(*i) + 1e-12)) {
+            None => return Ok(speeds.as_slice().to_vec()),
+            Some(row) => contradicted = row,
+        }
+    }
+    let (constraint, residual) = (mechanism.constraint_name(contradicted), open[contradicted]);
+    Err(mechanism.failure(What::SpeedsContradict { constraint, residual }, 0.0, q))
+}
+
+/// The shortest x with J x nearest to the residual, x_j = 0 where j is given.
+fn least_norm_solution(mut jacobian: DMatrix<f64>, given: &[bool], residual: &DVector<f64>) -> Option<DVector<f64>> {
+    if jacobian.nrows() == 0 {
+        return Some(DVector::zeros(given.len()));
+    }
+    (0..given.len()).filter(|j| given[*j]).for_each(|j| jacobian.column_mut(j).fill(0.0));
+    if jacobian.iter().chain(residual.iter()).any(|value| !value.is_finite()) {
+        return None;
+    }
+    let svd = jacobian.svd(true, true);
+    let largest = svd.singular_values.iter().fold(0.0, |a: f64, b| a.max(*b));
+    let mut solution = svd.solve(residual, 1e-12 * largest.max(f64::MIN_POSITIVE)).ok()?;
+    // Rounding must not move what is given.
+    (0..given.len()).filter(|j| given[*j]).for_each(|j| solution[j] = 0.0);
+    Some(solution)
+}

@@ -1,0 +1,159 @@
+//! Loops that close in closed form: which constraints determine which coordinates, and all ways in which they do.
+//!
+//! Dyads (RRR, RRP) are recognised by what their constraints are functions of, asked of the kernels: a coordinate of which
+//! they are a + b cos + c sin is an angle, one of which they are a + b s a length. Constraints in one or two unknown
+//! coordinates, given the others, are closed one after the other. (Assur groups of the second class: Galletti, Mech.
+//! Mach. Theory 21, 1986.)
+
+mod close;
+mod harmonic;
+
+pub use close::Form;
+
+use crate::model::AnyMechanism;
+use sim_kernel::Mechanism;
+
+/// A loop that closes in closed form.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Loop {
+    /// The constraints that close it.
+    pub constraints: Vec<&'static str>,
+    /// The coordinates that they determine.
+    pub coordinates: Vec<&'static str>,
+    /// How.
+    pub form: Form,
+}
+
+/// All configurations of a mechanism that have what is given of its start.
+#[derive(Clone, Debug)]
+pub struct Branches<M: Mechanism> {
+    /// The loops that close in closed form, in the order in which they do.
+    pub loops: Vec<Loop>,
+    /// The coordinates that are not found so.
+    pub open: Vec<&'static str>,
+    /// The configurations, nearest to the guesses first; of many the 256 nearest, as they are twice as many with each loop.
+    pub positions: Vec<M::Q>,
+}
+
+/// Configurations that are followed; coordinates that are not found yet keep their guesses, and count nothing.
+const MOST_BRANCHES: usize = 256;
+
+/// The rows and unknowns of a loop, by index.
+type Block = (Vec<usize>, Vec<usize>);
+
+/// All configurations of a mechanism, of any type, that have what is given of its start.
+pub(crate) struct Closed {
+    pub(crate) loops: Vec<Loop>,
+    pub(crate) open: Vec<&'static str>,
+    pub(crate) positions: Vec<Vec<f64>>,
+}
+
+/// Closes what can be closed in closed form, given the coordinates that the start gives; the others keep their guesses.
+pub(crate) fn close_loops(mechanism: &dyn AnyMechanism, guesses: &[f64], given: &[bool]) -> Closed {
+    let mut found = Closed { loops: Vec::new(), open: Vec::new(), positions: vec![guesses.to_vec()] };
+    let depends = dependence(mechanism, guesses);
+    let mut known = given.to_vec();
+    let mut refused: Vec<Block> = Vec::new();
+    while let Some(block) = next_block(&depends, &known, &refused) {
+        match close_all(mechanism, &found.positions, &block, guesses) {
+            None => refused.push(block),
+            Some((form, positions)) => {
+                block.1.iter().for_each(|j| known[*j] = true);
+                found.loops.push(named(mechanism, &block, form));
+                found.positions = positions;
+                if found.positions.len() > MOST_BRANCHES {
+                    found.sort(guesses);
+                    found.positions.truncate(MOST_BRANCHES);
+                }
+            }
+        }
+    }
+    let names = mechanism.description().coordinates.iter().zip(&known);
+    found.open = names.filter(|(_, known)| !**known).map(|(c, _)| c.position.name).collect();
+    if found.open.is_empty() {
+        found.positions.retain(|q| is_closed(mechanism, q));
+    }
+    found.sort(guesses);
+    found
+}
+
+impl Closed {
+    /// Nearest to the guesses first.
+    pub(crate) fn sort(&mut self, guesses: &[f64]) {
+        let distance = |q: &[f64]| q.iter().zip(guesses).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
+        self.positions.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+    }
+}
+
+/// The nearest configuration, if all loops close in closed form.
+pub(crate) fn nearest(mechanism: &dyn AnyMechanism, guesses: &[f64], given: &[bool]) -> Option<Vec<f64>> {
+    let found = close_loops(mechanism, guesses, given);
+    if found.loops.is_empty() || !found.open.is_empty() { None } else { found.positions.into_iter().next() }
+}
+
+/// Whether all constraints hold, but for what a root next to a dead point loses, which a correction regains.
+fn is_closed(mechanism: &dyn AnyMechanism, q: &[f64]) -> bool {
+    let (values, magnitudes) = (mechanism.constraints(0.0, q), mechanism.constraint_magnitudes(0.0, q));
+    mechanism.is_met(0.0, q) || values.iter().zip(&magnitudes).all(|(value, magnitude)| value.abs() <= 1e-9 * magnitude)
+}
+
+/// Which constraint depends on which coordinate: where C_q is exactly zero at several positions it does not.
+fn dependence(mechanism: &dyn AnyMechanism, q: &[f64]) -> Vec<Vec<bool>> {
+    let moved = |k: usize| -> Vec<f64> {
+        q.iter().enumerate().map(|(j, q)| q + 0.1 * (k * (j + 1)) as f64 + 0.03 * k as f64).collect()
+    };
+    let jacobian = |k: usize| mechanism.between_positions(mechanism.constraint_jacobian(0.0, &moved(k)));
+    let jacobians = [0, 1, 2].map(jacobian);
+    let depends = |i: usize, j: usize| jacobians.iter().any(|jacobian| jacobian[(i, j)] != 0.0);
+    (0..jacobians[0].nrows()).map(|i| (0..q.len()).map(|j| depends(i, j)).collect()).collect()
+}
+
+/// One constraint in one unknown coordinate, else two in two, that have not been refused.
+fn next_block(depends: &[Vec<bool>], known: &[bool], refused: &[Block]) -> Option<Block> {
+    let unknowns = |rows: &[usize]| -> Vec<usize> {
+        (0..known.len()).filter(|j| !known[*j] && rows.iter().any(|i| depends[*i][*j])).collect()
+    };
+    let rows = depends.len();
+    let single = (0..rows).map(|i| vec![i]);
+    let pairs = (0..rows).flat_map(|i| (i + 1..rows).map(move |k| vec![i, k]));
+    let blocks = single.chain(pairs).map(|rows| (unknowns(&rows), rows)).map(|(unknowns, rows)| (rows, unknowns));
+    let determines = |(rows, unknowns): &Block| {
+        rows.len() == unknowns.len() && rows.iter().all(|i| unknowns.iter().any(|j| depends[*i][*j]))
+    };
+    blocks.filter(determines).find(|block| !refused.contains(block))
+}
+
+/// All ways to close a loop from each configuration so far; `None` if it is of no known form.
+fn close_all(
+    mechanism: &dyn AnyMechanism,
+    so_far: &[Vec<f64>],
+    (rows, unknowns): &Block,
+    guesses: &[f64],
+) -> Option<(Form, Vec<Vec<f64>>)> {
+    let mut form = None;
+    let mut closed = Vec::new();
+    for q in so_far {
+        let with = |values: &[f64]| {
+            let mut q = q.clone();
+            unknowns.iter().zip(values).for_each(|(j, value)| q[*j] = *value);
+            q
+        };
+        let residual = |values: &[f64]| -> Vec<f64> {
+            let all = mechanism.constraints(0.0, &with(values));
+            rows.iter().map(|i| all[*i]).collect()
+        };
+        let guesses: Vec<f64> = unknowns.iter().map(|j| guesses[*j]).collect();
+        let (found, solutions) = close::close(&residual, &guesses)?;
+        form = Some(found);
+        closed.extend(solutions.iter().map(|values| with(values)));
+    }
+    form.map(|form| (form, closed))
+}
+
+fn named(mechanism: &dyn AnyMechanism, (rows, unknowns): &Block, form: Form) -> Loop {
+    Loop {
+        constraints: rows.iter().map(|i| mechanism.constraint_name(*i)).collect(),
+        coordinates: unknowns.iter().map(|j| mechanism.description().coordinates[*j].position.name).collect(),
+        form,
+    }
+}

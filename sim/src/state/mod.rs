@@ -1,0 +1,8 @@
+//! States and trajectories, the settings of a run, and why it fails.
+
+pub(crate) mod digest;
+pub(crate) mod failure;
+pub(crate) mod interpolate;
+pub(crate) mod saved;
+pub(crate) mod settings;
+pub(crate) mod trajectory;

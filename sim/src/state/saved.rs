@@ -1,0 +1,173 @@
+//! What a simulation knows as bytes, and back: each part tells once what it is made of, for both ways.
+
+use crate::state::failure::constraint_name;
+use crate::state::trajectory::{Sample, State};
+use sim_kernel::{Array, Input, Mechanism};
+
+/// The bytes end early, or are none that were saved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Damaged;
+
+/// Bytes that are being written, or read.
+pub(crate) enum Bytes<'b> {
+    /// All that has been written.
+    Written(Vec<u8>),
+    /// What is left to read.
+    Read(&'b [u8]),
+}
+
+impl Bytes<'_> {
+    /// A whole number.
+    pub(crate) fn word(&mut self, word: &mut u64) -> Result<(), Damaged> {
+        match self {
+            Bytes::Written(bytes) => bytes.extend(word.to_le_bytes()),
+            Bytes::Read(bytes) => {
+                let (first, rest) = bytes.split_first_chunk().ok_or(Damaged)?;
+                (*word, *bytes) = (u64::from_le_bytes(*first), rest);
+            }
+        }
+        Ok(())
+    }
+
+    pub(crate) fn number(&mut self, number: &mut f64) -> Result<(), Damaged> {
+        let mut bits = number.to_bits();
+        self.word(&mut bits)?;
+        *number = f64::from_bits(bits);
+        Ok(())
+    }
+
+    pub(crate) fn numbers(&mut self, numbers: &mut [f64]) -> Result<(), Damaged> {
+        numbers.iter_mut().try_for_each(|number| self.number(number))
+    }
+
+    /// A number below a limit, as of a place.
+    pub(crate) fn index(&mut self, index: &mut usize, limit: usize) -> Result<(), Damaged> {
+        let mut word = *index as u64;
+        self.word(&mut word)?;
+        *index = usize::try_from(word).ok().filter(|index| *index < limit).ok_or(Damaged)?;
+        Ok(())
+    }
+
+    pub(crate) fn count(&mut self, count: &mut usize) -> Result<(), Damaged> {
+        self.index(count, usize::MAX)
+    }
+
+    pub(crate) fn flag(&mut self, flag: &mut bool) -> Result<(), Damaged> {
+        let mut word = usize::from(*flag);
+        self.index(&mut word, 2)?;
+        *flag = word == 1;
+        Ok(())
+    }
+
+    /// What may not be there; `blank` is to be filled if it is.
+    pub(crate) fn option<T>(
+        &mut self,
+        value: &mut Option<T>,
+        blank: impl FnOnce() -> T,
+        transfer: impl FnOnce(&mut Self, &mut T) -> Result<(), Damaged>,
+    ) -> Result<(), Damaged> {
+        let mut is_some = value.is_some();
+        self.flag(&mut is_some)?;
+        if let Bytes::Read(_) = self {
+            *value = None;
+        }
+        match is_some {
+            true => transfer(self, value.get_or_insert_with(blank)),
+            false => {
+                *value = None;
+                Ok(())
+            }
+        }
+    }
+
+    /// A list; each entry is a `blank` that is filled.
+    pub(crate) fn list<T>(
+        &mut self,
+        list: &mut Vec<T>,
+        blank: impl Fn() -> T,
+        mut transfer: impl FnMut(&mut Self, &mut T) -> Result<(), Damaged>,
+    ) -> Result<(), Damaged> {
+        let mut count = list.len();
+        self.count(&mut count)?;
+        if let Bytes::Read(_) = self {
+            list.clear();
+        }
+        for k in 0..count {
+            if k == list.len() {
+                list.push(blank());
+            }
+            transfer(self, &mut list[k])?;
+        }
+        Ok(())
+    }
+
+    pub(crate) fn text(&mut self, text: &mut String) -> Result<(), Damaged> {
+        let mut letters = std::mem::take(text).into_bytes();
+        self.list(
+            &mut letters,
+            || 0,
+            |bytes, letter| {
+                let mut code = usize::from(*letter);
+                bytes.index(&mut code, 256)?;
+                *letter = code as u8;
+                Ok(())
+            },
+        )?;
+        *text = String::from_utf8(letters).map_err(|_| Damaged)?;
+        Ok(())
+    }
+
+    /// The name of a constraint.
+    pub(crate) fn constraint<M: Mechanism>(&mut self, name: &mut &'static str) -> Result<(), Damaged> {
+        let mut row = (0..M::L::LEN).find(|row| constraint_name::<M>(*row) == *name).unwrap_or(0);
+        self.index(&mut row, M::L::LEN)?;
+        *name = constraint_name::<M>(row);
+        Ok(())
+    }
+
+    pub(crate) fn state<M: Mechanism>(&mut self, state: &mut State<M>) -> Result<(), Damaged> {
+        self.number(&mut state.time)?;
+        self.numbers(state.positions.as_mut())?;
+        self.numbers(state.speeds.as_mut())?;
+        self.number(&mut state.work)
+    }
+
+    pub(crate) fn sample<M: Mechanism>(&mut self, sample: &mut Sample<M>) -> Result<(), Damaged> {
+        self.state(&mut sample.state)?;
+        self.numbers(sample.accelerations.as_mut())?;
+        self.numbers(sample.multipliers.as_mut())?;
+        self.number(&mut sample.power)?;
+        self.inputs(sample.inputs.as_mut())
+    }
+
+    fn inputs(&mut self, inputs: &mut [Input]) -> Result<(), Damaged> {
+        for input in inputs {
+            let mut held = input.held();
+            self.option(&mut held, || 0.0, Bytes::number)?;
+            *input = held.map_or(Input::Declared, Input::Held);
+        }
+        Ok(())
+    }
+
+    /// A mechanism by its parameters, its inputs and what events have switched.
+    pub(crate) fn mechanism<M: Mechanism>(&mut self, mechanism: &mut M) -> Result<(), Damaged> {
+        let (mut parameters, mut inputs) = (mechanism.parameters(), mechanism.inputs());
+        let mut activities = mechanism.activities();
+        self.numbers(parameters.as_mut())?;
+        self.inputs(inputs.as_mut())?;
+        self.numbers(activities.as_mut())?;
+        *mechanism = mechanism.with_parameters(parameters).with_inputs(inputs).with_activities(activities);
+        Ok(())
+    }
+}
+
+/// A sample to be filled.
+pub(crate) fn blank_sample<M: Mechanism>(state: &State<M>) -> Sample<M> {
+    Sample {
+        state: *state,
+        accelerations: M::Q::filled(0.0),
+        multipliers: M::L::filled(0.0),
+        power: 0.0,
+        inputs: M::Inputs::filled(Input::Declared),
+    }
+}
