@@ -21,6 +21,7 @@ mod linkages;
 mod long;
 mod nonholonomic;
 mod order;
+mod owner;
 mod pendulum;
 mod quick_return;
 mod records;

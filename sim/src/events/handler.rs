@@ -21,7 +21,7 @@ const MOST_AT_ONCE: usize = 32;
 const INSTANT: f64 = 1e-9;
 
 /// Finds the events of a motion and does what they say.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(crate) struct EventHandler<M: Mechanism> {
     search: EventSearch<M>,
     stop: Option<StopAt>,
@@ -119,13 +119,48 @@ impl<M: Mechanism> EventHandler<M> {
         if self.has_ended {
             return Ok(());
         }
-        let onset = match const { any_acts(M::DESCRIPTION.events) } {
-            true => Some(Onset::of(motion, sample, self.span)?),
-            false => None,
-        };
+        let onset = self.onset(motion, sample)?;
         self.search.restart(sample.state.time, onset);
+        self.act_at_start(motion, sample, onset, |_| true)
+    }
+
+    /// Goes on where the owner of the motion has changed its mechanism: conditions that this leaves as they were are watched on, and
+    /// others as from a start.
+    ///
+    /// # Errors
+    /// As what events do.
+    pub(crate) fn resume(&mut self, motion: &Motion<M>, sample: &Sample<M>) -> Result<(), Failure> {
+        let Some(before) = self.search.before().filter(|_| M::Events::LEN > 0) else { return Ok(()) };
+        let now = motion.mechanism().events(
+            sample.state.time,
+            &sample.state.positions,
+            &sample.state.speeds,
+            &sample.accelerations,
+            &sample.multipliers,
+        );
+        let onset = self.onset(motion, sample)?;
+        self.search.resume(onset);
+        self.act_at_start(motion, sample, onset, |event| before[event] != now[event])
+    }
+
+    /// How conditions go on from a sample, if any event does something.
+    fn onset(&self, motion: &Motion<M>, sample: &Sample<M>) -> Result<Option<Onset<M>>, Failure> {
+        match const { any_acts(M::DESCRIPTION.events) } {
+            true => Onset::of(motion, sample, self.span).map(Some),
+            false => Ok(None),
+        }
+    }
+
+    /// Does what those events say, of some, that happen at a start.
+    fn act_at_start(
+        &mut self,
+        motion: &Motion<M>,
+        sample: &Sample<M>,
+        onset: Option<Onset<M>>,
+        counts: impl Fn(usize) -> bool,
+    ) -> Result<(), Failure> {
         let at = self.search.found.len();
-        for event in 0..M::Events::LEN {
+        for event in (0..M::Events::LEN).filter(|event| counts(*event)) {
             if onset.is_some_and(|onset| self.is_due(&onset, event, sample.state.time)) {
                 self.happen_at_start(event, sample)?;
             }

@@ -80,8 +80,11 @@ const TOUCH: f64 = 1e-9;
 pub struct EventSearch<M: Mechanism> {
     /// What was found.
     pub found: Vec<Occurrence<M>>,
-    begin: f64,
+    /// From when on each condition counts.
+    begin: M::Events,
     last: Option<Point<M>>,
+    /// The values of conditions just before the mechanism was changed, where it has been since.
+    before: Option<M::Events>,
     largest: M::Events,
     /// How conditions go on from the beginning, where events change the motion.
     onset: Option<Onset<M>>,
@@ -90,21 +93,58 @@ pub struct EventSearch<M: Mechanism> {
 impl<M: Mechanism> EventSearch<M> {
     /// A search from a time on.
     pub fn new(begin: f64) -> EventSearch<M> {
-        EventSearch { found: Vec::with_capacity(1024), begin, last: None, largest: M::Events::filled(0.0), onset: None }
+        EventSearch {
+            found: Vec::with_capacity(1024),
+            begin: M::Events::filled(begin),
+            last: None,
+            before: None,
+            largest: M::Events::filled(0.0),
+            onset: None,
+        }
     }
 
     /// Goes on from a time at which the motion has changed.
     pub(crate) fn restart(&mut self, begin: f64, onset: Option<Onset<M>>) {
-        (self.begin, self.last, self.onset) = (begin, None, onset);
+        (self.begin, self.last, self.before, self.onset) = (M::Events::filled(begin), None, None, onset);
+    }
+
+    /// Goes on from where the mechanism has been changed: conditions that this leaves as they were are watched on, and others from
+    /// here, as from a start. A jump over zero is no event.
+    pub(crate) fn resume(&mut self, onset: Option<Onset<M>>) {
+        self.before = self.last.take().map(|last| last.values).or(self.before);
+        self.onset = onset;
+    }
+
+    /// What conditions were before a change of the mechanism, if they are known.
+    pub(crate) fn before(&self) -> Option<M::Events> {
+        self.last.map(|last| last.values).or(self.before)
+    }
+
+    /// The point that a step is searched from where there was none before it.
+    fn first_point(&mut self, mut point: Point<M>) -> Point<M> {
+        for event in 0..M::Events::LEN {
+            match self.before {
+                Some(before) if before[event] == point.values[event] => {}
+                before => {
+                    if before.is_some() {
+                        self.begin[event] = point.time;
+                    }
+                    point.values[event] = started(&point, event, self.onset.as_ref());
+                }
+            }
+        }
+        self.before = None;
+        point
     }
 
     /// All of it as bytes, or from them; `blank` is filled by each occurrence that is read.
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes, blank: &Change<M>) -> Result<(), Damaged> {
-        let EventSearch { found, begin, last, largest, onset } = self;
+        let EventSearch { found, begin, last, before, largest, onset } = self;
         let none = || Occurrence { event: 0, name: "", crossing: Crossing::Rising, state: blank.state, change: None };
         bytes.list(found, none, |bytes, occurrence| occurrence.transfer(bytes, blank))?;
-        bytes.number(begin)?;
+        bytes.numbers(begin.as_mut())?;
         bytes.option(last, Point::blank, |bytes, last| last.transfer(bytes))?;
+        bytes.option(before, || M::Events::filled(0.0), |bytes, before| bytes.numbers(before.as_mut()))?;
         bytes.numbers(largest.as_mut())?;
         bytes.option(onset, Onset::blank, |bytes, onset| onset.transfer(bytes))
     }
@@ -120,7 +160,7 @@ impl<M: Mechanism> EventSearch<M> {
         let (motion, h) = (step.motion, step.length());
         let from = match self.last {
             Some(last) => last,
-            None => started(Point::of(motion, step.from, h)?, self.onset.as_ref()),
+            None => self.first_point(Point::of(motion, step.from, h)?),
         };
         let mut to = Point::of(motion, step.to, h)?;
         let first = self.found.len();
@@ -255,24 +295,19 @@ impl<M: Mechanism> EventSearch<M> {
             Direction::Rising => crossing == Crossing::Rising,
             Direction::Falling => crossing == Crossing::Falling,
         };
-        if counts && state.time - self.begin > 2.0 * tolerance(state.time) {
+        if counts && state.time - self.begin[event] > 2.0 * tolerance(state.time) {
             self.found.push(Occurrence { event, name: described.name, crossing, state, change: None });
         }
     }
 }
 
-/// The point from which a search starts: what holds there is left and not crossed.
-fn started<M: Mechanism>(mut point: Point<M>, onset: Option<&Onset<M>>) -> Point<M> {
-    for i in 0..M::Events::LEN {
-        let is_zero = point.values[i].abs() <= 2.0 * tolerance(point.time) * point.rates[i].abs();
-        let sign = match onset {
-            Some(onset) if onset.holds(i) => onset.sign(i),
-            _ if is_zero => point.rates[i],
-            _ => 0.0,
-        };
-        if sign != 0.0 {
-            point.values[i] = f64::MIN_POSITIVE.copysign(sign);
-        }
-    }
-    point
+/// The value of a condition where a search starts: what holds there is left and not crossed.
+fn started<M: Mechanism>(point: &Point<M>, event: usize, onset: Option<&Onset<M>>) -> f64 {
+    let is_zero = point.values[event].abs() <= 2.0 * tolerance(point.time) * point.rates[event].abs();
+    let sign = match onset {
+        Some(onset) if onset.holds(event) => onset.sign(event),
+        _ if is_zero => point.rates[event],
+        _ => 0.0,
+    };
+    if sign != 0.0 { f64::MIN_POSITIVE.copysign(sign) } else { point.values[event] }
 }

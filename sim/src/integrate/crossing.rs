@@ -3,13 +3,13 @@
 use super::attempt::attempt;
 use super::dop853::Dop853;
 use super::method::Advance;
-use super::{Step, Steps};
+use super::{Step, Steps, transfer_singularities};
 use crate::motion::Motion;
-use crate::motion::singular::{Ahead, Followed, Lie, look_ahead, may_be_ahead};
+use crate::motion::singular::{Ahead, Followed, Lie, Singularity, look_ahead, may_be_ahead};
 use crate::state::failure::Failure;
-use crate::state::saved::{Bytes, Damaged};
+use crate::state::saved::{Bytes, Damaged, blank_sample};
 use crate::state::settings::Tolerance;
-use crate::state::trajectory::Sample;
+use crate::state::trajectory::{Sample, State};
 use sim_kernel::Mechanism;
 
 /// The least sine of the angle between a row of C_q and those before it that a step over a singular position begins and ends
@@ -42,23 +42,74 @@ pub(super) enum Way {
 
 /// What leads a motion over singular positions: steps of DOP853 whose error is estimated, whatever method and steps lead to
 /// them, with stages that are brought onto the constraints.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(super) struct Crossing<M: Mechanism> {
     method: Dop853<M>,
-    /// Where the last step over a singular position has gone to.
-    reached: Option<Sample<M>>,
+    /// The last step over a singular position, if the motion is still on it.
+    over: Option<Over<M>>,
     /// The smallest sines at the ends of the last two steps, infinite before there are two.
     sines: [f64; 2],
 }
 
+/// A step over a singular position. It may go beyond the time that was asked for, where nothing can start: the motion goes on
+/// along it.
+#[derive(Clone, Debug)]
+struct Over<M: Mechanism> {
+    begun: Sample<M>,
+    reached: Sample<M>,
+    /// The smallest sine where it ends.
+    end_sine: f64,
+    /// The singular positions in it that the motion has not come to.
+    ahead: Vec<Singularity>,
+}
+
 impl<M: Mechanism> Crossing<M> {
     pub(super) fn new() -> Crossing<M> {
-        Crossing { method: Dop853::new(), reached: None, sines: [f64::INFINITY; 2] }
+        Crossing { method: Dop853::new(), over: None, sines: [f64::INFINITY; 2] }
     }
 
-    /// What it remembers between steps as bytes, or from them.
-    pub(super) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
-        bytes.numbers(&mut self.sines)
+    /// What it remembers between steps as bytes, or from them, at a state.
+    pub(super) fn transfer(&mut self, bytes: &mut Bytes, at: &State<M>) -> Result<(), Damaged> {
+        bytes.numbers(&mut self.sines)?;
+        if self.over.as_ref().is_some_and(|over| over.reached.state.time <= at.time) {
+            self.over = None;
+        }
+        let blank = || Over { begun: blank_sample(at), reached: blank_sample(at), end_sine: 0.0, ahead: Vec::new() };
+        bytes.option(&mut self.over, blank, |bytes, over| {
+            bytes.sample(&mut over.begun)?;
+            bytes.sample(&mut over.reached)?;
+            bytes.number(&mut over.end_sine)?;
+            transfer_singularities::<M>(&mut over.ahead, bytes)
+        })?;
+        if self.over.is_some() { self.method.transfer(bytes) } else { Ok(()) }
+    }
+
+    /// Goes on along a step over a singular position that goes beyond where the motion is, as far as to an end; whether it is on
+    /// one.
+    ///
+    /// # Errors
+    /// As dense output.
+    pub(super) fn goes_on(
+        &mut self,
+        motion: &Motion<M>,
+        [from, to]: [&mut Sample<M>; 2],
+        end: f64,
+        steps: &mut Steps,
+    ) -> Result<bool, Failure> {
+        let Some(over) = self.over.as_mut().filter(|over| over.reached.state.time > from.state.time) else {
+            self.over = None;
+            return Ok(false);
+        };
+        steps.singularities.extend(over.ahead.extract_if(.., |singularity| singularity.time <= end));
+        if over.reached.state.time <= end {
+            *to = over.reached;
+            self.sines = [self.sines[1], over.end_sine];
+        } else {
+            let there = self.step(motion, [from, to]).sample(end)?;
+            *to = there;
+            self.ended(motion);
+        }
+        Ok(true)
     }
 
     /// Takes note that a step has ended here.
@@ -134,9 +185,9 @@ impl<M: Mechanism> Crossing<M> {
             return Ok(Way::On);
         }
         steps.accepted += 1;
-        self.reached = Some(*to);
+        let ahead = steps.singularities.extract_if(passed.., |singularity| singularity.time > end).collect();
+        self.over = Some(Over { begun: *from, reached: *to, end_sine: motion.least_sine(), ahead });
         if to.state.time > end {
-            steps.singularities.retain(|singularity| singularity.time <= end);
             let end = self.step(motion, [from, to]).sample(end)?;
             *to = end;
         }
@@ -145,8 +196,9 @@ impl<M: Mechanism> Crossing<M> {
 
     /// The step over a singular position that has been made.
     pub(super) fn step<'s>(&'s mut self, motion: &'s Motion<M>, [from, to]: [&'s Sample<M>; 2]) -> Step<'s, M> {
-        let (end_sine, reached) = (self.end_sine(motion), self.reached.as_ref().unwrap_or(to));
-        Step { motion, method: &mut self.method, from, to, reached, end_sine }
+        let end_sine = self.end_sine(motion);
+        let (begun, reached) = self.over.as_ref().map_or((from, to), |over| (&over.begun, &over.reached));
+        Step { motion, method: &mut self.method, from, to, begun, reached, end_sine }
     }
 }
 

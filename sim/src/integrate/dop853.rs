@@ -5,6 +5,7 @@ use super::explicit::ExplicitRungeKutta;
 use super::method::{Advance, Attempt};
 use crate::motion::Motion;
 use crate::state::failure::Failure;
+use crate::state::saved::{Bytes, Damaged};
 use crate::state::settings::Tolerance;
 use crate::state::trajectory::{Rates, Sample, State};
 use sim_kernel::Mechanism;
@@ -25,6 +26,21 @@ impl<M: Mechanism> Dop853<M> {
     /// The method.
     pub fn new() -> Dop853<M> {
         Dop853 { method: ExplicitRungeKutta::new(&DOP853), interpolant: None }
+    }
+
+    /// The interpolant as bytes, or from them.
+    pub(super) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        bytes.option(
+            &mut self.interpolant,
+            || [Rates::zero(); 7],
+            |bytes, coefficients| {
+                coefficients.iter_mut().try_for_each(|rates| {
+                    bytes.numbers(rates.positions.as_mut())?;
+                    bytes.numbers(rates.speeds.as_mut())?;
+                    bytes.number(&mut rates.work)
+                })
+            },
+        )
     }
 
     fn interpolant(&mut self, motion: &Motion<M>, from: &Sample<M>, to: &Sample<M>) -> Result<[Rates<M>; 7], Failure> {

@@ -3,7 +3,7 @@
 use crate::state::saved::{Bytes, Damaged};
 
 /// How far attempts have come lately.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(super) struct Headway {
     since: f64,
     attempts: u32,
@@ -27,7 +27,12 @@ impl Headway {
         bytes.index(&mut attempts, Headway::ATTEMPTS as usize + 1)?;
         self.attempts = attempts as u32;
         bytes.number(&mut self.since)?;
-        bytes.number(&mut self.longest)
+        bytes.duration(&mut self.longest)
+    }
+
+    /// Begins to count anew: a step has ended at a time where it was asked to.
+    pub(super) fn is_asked_to_stop(&mut self, at: f64) {
+        (self.since, self.attempts) = (at, 0);
     }
 
     /// Takes note of a step.

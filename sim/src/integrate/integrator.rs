@@ -6,7 +6,7 @@ use crate::state::settings::Method;
 use sim_kernel::Mechanism;
 
 /// One of the methods that settings name, with what it remembers of its last step.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(crate) enum Integrator<M: Mechanism> {
     Explicit(ExplicitRungeKutta<M>),
     Dop853(Dop853<M>),

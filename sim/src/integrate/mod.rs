@@ -51,15 +51,20 @@ pub struct Steps {
 impl Steps {
     /// All of it as bytes, or from them.
     pub(crate) fn transfer<M: Mechanism>(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
-        bytes.word(&mut self.accepted)?;
-        bytes.word(&mut self.rejected)?;
-        let none = || Singularity { constraint: "", time: 0.0, sine: 0.0 };
-        bytes.list(&mut self.singularities, none, |bytes, Singularity { constraint, time, sine }| {
-            bytes.constraint::<M>(constraint)?;
-            bytes.number(time)?;
-            bytes.number(sine)
-        })
+        bytes.tally(&mut self.accepted)?;
+        bytes.tally(&mut self.rejected)?;
+        transfer_singularities::<M>(&mut self.singularities, bytes)
     }
+}
+
+/// Singular positions as bytes, or from them.
+fn transfer_singularities<M: Mechanism>(list: &mut Vec<Singularity>, bytes: &mut Bytes) -> Result<(), Damaged> {
+    let none = || Singularity { constraint: "", time: 0.0, sine: 0.0 };
+    bytes.list(list, none, |bytes, Singularity { constraint, time, sine }| {
+        bytes.constraint::<M>(constraint)?;
+        bytes.number(time)?;
+        bytes.number(sine)
+    })
 }
 
 /// When and how far to integrate.
@@ -74,7 +79,8 @@ pub struct Course {
 }
 
 impl Course {
-    /// The way to an end, of a run that began then; equal steps are of the same length to an earlier end.
+    /// The way to an end, of a run that began then. To an earlier one equal steps are as long as those of the whole, or, where it
+    /// lies between two of them, a little shorter.
     pub(crate) fn new(settings: &Settings, begin: f64, end: f64) -> Course {
         let stepping = match settings.stepping {
             Stepping::Equal(count) if end < settings.end => {

@@ -16,7 +16,8 @@ pub struct Step<'s, M: Mechanism> {
     pub from: &'s Sample<M>,
     /// Its end, on the constraints.
     pub to: &'s Sample<M>,
-    /// Where the method has gone to: beyond the end where that lies beside a singular position.
+    /// Where the method has come from and gone to: before the start and beyond the end where those lie beside a singular position.
+    pub(super) begun: &'s Sample<M>,
     pub(super) reached: &'s Sample<M>,
     /// The smallest sine between a constraint and those before it at `to`.
     pub(super) end_sine: f64,
@@ -61,7 +62,7 @@ impl<M: Mechanism> Step<'_, M> {
         if direct.is_err() && found.sine >= AT {
             return direct;
         }
-        let nearer = if self.fraction(time) < 0.5 { self.from } else { self.reached };
+        let nearer = if self.fraction(time) < 0.5 { self.begun } else { self.reached };
         let known = direct.as_ref().ok().map(|direct| direct.accelerations);
         let better = better_accelerations(self.motion, found.state(), known, nearer.accelerations, self.made() / 2.0);
         let Some(accelerations) = better else { return direct };
@@ -73,11 +74,11 @@ impl<M: Mechanism> Step<'_, M> {
 
     /// How long a step the method has made, in seconds.
     fn made(&self) -> f64 {
-        self.reached.state.time - self.from.state.time
+        self.reached.state.time - self.begun.state.time
     }
 
     fn fraction(&self, time: f64) -> f64 {
-        (time - self.from.state.time) / self.made()
+        (time - self.begun.state.time) / self.made()
     }
 
     fn find(&mut self, time: f64) -> Result<Inside<M>, Failure> {
@@ -85,7 +86,7 @@ impl<M: Mechanism> Step<'_, M> {
             let end = self.to.state;
             return Ok(Inside { kept: end, interpolated: end, sine: self.end_sine });
         }
-        let mut kept = self.method.inside(self.motion, self.from, self.reached, self.fraction(time))?;
+        let mut kept = self.method.inside(self.motion, self.begun, self.reached, self.fraction(time))?;
         kept.time = time;
         let interpolated = kept;
         match self.motion.keep(&mut kept) {

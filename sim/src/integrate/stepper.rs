@@ -17,7 +17,7 @@ use sim_kernel::Mechanism;
 const EXACT: Tolerance = Tolerance::new(1e-12);
 
 /// How far a motion has come, and how long its next step may be.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(crate) struct Stepper<M: Mechanism> {
     course: Course,
     /// Both ends of a step stay where they are, and the next one starts where the last ended.
@@ -30,7 +30,7 @@ pub(crate) struct Stepper<M: Mechanism> {
 }
 
 /// How the last step was made.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Made {
     /// By the method.
     Normally,
@@ -39,7 +39,7 @@ enum Made {
 }
 
 /// How long steps are.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 enum Pace {
     /// The so-many-th of equal ones is the next.
     Equal { count: usize, step: usize },
@@ -47,7 +47,7 @@ enum Pace {
     Adaptive(Adaptive),
 }
 
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 struct Adaptive {
     tolerance: Tolerance,
     controller: Controller,
@@ -70,12 +70,13 @@ impl<M: Mechanism> Stepper<M> {
         start: Sample<M>,
     ) -> Result<Stepper<M>, Failure> {
         let State { time, positions, .. } = &start.state;
-        let mut pace = Pace::new(course.stepping, method, *time);
+        let mut pace = Pace::new(course, method, *time);
         if let Pace::Adaptive(adaptive) = &mut pace {
             let order = method.control_order();
             let order = order.ok_or_else(|| Failure::at::<M>(What::NoErrorEstimate, *time, positions))?;
             motion.start(&start.state);
-            adaptive.h = initial_step(motion, &start, course.end - time, order, &adaptive.tolerance)?;
+            let first = initial_step(motion, &start, course.end - time, order, &adaptive.tolerance)?;
+            adaptive.h = first.max(shortest(*time));
             adaptive.first = adaptive.h;
         }
         Ok(Stepper { pace, ..Stepper::blank(course, method, start) })
@@ -83,7 +84,7 @@ impl<M: Mechanism> Stepper<M> {
 
     /// One to be filled.
     fn blank(course: &Course, method: &dyn Advance<M>, at: Sample<M>) -> Stepper<M> {
-        let pace = Pace::new(course.stepping, method, at.state.time);
+        let pace = Pace::new(course, method, at.state.time);
         Stepper { course: *course, ends: [at; 2], from: 0, last: None, crossing: Crossing::new(), pace }
     }
 
@@ -103,7 +104,7 @@ impl<M: Mechanism> Stepper<M> {
             bytes.flag(&mut has_moved)?;
             // Of that step itself no more is needed.
             *last = has_moved.then_some(Made::Normally);
-            crossing.transfer(bytes)?;
+            crossing.transfer(bytes, &ends[usize::from(has_moved) ^ *from].state)?;
             pace.transfer(bytes)
         })
     }
@@ -116,11 +117,8 @@ impl<M: Mechanism> Stepper<M> {
     /// Goes on by another course, which may end elsewhere.
     pub(crate) fn head_for(&mut self, course: &Course) {
         let now = self.ends[if self.last.is_some() { 1 - self.from } else { self.from }].state.time;
-        if let (Pace::Equal { count, step }, Stepping::Equal(new)) = (&mut self.pace, course.stepping)
-            && *course != self.course
-        {
-            let passed = new as f64 * (now - course.begin) / (course.end - course.begin);
-            (*count, *step) = (new, (passed as usize).max(1));
+        if let (Pace::Equal { count, step }, Stepping::Equal(new)) = (&mut self.pace, course.stepping) {
+            (*count, *step) = (new, first_step(course, new, now));
         }
         self.course = *course;
     }
@@ -140,13 +138,30 @@ impl<M: Mechanism> Stepper<M> {
             self.from = 1 - self.from;
         }
         let [first, second] = &mut self.ends;
-        let ends = if self.from == 0 { [first, second] } else { [second, first] };
+        let [from, to] = if self.from == 0 { [first, second] } else { [second, first] };
         let (course, crossing) = (&self.course, &mut self.crossing);
+        if from.state.time < course.end && crossing.goes_on(motion, [&mut *from, &mut *to], course.end, steps)? {
+            self.last = Some(Made::Across);
+            return Ok(self.last_step(motion, method));
+        }
+        let ends = [from, to];
         self.last = match &mut self.pace {
             Pace::Equal { count, step } => equal_step(motion, method, course, (*count, step), ends, crossing, steps)?,
             Pace::Adaptive(adaptive) => adaptive.step(motion, method, course, ends, crossing, steps)?,
         };
         Ok(self.last_step(motion, method))
+    }
+
+    /// Where the motion is, as the last step has it.
+    ///
+    /// # Errors
+    /// As dense output.
+    pub(crate) fn sample(&self, motion: &Motion<M>, method: &mut dyn Advance<M>) -> Result<Sample<M>, Failure> {
+        let mut stepper = self.clone();
+        match stepper.last_step(motion, method) {
+            Some(mut step) => step.sample(step.to.state.time),
+            None => Ok(self.ends[self.from]),
+        }
     }
 
     /// The last step.
@@ -156,7 +171,7 @@ impl<M: Mechanism> Stepper<M> {
             Made::Across => self.crossing.step(motion, ends),
             Made::Normally => {
                 let end_sine = self.crossing.end_sine(motion);
-                Step { motion, method, from, to, reached: to, end_sine }
+                Step { motion, method, from, to, begun: from, reached: to, end_sine }
             }
         })
     }
@@ -164,9 +179,9 @@ impl<M: Mechanism> Stepper<M> {
 
 impl Pace {
     /// At the start; of adaptive steps the length is still to be found.
-    fn new<M: Mechanism>(stepping: Stepping, method: &dyn Advance<M>, now: f64) -> Pace {
-        match stepping {
-            Stepping::Equal(count) => Pace::Equal { count, step: 1 },
+    fn new<M: Mechanism>(course: &Course, method: &dyn Advance<M>, now: f64) -> Pace {
+        match course.stepping {
+            Stepping::Equal(count) => Pace::Equal { count, step: first_step(course, count, now) },
             Stepping::Adaptive(tolerance) => {
                 let controller = Controller::new(method.control_order().unwrap_or(1.0));
                 Pace::Adaptive(Adaptive { tolerance, controller, h: 0.0, first: 0.0, headway: Headway::from(now) })
@@ -180,9 +195,10 @@ impl Pace {
             Pace::Equal { .. } => Ok(()),
             Pace::Adaptive(Adaptive { controller, h, first, headway, .. }) => {
                 controller.transfer(bytes)?;
-                bytes.number(h)?;
-                bytes.number(first)?;
-                headway.transfer(bytes)
+                bytes.duration(h)?;
+                bytes.duration(first)?;
+                headway.transfer(bytes)?;
+                if *h > 0.0 { Ok(()) } else { Err(Damaged) }
             }
         }
     }
@@ -225,6 +241,17 @@ fn equal_step<M: Mechanism>(
     Ok(Some(Made::Normally))
 }
 
+/// The first of so many equal steps that may end later than now, or one before it.
+fn first_step(course: &Course, count: usize, now: f64) -> usize {
+    let passed = count as f64 * (now - course.begin) / (course.end - course.begin);
+    (passed as usize).max(1)
+}
+
+/// A step that a time is still changed by.
+fn shortest(now: f64) -> f64 {
+    16.0 * f64::EPSILON * now.abs()
+}
+
 /// Where the next of so many equal steps ends.
 fn next_goal(course: &Course, count: usize, step: &mut usize, now: f64) -> Option<f64> {
     let Course { begin, end, .. } = *course;
@@ -262,7 +289,8 @@ impl Adaptive {
                 return Err(too_small(motion, &from.state, self.h, None));
             }
             // The last step is not followed by a tiny one.
-            let wanted = if now + 1.01 * self.h >= course.end { course.end } else { now + self.h };
+            let h = self.h.max(shortest(now));
+            let wanted = if now + 1.01 * h >= course.end { course.end } else { now + h };
             let way = match crossing.may_be_ahead(motion) {
                 true => crossing.lead(motion, [from, to], [wanted - now, course.end], &tolerance, steps)?,
                 false => Way::On,
@@ -291,6 +319,9 @@ impl Adaptive {
                     // A step that was cut short says little of how long they may be.
                     let is_cut = time < wanted || time < now + self.h;
                     self.h = if is_cut { next.max(self.h) } else { next };
+                    if time == course.end {
+                        self.headway.is_asked_to_stop(time);
+                    }
                     return Ok(Some(Made::Normally));
                 }
                 refused => {

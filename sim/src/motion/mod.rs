@@ -82,7 +82,7 @@ impl<M: Mechanism> Motion<M> {
         bytes.mechanism(&mut self.mechanism)?;
         self.prepared = self.mechanism.prepare();
         self.measures.transfer(bytes)?;
-        bytes.word(self.evaluations.get_mut())?;
+        bytes.tally(self.evaluations.get_mut())?;
         bytes.numbers(self.longest.get_mut().as_mut())?;
         bytes.number(self.widest.get_mut())?;
         bytes.flag(self.is_in_speeds.get_mut())?;

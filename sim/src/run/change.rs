@@ -16,21 +16,29 @@ const NEAR: f64 = 0.1;
 const LEAST_PART: f64 = 1e-3;
 
 impl<M: Mechanism> Simulation<M> {
-    /// Sets all inputs, from here on.
-    pub fn set_inputs(&mut self, inputs: M::Inputs) {
-        let mechanism = self.mechanism().with_inputs(inputs);
-        self.start_anew(mechanism);
+    /// Sets all inputs, from here on. Those that stay as they were change nothing.
+    ///
+    /// # Errors
+    /// [`What::NotFinite`], and what the simulation has failed with.
+    pub fn set_inputs(&mut self, inputs: M::Inputs) -> Result<(), Failure> {
+        self.check_sound()?;
+        let held = inputs.iter().map(|input| input.held().unwrap_or(0.0));
+        self.check_finite("input", M::DESCRIPTION.inputs, held)?;
+        if inputs.as_ref() != self.mechanism().inputs().as_ref() {
+            let mechanism = self.mechanism().with_inputs(inputs);
+            self.start_anew(mechanism);
+        }
+        Ok(())
     }
 
     /// Sets an input by its name, from here on; a value is in SI units.
     ///
     /// # Errors
-    /// [`What::Unknown`], and [`What::NotFinite`].
+    /// As [`set_inputs`](Simulation::set_inputs), and [`What::Unknown`].
     pub fn set_input(&mut self, name: &str, input: Input) -> Result<(), Failure> {
         let mut inputs = self.mechanism().inputs();
-        inputs[self.place("input", M::DESCRIPTION.inputs, name, input.held().unwrap_or(0.0))?] = input;
-        self.set_inputs(inputs);
-        Ok(())
+        inputs[self.place("input", M::DESCRIPTION.inputs, name)?] = input;
+        self.set_inputs(inputs)
     }
 
     /// Sets a parameter by its name, in SI units, from here on.
@@ -39,7 +47,7 @@ impl<M: Mechanism> Simulation<M> {
     /// As [`set_parameters`](Simulation::set_parameters), and [`What::Unknown`].
     pub fn set_parameter(&mut self, name: &str, value: f64) -> Result<(), Failure> {
         let mut parameters = self.mechanism().parameters();
-        parameters[self.place("parameter", M::DESCRIPTION.parameters, name, value)?] = value;
+        parameters[self.place("parameter", M::DESCRIPTION.parameters, name)?] = value;
         self.set_parameters(parameters)
     }
 
@@ -50,9 +58,15 @@ impl<M: Mechanism> Simulation<M> {
     /// that does to the energy is no work.
     ///
     /// # Errors
-    /// [`What::ParametersOpen`] if a constraint cannot be closed from here; masses and inertias that cannot be. The simulation
-    /// then stays as it was.
+    /// [`What::ParametersOpen`] if a constraint cannot be closed from here; masses and inertias that cannot be;
+    /// [`What::SingularStart`] in a singular position, [`What::NotFinite`], and what the simulation has failed with. It then stays
+    /// as it was.
     pub fn set_parameters(&mut self, parameters: M::Parameters) -> Result<(), Failure> {
+        self.check_sound()?;
+        self.check_finite("parameter", M::DESCRIPTION.parameters, parameters.iter().copied())?;
+        if parameters.as_ref() == self.mechanism().parameters().as_ref() {
+            return Ok(());
+        }
         let unchanged = self.clone();
         self.change_to(parameters).inspect_err(|_| *self = unchanged)
     }
@@ -63,7 +77,7 @@ impl<M: Mechanism> Simulation<M> {
         check_masses(&mechanism, state.time, &state.positions)?;
         check_inertias(&mechanism, state.time, &state.positions)?;
         let state = if moves_constraints(&before, &mechanism, &state) { self.closed(&parameters)? } else { state };
-        self.enter_phase(mechanism, state)
+        self.go_over(mechanism, state)
     }
 
     /// The state with these parameters, on the branch of this one.
@@ -91,17 +105,26 @@ impl<M: Mechanism> Simulation<M> {
         Ok(state)
     }
 
-    /// The place of a name, where the value to be set is finite.
-    fn place(&self, kind: &'static str, known: &[Quantity], name: &str, value: f64) -> Result<usize, Failure> {
-        let fail = |what: What| Failure::at::<M>(what, self.state.time, &self.state.positions);
-        let place = known.iter().position(|quantity| quantity.name == name).ok_or_else(|| {
+    /// The place of a name.
+    fn place(&self, kind: &'static str, known: &[Quantity], name: &str) -> Result<usize, Failure> {
+        known.iter().position(|quantity| quantity.name == name).ok_or_else(|| {
             let names: Vec<&str> = known.iter().map(|quantity| quantity.name).collect();
-            fail(What::Unknown { kind, name: name.to_owned(), known: names.join(", ") })
-        })?;
-        match value.is_finite() {
-            true => Ok(place),
-            false => Err(fail(What::NotFinite { quantity: format!("{kind} `{name}`") })),
+            self.refused(What::Unknown { kind, name: name.to_owned(), known: names.join(", ") })
+        })
+    }
+
+    /// That all values to be set are finite.
+    fn check_finite(&self, kind: &str, of: &[Quantity], values: impl Iterator<Item = f64>) -> Result<(), Failure> {
+        match of.iter().zip(values).find(|(_, value)| !value.is_finite()) {
+            None => Ok(()),
+            Some((quantity, _)) => {
+                Err(self.refused(What::NotFinite { quantity: format!("{kind} `{}`", quantity.name) }))
+            }
         }
+    }
+
+    fn refused(&self, what: What) -> Failure {
+        Failure::at::<M>(what, self.state.time, &self.state.positions)
     }
 }
 

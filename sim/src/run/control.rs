@@ -51,10 +51,9 @@ impl<'r, 'c, M: Mechanism> Control<'r, 'c, M> {
     /// # Errors
     /// As the sample.
     pub(crate) fn ask(&mut self, simulation: &mut Simulation<M>) -> Result<(), Failure> {
-        let is_due = simulation.state().time >= self.holds_until(f64::INFINITY);
+        let is_due = simulation.state().time >= self.holds_until(f64::INFINITY) && !simulation.has_ended();
         let Some(controller) = self.controller.as_mut().filter(|_| is_due) else { return Ok(()) };
         self.asked += 1;
-        simulation.set_inputs((controller.law)(&simulation.sample()?));
-        Ok(())
+        simulation.set_inputs((controller.law)(&simulation.sample()?))
     }
 }

@@ -123,6 +123,6 @@ impl<M: Mechanism> Simulation<M> {
         bytes.flag(&mut self.begins_phase)?;
         self.events.transfer(bytes, &Change::none(*self.motion.mechanism(), self.state))?;
         self.steps.transfer::<M>(bytes)?;
-        bytes.word(&mut self.evaluations)
+        bytes.tally(&mut self.evaluations)
     }
 }

@@ -32,12 +32,12 @@ use sim_kernel::Mechanism;
 /// let cart = Cart::default();
 /// let mut simulation = Simulation::new(cart, &declared_start(&cart), &Settings::new(2.0))?;
 /// simulation.advance_to(1.0)?;
-/// simulation.set_inputs([Input::Held(4.0)]);
+/// simulation.set_inputs([Input::Held(4.0)])?;
 /// simulation.advance_to(2.0)?;
 /// assert!((simulation.state().positions[0] - 1.0).abs() < 1e-12);
 /// # Ok::<(), sim::Failure>(())
 /// ```
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Simulation<M: Mechanism> {
     pub(super) settings: Settings,
     /// When it began, in seconds.
@@ -60,12 +60,16 @@ pub struct Simulation<M: Mechanism> {
 }
 
 impl<M: Mechanism> Simulation<M> {
-    /// A motion that has not begun yet. Its settings say how long it may last; they say nothing of rows here.
+    /// A motion that has not begun yet. Its settings say how long it may last; what they say of rows, of progress and of an
+    /// interrupt is for [`run`](crate::run()).
     ///
     /// # Errors
-    /// If no start can be assembled, or it is singular.
+    /// If no start can be assembled, or it is singular; [`What::Unusable`] settings.
     pub fn new(mechanism: M, start: &Start<M>, settings: &Settings) -> Result<Simulation<M>, Failure> {
         let state = assemble(&mechanism, start)?;
+        settings
+            .check(M::DESCRIPTION.events.len())
+            .map_err(|setting| Failure::at::<M>(What::Unusable { setting }, state.time, &state.positions))?;
         check_masses(&mechanism, state.time, &state.positions)?;
         check_inertias(&mechanism, state.time, &state.positions)?;
         let mobility = mobility(&mechanism, state.time, &state.positions);
@@ -98,12 +102,17 @@ impl<M: Mechanism> Simulation<M> {
         &self.state
     }
 
-    /// The same with accelerations and multipliers.
+    /// The same with accelerations and multipliers, as a row of a run has it there.
     ///
     /// # Errors
     /// As the right-hand side.
     pub fn sample(&self) -> Result<Sample<M>, Failure> {
-        Motion::new(*self.mechanism(), self.settings.stabilisation, self.measures).sample(self.state)
+        match &self.stepper {
+            Some(stepper) => stepper.sample(&self.motion, self.integrator.clone().method()),
+            None => {
+                first_sample(&Motion::new(*self.mechanism(), self.settings.stabilisation, self.measures), self.state)
+            }
+        }
     }
 
     /// What has happened, in the order of time.
@@ -159,6 +168,7 @@ impl<M: Mechanism> Simulation<M> {
             let what = What::NotFinite { quantity: "the time to go on to".to_owned() };
             return Err(Failure::at::<M>(what, self.state.time, &self.state.positions));
         }
+        self.check_sound()?;
         let time = time.min(self.settings.end);
         while self.state.time < time && self.advance(time, &mut ())? {}
         Ok(())
@@ -170,9 +180,7 @@ impl<M: Mechanism> Simulation<M> {
     /// # Errors
     /// As [`step`](Simulation::step), and as whoever watches.
     pub(crate) fn advance(&mut self, until: f64, watch: &mut impl Watch<M>) -> Result<bool, Failure> {
-        if let Some(failure) = &self.failure {
-            return Err(failure.clone());
-        }
+        self.check_sound()?;
         self.advance_once(until, watch).inspect_err(|failure| self.failure = Some(failure.clone()))
     }
 
@@ -190,7 +198,7 @@ impl<M: Mechanism> Simulation<M> {
             stepper.head_for(&Course::new(&self.settings, self.begin, until));
         }
         let Some(mut step) = stepper.next(&self.motion, self.integrator.method(), &mut self.steps)? else {
-            // What is left is rounding.
+            // Of equal steps what is left is rounding.
             self.state.time = self.state.time.max(until);
             return Ok(false);
         };
@@ -207,6 +215,11 @@ impl<M: Mechanism> Simulation<M> {
         Ok(true)
     }
 
+    /// That it can go on.
+    pub(super) fn check_sound(&self) -> Result<(), Failure> {
+        self.failure.as_ref().map_or(Ok(()), |failure| Err(failure.clone()))
+    }
+
     /// The way to a time.
     pub(super) fn course(&self, until: f64) -> Course {
         Course::new(&self.settings, self.begin, until)
@@ -220,9 +233,11 @@ impl<M: Mechanism> Simulation<M> {
             self.begins_phase = false;
             watch.starts(&self.motion, &sample, self.events.energy_taken());
             self.events.start(&self.motion, &sample)?;
-            if self.change_phase()? {
-                return Ok(None);
-            }
+        } else {
+            self.events.resume(&self.motion, &sample)?;
+        }
+        if self.change_phase()? {
+            return Ok(None);
         }
         if self.has_ended() {
             return Ok(None);
@@ -234,16 +249,16 @@ impl<M: Mechanism> Simulation<M> {
     /// Goes over to the next phase, if events have made one; its first state may be singular.
     fn change_phase(&mut self) -> Result<bool, Failure> {
         let Some((mechanism, state)) = self.events.next_phase() else { return Ok(false) };
-        self.enter_phase(mechanism, state)?;
+        self.begins_phase = true;
+        self.go_over(mechanism, state)?;
         Ok(true)
     }
 
-    /// Has the next step begin a phase there.
-    pub(super) fn enter_phase(&mut self, mechanism: M, state: State<M>) -> Result<(), Failure> {
+    /// Goes on from a state with another mechanism.
+    pub(super) fn go_over(&mut self, mechanism: M, state: State<M>) -> Result<(), Failure> {
         self.state = state;
         let found = mobility(&mechanism, state.time, &state.positions);
         self.measures = Measures::with_mobility(&mechanism, state.time, &state.positions, &found);
-        self.begins_phase = true;
         self.start_anew(mechanism);
         found.check_regular::<M>(state.time, &state.positions)
     }

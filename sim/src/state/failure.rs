@@ -286,6 +286,12 @@ pub enum What {
         /// That residual.
         residual: f64,
     },
+    /// A setting that no motion can be made with.
+    #[error("{setting}")]
+    Unusable {
+        /// Which, why, and what would be right.
+        setting: String,
+    },
     /// A name that the mechanism does not have.
     #[error("there is no {kind} `{name}`; there are: {known}")]
     Unknown {

@@ -48,8 +48,21 @@ impl Bytes<'_> {
         Ok(())
     }
 
+    /// How many there are of something: far from where numbers end, so that more can be counted.
     pub(crate) fn count(&mut self, count: &mut usize) -> Result<(), Damaged> {
-        self.index(count, usize::MAX)
+        self.index(count, 1 << 48)
+    }
+
+    /// The same of what may be many on small machines too.
+    pub(crate) fn tally(&mut self, count: &mut u64) -> Result<(), Damaged> {
+        self.word(count)?;
+        if *count < 1 << 48 { Ok(()) } else { Err(Damaged) }
+    }
+
+    /// How long something lasts, in seconds.
+    pub(crate) fn duration(&mut self, duration: &mut f64) -> Result<(), Damaged> {
+        self.number(duration)?;
+        if *duration >= 0.0 && duration.is_finite() { Ok(()) } else { Err(Damaged) }
     }
 
     pub(crate) fn flag(&mut self, flag: &mut bool) -> Result<(), Damaged> {

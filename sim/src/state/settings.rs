@@ -178,4 +178,22 @@ impl Settings {
     pub const fn adaptive(method: Method, end: f64, relative: f64) -> Settings {
         Settings { method, stepping: Stepping::Adaptive(Tolerance::new(relative)), ..Settings::new(end) }
     }
+
+    /// That a motion of a mechanism with so many events can be made with them; else what is wrong, and what would be right.
+    pub(crate) fn check(&self, events: usize) -> Result<(), String> {
+        let is_equal = matches!(self.stepping, Stepping::Equal(_));
+        if self.end.is_nan() || (is_equal && self.end.is_infinite()) {
+            return Err(format!("a motion cannot end at {} s: give a time", self.end));
+        }
+        match (self.stepping, self.stop) {
+            (Stepping::Equal(0), _) => Err("no motion is made of 0 equal steps: give 1 at least".to_owned()),
+            (_, Some(StopAt { event, .. })) if event >= events => {
+                Err(format!("event {event} is to end the motion, and there are {events}: they are counted from 0"))
+            }
+            (_, Some(StopAt { occurrence: 0, .. })) => {
+                Err("the occurrence 0 of an event is to end the motion: they are counted from 1".to_owned())
+            }
+            _ => Ok(()),
+        }
+    }
 }
