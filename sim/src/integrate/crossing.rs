@@ -46,7 +46,7 @@ pub(super) enum Way {
 pub(super) struct Crossing<M: Mechanism> {
     method: Dop853<M>,
     /// The last step over a singular position, if the motion is still on it.
-    over: Option<Over<M>>,
+    over: Option<Box<Over<M>>>,
     /// The smallest sines at the ends of the last two steps, infinite before there are two.
     sines: [f64; 2],
 }
@@ -74,7 +74,8 @@ impl<M: Mechanism> Crossing<M> {
         if self.over.as_ref().is_some_and(|over| over.reached.state.time <= at.time) {
             self.over = None;
         }
-        let blank = || Over { begun: blank_sample(at), reached: blank_sample(at), end_sine: 0.0, ahead: Vec::new() };
+        let blank =
+            || Box::new(Over { begun: blank_sample(at), reached: blank_sample(at), end_sine: 0.0, ahead: Vec::new() });
         bytes.option(&mut self.over, blank, |bytes, over| {
             bytes.sample(&mut over.begun)?;
             bytes.sample(&mut over.reached)?;
@@ -84,11 +85,18 @@ impl<M: Mechanism> Crossing<M> {
         if self.over.is_some() { self.method.transfer(bytes) } else { Ok(()) }
     }
 
+    /// Whether the motion may still be on a step over a singular position.
+    #[inline]
+    pub(super) fn is_over(&self) -> bool {
+        self.over.is_some()
+    }
+
     /// Goes on along a step over a singular position that goes beyond where the motion is, as far as to an end; whether it is on
     /// one.
     ///
     /// # Errors
     /// As dense output.
+    #[cold]
     pub(super) fn goes_on(
         &mut self,
         motion: &Motion<M>,
@@ -96,10 +104,13 @@ impl<M: Mechanism> Crossing<M> {
         end: f64,
         steps: &mut Steps,
     ) -> Result<bool, Failure> {
-        let Some(over) = self.over.as_mut().filter(|over| over.reached.state.time > from.state.time) else {
+        let Some(over) = self.over.as_mut().filter(|over| from.state.time < over.reached.state.time) else {
             self.over = None;
             return Ok(false);
         };
+        if !(from.state.time < end) {
+            return Ok(false);
+        }
         steps.singularities.extend(over.ahead.extract_if(.., |singularity| singularity.time <= end));
         if over.reached.state.time <= end {
             *to = over.reached;
@@ -186,7 +197,7 @@ impl<M: Mechanism> Crossing<M> {
         }
         steps.accepted += 1;
         let ahead = steps.singularities.extract_if(passed.., |singularity| singularity.time > end).collect();
-        self.over = Some(Over { begun: *from, reached: *to, end_sine: motion.least_sine(), ahead });
+        self.over = Some(Box::new(Over { begun: *from, reached: *to, end_sine: motion.least_sine(), ahead }));
         if to.state.time > end {
             let end = self.step(motion, [from, to]).sample(end)?;
             *to = end;

@@ -140,7 +140,7 @@ impl<M: Mechanism> Stepper<M> {
         let [first, second] = &mut self.ends;
         let [from, to] = if self.from == 0 { [first, second] } else { [second, first] };
         let (course, crossing) = (&self.course, &mut self.crossing);
-        if from.state.time < course.end && crossing.goes_on(motion, [&mut *from, &mut *to], course.end, steps)? {
+        if crossing.is_over() && crossing.goes_on(motion, [&mut *from, &mut *to], course.end, steps)? {
             self.last = Some(Made::Across);
             return Ok(self.last_step(motion, method));
         }
