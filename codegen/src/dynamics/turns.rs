@@ -11,8 +11,8 @@
 //! parameters: one entry less to eliminate, and a pivot that no position makes zero. As the turn is orthonormal the
 //! equations stay as well conditioned as they were.
 
+use super::column::Column;
 use super::constraints::Constraints;
-use super::sensitivity::Column;
 use crate::model::Model;
 use crate::symbolic::{Expr, Function, Graph, Node, Symbol};
 use std::cmp::Reverse;

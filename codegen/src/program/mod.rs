@@ -19,6 +19,7 @@ mod prepared;
 mod reduced;
 mod results;
 mod schedule;
+mod separate;
 mod shared_products;
 mod sparsity;
 mod speeds;
