@@ -11,6 +11,7 @@
 
 mod comparison;
 mod constraint;
+mod effort;
 mod elements;
 mod error;
 mod freed;
@@ -22,7 +23,9 @@ mod mechanics;
 mod motion;
 mod observe;
 mod parameters;
+mod plain;
 mod rotation;
+mod setting;
 mod solve;
 mod state;
 mod table;
@@ -36,8 +39,9 @@ pub use motion::{Solution, Terms};
 pub use state::State;
 
 use crate::dsl::{Activity, Declaration, Unit};
-use interpret::{Interpreter, Setting};
+use interpret::Interpreter;
 use mechanics::Mechanics;
+use setting::Setting;
 
 /// Evaluates one declaration at given states.
 pub struct Oracle<'d> {
