@@ -1,7 +1,8 @@
 //! The `bodies` block.
 
+use super::inertial::inertial;
 use super::interpret::Interpreter;
-use super::level::{self, MOVING};
+use super::level;
 use super::scope::{Names, plain};
 use super::space::{Spatial, Turn, norm_square, resolve_inertia};
 use super::{Attitude, Body, Dependence, Dimension, Fall, Level, Norm, Point, Tensor};
@@ -165,18 +166,4 @@ fn resolve_mass(
     let at =
         level::position(position, WHAT, i).filter(|at| i.smooth(position.region, at, Level::Positions, WHAT).is_some());
     value.zip(at)
-}
-
-/// A mass or moment of inertia: made of parameters.
-pub(super) fn inertial(expression: &Expression, value: Expr, i: &mut Interpreter) -> Option<Expr> {
-    i.restrict(
-        expression.region,
-        &[value],
-        MOVING.or(Dependence::TIME).or(Dependence::INPUT),
-        "a mass or inertia is made of numbers and parameters; it cannot change with the motion",
-    )?;
-    if i.graph.as_number(value).is_some_and(|number| number.is_negative()) {
-        return i.refuse(expression.region, "a mass or inertia cannot be negative");
-    }
-    Some(value)
 }

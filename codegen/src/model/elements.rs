@@ -2,8 +2,7 @@
 
 use super::homogeneity::Measured;
 use super::interpret::Interpreter;
-use super::level::{self, position_level, position_scalar};
-use super::loads::load_level;
+use super::level::{self, load_level, position_level, position_scalar};
 use super::value::Value;
 use super::{Dependence, Dimension, Effort};
 use crate::dsl::{Element, Expression, Extent, Law, Region};

@@ -58,3 +58,14 @@ pub(super) fn position_scalar(
     i.expect_in_place(Measured { expression, dimension: &dimension }, needed, what);
     Some(value)
 }
+
+/// Refuses what a load cannot be made of.
+pub(super) fn load_level(expression: &Expression, values: Point, i: &mut Interpreter) -> Option<Point> {
+    i.restrict(
+        expression.region,
+        &values,
+        BEYOND_SPEED,
+        "a load is made of coordinates, speeds, parameters and time; `ddot()` cannot stand in it",
+    )?;
+    Some(values)
+}

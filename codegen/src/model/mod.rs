@@ -13,6 +13,7 @@ mod elements;
 mod equations;
 mod events;
 mod homogeneity;
+mod inertial;
 mod interpret;
 mod level;
 mod loads;

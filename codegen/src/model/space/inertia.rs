@@ -1,7 +1,7 @@
 //! Inertia tensors, about the centre of mass and in the frame of the body.
 
 use crate::dsl::{Expression, Kind};
-use crate::model::bodies::inertial;
+use crate::model::inertial::inertial;
 use crate::model::interpret::Interpreter;
 use crate::model::{Dependence, Dimension, Tensor};
 use crate::symbolic::{Expr, evaluate};
