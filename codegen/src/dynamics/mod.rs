@@ -1,4 +1,4 @@
-//! Stage 3: model to equations of motion, by the TMT method with cut loops.
+//! Stage 4: model to equations of motion, by the TMT method with cut loops.
 //!
 //! x = T(q, t) stacks the rotation and position of each body; v = T_q q' + T_t; loops are closed by
 //! constraints C(q, t) = 0:

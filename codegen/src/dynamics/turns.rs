@@ -166,7 +166,7 @@ fn angles(graph: &Graph, entries: &[Expr]) -> Vec<Expr> {
 mod tests {
     use super::*;
     use crate::dynamics::derive;
-    use crate::{dsl, model};
+    use crate::{model, parse};
 
     const FOUR_BAR: &str = "
         /// A four-bar.
@@ -180,7 +180,7 @@ mod tests {
 
     fn turned(rest: &str) -> (Model, Option<Form>) {
         let text = format!("{FOUR_BAR} {rest}");
-        let declaration = dsl::parse(text.parse().unwrap()).unwrap();
+        let declaration = parse(text.parse().unwrap()).unwrap();
         let equations = derive(model::resolve(&declaration).unwrap());
         (equations.model, equations.turned)
     }

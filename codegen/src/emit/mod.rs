@@ -1,4 +1,4 @@
-//! Stage 5: programs to Rust tokens. Nothing about numbers is decided here, so that another language could print
+//! Stage 6: programs to Rust tokens. Nothing about numbers is decided here, so that another language could print
 //! the same programs.
 
 mod description;

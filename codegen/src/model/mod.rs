@@ -1,4 +1,4 @@
-//! Stage 2: names resolved and mistakes of meaning found; the declaration becomes symbolic. No token of the
+//! Stage 3: names resolved and mistakes of meaning found; the declaration becomes symbolic. No token of the
 //! user's text goes beyond this stage.
 
 mod arithmetic;

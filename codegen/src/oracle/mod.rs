@@ -2,8 +2,8 @@
 //!
 //! The parsed declaration is interpreted with second-order jets, and the equations are assembled and solved densely.
 //! Nothing here is shared with the symbolic engine, the resolved model or the derivation, so that a fault of any shows as a
-//! difference. Shared is the parsed declaration, and with it all that `dsl` writes out: fragments and repetitions, joints, free
-//! bodies and points on them. Every result carries the magnitude of what went into it (see [`Measured`]), which is what a difference
+//! difference. Shared is the parsed declaration, and with it all that `dsl` and `joints` write out: fragments and repetitions,
+//! joints, free bodies and points on them. Every result carries the magnitude of what went into it (see [`Measured`]), which is what a difference
 //! is to be compared with.
 //!
 //! Positions are jets in (q, t): P, P_q, P_t and all second derivatives, hence velocities and convective terms. Loads,

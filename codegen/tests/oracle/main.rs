@@ -6,7 +6,8 @@ mod identities;
 mod language;
 mod quick_return;
 
-use codegen::dsl::{Declaration, Unit, parse};
+use codegen::dsl::{Declaration, Unit};
+use codegen::parse;
 use codegen::oracle::{Measured, Oracle, Solution, State, Terms};
 
 type Outcome<T = ()> = Result<T, Box<dyn std::error::Error>>;

@@ -1,44 +1,17 @@
 //! The lines of each block.
 
 use super::expression::expression;
-use super::parse::{ended, lines};
-use super::region::here;
+use super::lines::{ended, lines};
 use super::unit::declared_unit;
-use super::*;
+use super::words::{accept_word, colon, docs, equals, expect_word, keyword, name};
+use crate::dsl::region::here;
+use crate::dsl::{
+    Auxiliary, Body, Coordinate, GeneralizedSpeed, Initial, InitialKind, Let, Mark, OptionalKernel, Output,
+    OutputGroup, Parameter, Region, Shape,
+};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
-use syn::{Attribute, Ident, LitStr, Token};
-
-/// Reads the documentation in front of an item.
-pub(super) fn docs(input: ParseStream) -> Result<String> {
-    let mut lines = Vec::new();
-    for attribute in input.call(Attribute::parse_outer)? {
-        let text = match &attribute.meta {
-            syn::Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
-                syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) => Some(text.value()),
-                _ => None,
-            },
-            _ => None,
-        };
-        match text {
-            Some(text) => lines.push(text.trim().to_owned()),
-            None => {
-                let place = Region::from(attribute.pound_token.span);
-                return Err(place.error("only documentation (`/// ..`) may stand here"));
-            }
-        }
-    }
-    Ok(lines.join("\n"))
-}
-
-/// A name that the user gives.
-pub(super) fn name(input: ParseStream, what: &str) -> Result<Ident> {
-    let name = Ident::parse_any(input).map_err(|e| syn::Error::new(e.span(), format!("expected {what}")))?;
-    if ["self", "Self", "super", "crate", "_"].iter().any(|word| name.unraw() == word) {
-        return Err(syn::Error::new(name.span(), format!("`{name}` cannot be a name in Rust; choose another")));
-    }
-    Ok(name)
-}
+use syn::{Ident, LitStr, Token};
 
 pub(super) fn coordinate(input: ParseStream) -> Result<Coordinate> {
     let docs = docs(input)?;
@@ -106,42 +79,6 @@ pub(super) fn definition(input: ParseStream) -> Result<Let> {
     Ok(Let { name, value: expression(input)? })
 }
 
-pub(super) fn equals(input: ParseStream, advice: &str) -> Result<()> {
-    if input.parse::<Option<Token![=]>>()?.is_none() {
-        return Err(here(input, advice));
-    }
-    Ok(())
-}
-
-pub(super) fn colon(input: ParseStream, advice: &str) -> Result<()> {
-    if input.parse::<Option<Token![:]>>()?.is_none() {
-        return Err(here(input, advice));
-    }
-    Ok(())
-}
-
-/// The word that says what a clause is, one of those expected.
-pub(super) fn keyword(input: ParseStream, expected: &[&str]) -> Result<Ident> {
-    let list = || expected.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
-    let word = Ident::parse_any(input).map_err(|e| syn::Error::new(e.span(), format!("expected one of {}", list())))?;
-    if expected.iter().any(|e| word == e) {
-        return Ok(word);
-    }
-    Err(syn::Error::new(word.span(), format!("`{word}` is not known here; expected one of {}", list())))
-}
-
-pub(super) fn accept_word(input: ParseStream, word: &str) -> Result<bool> {
-    let ahead = input.peek(Ident::peek_any) && input.fork().call(Ident::parse_any)? == word;
-    if ahead {
-        input.call(Ident::parse_any)?;
-    }
-    Ok(ahead)
-}
-
-pub(super) fn expect_word(input: ParseStream, word: &str, form: &str) -> Result<()> {
-    if accept_word(input, word)? { Ok(()) } else { Err(here(input, format!("expected `{word}`: `{form}`"))) }
-}
-
 pub(super) fn body(input: ParseStream) -> Result<Body> {
     docs(input)?;
     let name = name(input, "a body: `rod: mass m at G, inertia J, angle phi;`")?;
@@ -173,30 +110,6 @@ pub(super) fn body(input: ParseStream) -> Result<Body> {
             return Ok(body);
         }
     }
-}
-
-pub(super) fn equation(input: ParseStream) -> Result<Equation> {
-    docs(input)?;
-    let name = name(input, "a named equation: `closure: left = right;`")?;
-    colon(input, "an equation has a name: `closure: left = right;`")?;
-    let left = expression(input)?;
-    equals(input, "an equation has two sides: `closure: left = right;`")?;
-    Ok(Equation { name, left, right: expression(input)?, initially: None, is_of_joint: false })
-}
-
-/// An equation, and whether it holds at the start if events switch it.
-pub(super) fn constraint(input: ParseStream) -> Result<Equation> {
-    let equation = equation(input)?;
-    Ok(Equation { initially: initially(input)?, ..equation })
-}
-
-/// `initially active`, or `initially released`.
-pub(super) fn initially(input: ParseStream) -> Result<Option<Activity>> {
-    if !accept_word(input, "initially")? {
-        return Ok(None);
-    }
-    let word = keyword(input, &["active", "released"])?;
-    Ok(Some(if word == "active" { Activity::Active } else { Activity::Released }))
 }
 
 pub(super) fn initial(input: ParseStream) -> Result<Initial> {

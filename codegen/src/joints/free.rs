@@ -4,7 +4,7 @@
 
 use super::given::{Given, with_suffix};
 use super::made::vector;
-use super::{Body, Declaration, Kind, Region};
+use crate::dsl::{Body, Declaration, Kind, Region};
 use crate::mistakes::Mistakes;
 use syn::Result;
 

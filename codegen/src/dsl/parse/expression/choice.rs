@@ -1,9 +1,9 @@
 //! `if a > b then x else y`.
 
-use super::block::{accept_word, expect_word};
-use super::expression::{expression, sum};
-use super::region::here;
-use super::{Choice, Comparison, Expression, Kind, Region};
+use super::{expression, sum};
+use crate::dsl::parse::words::{accept_word, expect_word};
+use crate::dsl::region::here;
+use crate::dsl::{Choice, Comparison, Expression, Kind, Region};
 use proc_macro2::TokenTree;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};

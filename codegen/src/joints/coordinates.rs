@@ -8,7 +8,7 @@
 use super::given::{Given, with_suffix};
 use super::made::{attitude, call, difference, named, negated, number, pi, product, quotient, sum, vector, zero};
 use super::marks::Marks;
-use super::{Expression, Kind, Region, SpatialJoint, SpatialKind};
+use crate::dsl::{Expression, Kind, Region, SpatialJoint, SpatialKind};
 use syn::ext::IdentExt;
 use syn::{Ident, Result};
 

@@ -1,8 +1,8 @@
 //! Joints that have become coordinates, spoken of as the constraints that they are not.
 
-use super::frame::expressions;
-use super::spatial_joint::ADDED_TO_NAMES;
-use super::{Action, Declaration, Expression, Joint, Kind, Region};
+use super::expressions::expressions;
+use super::spatial::ADDED_TO_NAMES;
+use crate::dsl::{Action, Declaration, Expression, Joint, Kind, Region};
 use crate::mistakes::Mistakes;
 use syn::Ident;
 use syn::ext::IdentExt;

@@ -1,7 +1,6 @@
 //! Expressions made by the language itself, for joints and points on bodies. Their regions are the user's.
 
-use super::joint::Guide;
-use super::{Expression, Kind, Operator, Region};
+use crate::dsl::{Expression, Guide, Kind, Operator, Region};
 use proc_macro2::Span;
 use syn::Ident;
 

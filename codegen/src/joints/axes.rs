@@ -1,7 +1,7 @@
 //! Axes of joints by name: `let s = [0.6, 0, 0.8]; .. axis s` is what `axis [0.6, 0, 0.8]` is. Later stages know only that.
 
 use super::made::negated;
-use super::{Declaration, Expression, JointKind, Kind, Let};
+use crate::dsl::{Declaration, Expression, JointKind, Kind, Let};
 
 /// Puts what names stand for in place of them in the axes of joints and the normals of planes.
 pub(super) fn write_out(declaration: &mut Declaration) {

@@ -1,120 +1,14 @@
-//! Joints of bodies in space by name, and their equations.
+//! The equations of joints of bodies in space.
 //!
 //! A joint holds a point and an axis of one body to those of another, or of the `ground`. Its equations are between products
 //! of axes and their marks, each fixed on its body (Nikravesh, Computer-Aided Analysis of Mechanical Systems, 1988,
 //! section 7.1).
 
-use super::block::{accept_word, expect_word, name};
-use super::expression::expression;
 use super::made::{binary, call, difference, inner, number, pi, product, quotient, zero};
 use super::marks::Marks;
-use super::{Equation, Expression, Kind, Operator, Region};
-use syn::Ident;
+use crate::dsl::{Equation, Expression, Kind, Operator, Region, Rolling, Side, SpatialKind};
 use syn::ext::IdentExt;
-use syn::parse::{ParseStream, Result};
-
-/// `hinge: revolute arm at [l, 0, 0] axis [0, 0, 1] to ground at [0, 0, 0] axis [0, 0, 1];`
-pub struct SpatialJoint {
-    /// What it is.
-    pub kind: SpatialKind,
-    /// The body that holds.
-    pub first: Side,
-    /// The body that is held.
-    pub second: Side,
-    /// `pitch p`, of a screw.
-    pub pitch: Option<Expression>,
-}
-
-/// A kind of joint of bodies in space.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum SpatialKind {
-    /// Points coincide.
-    Ball,
-    /// And axes are parallel.
-    Revolute,
-    /// Axes coincide.
-    Cylindrical,
-    /// And nothing turns.
-    Prismatic,
-    /// Points coincide and axes are at right angles.
-    Universal,
-    /// A plane moves on a plane.
-    Planar,
-    /// Axes coincide, and turning is advancing.
-    Screw,
-    /// Nothing moves.
-    Weld,
-}
-
-impl SpatialKind {
-    pub(super) const WORDS: [&str; 8] =
-        ["ball", "revolute", "cylindrical", "prismatic", "universal", "planar", "screw", "weld"];
-
-    pub(super) fn of(word: &str) -> Option<SpatialKind> {
-        use SpatialKind::{Ball, Cylindrical, Planar, Prismatic, Revolute, Screw, Universal, Weld};
-        let kinds = [Ball, Revolute, Cylindrical, Prismatic, Universal, Planar, Screw, Weld];
-        SpatialKind::WORDS.iter().zip(kinds).find(|(known, _)| **known == word).map(|(_, kind)| kind)
-    }
-}
-
-/// A body with a point and an axis, in its own frame.
-pub struct Side {
-    /// The body, or `ground`.
-    pub body: Ident,
-    /// A point on it.
-    pub at: Expression,
-    /// An axis on it; z if none is given.
-    pub axis: Option<Expression>,
-}
-
-/// `roll disc radius r axis n on O normal k`: a thin disc rolls on a plane.
-pub struct Rolling {
-    /// The disc, whose centre is that of its mass.
-    pub disc: Ident,
-    /// Its radius.
-    pub radius: Expression,
-    /// Its axis, in its own frame.
-    pub axis: Expression,
-    /// A point of the plane.
-    pub on: Expression,
-    /// The plane's normal, in numbers.
-    pub normal: Expression,
-}
-
-pub(super) fn spatial_joint(input: ParseStream, kind: SpatialKind) -> Result<SpatialJoint> {
-    let first = side(input)?;
-    expect_word(input, "to", FORM)?;
-    let second = side(input)?;
-    let pitch = match kind {
-        SpatialKind::Screw => {
-            expect_word(input, "pitch", "screw nut at P axis n to bolt at Q axis n pitch p;")?;
-            Some(expression(input)?)
-        }
-        _ => None,
-    };
-    Ok(SpatialJoint { kind, first, second, pitch })
-}
-
-const FORM: &str = "revolute a at [u, v, w] axis [0, 0, 1] to b at [u, v, w] axis [0, 0, 1];";
-
-fn side(input: ParseStream) -> Result<Side> {
-    let body = name(input, "a body, by its name, or `ground`")?;
-    expect_word(input, "at", FORM)?;
-    let at = expression(input)?;
-    let axis = if accept_word(input, "axis")? { Some(expression(input)?) } else { None };
-    Ok(Side { body, at, axis })
-}
-
-/// The rest of `roll disc radius r axis n on O normal k;`.
-pub(super) fn rolling(input: ParseStream, disc: Ident, radius: Expression) -> Result<Rolling> {
-    const FORM: &str = "roll disc radius r axis n on O normal [0, 0, 1];";
-    expect_word(input, "axis", FORM)?;
-    let axis = expression(input)?;
-    expect_word(input, "on", FORM)?;
-    let on = expression(input)?;
-    expect_word(input, "normal", FORM)?;
-    Ok(Rolling { disc, radius, axis, on, normal: expression(input)? })
-}
+use syn::{Ident, Result};
 
 /// A point and an axis with its marks, in the world.
 pub(super) struct Placed {

@@ -4,11 +4,11 @@
 //! A body of space, `link: mass m, inertia [A, B, C];`, that is not `free` and has no pose of its own is placed by the first joint,
 //! in the order of declaration, that leads to it from the ground or from a body that is placed; and so on from there.
 
-use super::frame::unknown_body;
+use super::coordinates::{JointCoordinates, Pose};
+use super::frames::unknown_body;
 use super::given::Given;
-use super::joint_coordinates::{JointCoordinates, Pose};
 use super::no_constraint;
-use super::{Body, Declaration, Joint, JointKind, Kind, Region, SpatialJoint};
+use crate::dsl::{Body, Declaration, Joint, JointKind, Kind, Region, SpatialJoint};
 use crate::mistakes::Mistakes;
 use syn::ext::IdentExt;
 use syn::{Ident, Result};

@@ -1,59 +1,14 @@
 //! Lines of the `joints` block: joints by name.
 
-use super::block::{accept_word, colon, docs, expect_word, initially, keyword, name};
+use super::equation::initially;
 use super::expression::expression;
-use super::region::here;
 use super::spatial_joint::{rolling, spatial_joint};
-use super::{Activity, Expression, Kind, Rolling, SpatialJoint, SpatialKind};
+use super::words::{accept_word, colon, docs, expect_word, keyword, name};
+use crate::dsl::region::here;
+use crate::dsl::{Expression, Guide, Joint, JointKind, Kind, SpatialKind};
 use syn::Ident;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
-
-/// `pin_A: pin P to Q;`
-pub struct Joint {
-    /// Documentation.
-    pub docs: String,
-    /// Its name, which its constraints take, or its coordinates.
-    pub name: Ident,
-    /// What it is.
-    pub kind: JointKind,
-    /// `initially released`, on a joint that events switch.
-    pub initially: Option<Activity>,
-}
-
-/// A kind of joint, with what it joins.
-pub enum JointKind {
-    /// `pin P to Q`: the points coincide.
-    Pin(Expression, Expression),
-    /// `link P to Q, length l`: the points keep their distance.
-    Link(Expression, Expression, Expression),
-    /// `slot P through O along beta`: the point stays on a line.
-    Slot(Expression, Guide),
-    /// `slide body through O along beta`: the body's centre stays on a line, and its angle is that of the line.
-    Slide(Ident, Guide),
-    /// `gear a radius r to b radius s`: angles turn against each other.
-    Gear([(Ident, Expression); 2]),
-    /// `rack P through O along beta on wheel radius r`: the point moves along a line as the wheel turns.
-    Rack(Expression, Guide, Ident, Expression),
-    /// `cam P through O along beta on wheel radius r by lift`: the point moves along a line as a table says.
-    Cam(Expression, Guide, Ident, Expression, Ident),
-    /// `cam arm on wheel by lift`: the body turns as a table says.
-    Rocker(Ident, Ident, Ident),
-    /// `roll wheel radius r along beta`: the wheel does not slip on ground of that direction.
-    Roll(Ident, Expression, Expression),
-    /// `revolute a at u axis n to b at v axis m` and its like, in space.
-    Spatial(Box<SpatialJoint>),
-    /// `roll disc radius r axis n on O normal k`, in space.
-    Rolling(Box<Rolling>),
-}
-
-/// `through O along beta`: a line.
-pub struct Guide {
-    /// A point on it.
-    pub through: Expression,
-    /// Its direction.
-    pub along: Expression,
-}
 
 const FORM: &str =
     "a joint is written `name: pin P to Q;`, with `pin`, `link`, `slot`, `slide`, `gear`, `rack`, `cam` or `roll`";

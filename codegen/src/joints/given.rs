@@ -1,7 +1,7 @@
 //! Coordinates that the language itself gives, to free bodies and in joints.
 
 use super::made::{binary, call, named, number, sum};
-use super::{Coordinate, Declaration, Equation, Expression, Initial, InitialKind, Operator, Region, Unit};
+use crate::dsl::{Coordinate, Declaration, Equation, Expression, Initial, InitialKind, Operator, Region, Unit};
 use crate::mistakes::Mistakes;
 use syn::Ident;
 use syn::ext::IdentExt;

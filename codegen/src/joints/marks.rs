@@ -3,7 +3,7 @@
 //! From an axis n follow two marks t1 and t2, t1 x t2 = n: of the axes of a frame the next two, in turn.
 
 use super::made::{call, number, quotient, vector, zero};
-use super::{Expression, Kind, Operator, Region, Side};
+use crate::dsl::{Expression, Kind, Operator, Region, Side};
 use syn::Result;
 
 /// An axis of length 1 and the marks across it, in one frame.

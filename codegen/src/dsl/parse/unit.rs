@@ -1,7 +1,7 @@
 //! Units in brackets: `[kg*m^2]`, `[m/s^2]`, `[1/s]`, `[W/(m*K)]`.
 
-use super::region::here;
-use super::{Region, Unit};
+use crate::dsl::region::here;
+use crate::dsl::{Region, Unit};
 use proc_macro2::TokenStream;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};

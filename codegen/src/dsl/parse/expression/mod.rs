@@ -2,10 +2,11 @@
 //!
 //! Rust's own expression parser would put `^` below `+`.
 
-use super::choice;
-use super::region::here;
+mod choice;
+
 use super::unit::{optional_unit, unbracketed_unit};
-use super::{Expression, Kind, Operator, Region};
+use crate::dsl::region::here;
+use crate::dsl::{Expression, Kind, Operator, Region};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 use syn::{Ident, Lit, Token};
@@ -93,7 +94,7 @@ pub(super) fn expression(input: ParseStream) -> Result<Expression> {
     Ok(sum)
 }
 
-pub(super) fn sum(input: ParseStream) -> Result<Expression> {
+fn sum(input: ParseStream) -> Result<Expression> {
     let mut left = product(input)?;
     loop {
         let operator = match () {

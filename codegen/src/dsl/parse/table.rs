@@ -1,11 +1,11 @@
 //! Lines of the `tables` block: functions given by rows.
 
-use super::block::{accept_word, docs, equals, expect_word, keyword, name};
 use super::expression::expression;
-use super::parse::{ended, lines};
-use super::region::here;
+use super::lines::{ended, lines};
 use super::unit::optional_unit;
-use super::{Between, Ends, Expression, Outside, Region, Table};
+use super::words::{accept_word, docs, equals, expect_word, keyword, name};
+use crate::dsl::region::here;
+use crate::dsl::{Between, Ends, Expression, Outside, Region, Table};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 use syn::{Ident, Token};

@@ -1,9 +1,9 @@
 //! The lines of `loads`.
 
-use super::block::{accept_word, docs, expect_word, keyword};
 use super::expression::expression;
-use super::region::here;
-use super::{Element, Expression, Extent, Kind, Law, Load, Region};
+use super::words::{accept_word, docs, expect_word, keyword};
+use crate::dsl::region::here;
+use crate::dsl::{Element, Expression, Extent, Kind, Law, Load, Region};
 use syn::parse::{ParseStream, Result};
 use syn::{Ident, Token};
 
