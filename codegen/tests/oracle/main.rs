@@ -7,8 +7,8 @@ mod language;
 mod quick_return;
 
 use codegen::dsl::{Declaration, Unit};
-use codegen::parse;
 use codegen::oracle::{Measured, Oracle, Solution, State, Terms};
+use codegen::parse;
 
 type Outcome<T = ()> = Result<T, Box<dyn std::error::Error>>;
 

@@ -1,8 +1,9 @@
 //! Jets against dual numbers, through the interpreter: every function, at many points, with all derivatives.
 
 use super::super::error::Result;
-use super::super::interpret::{Interpreter, Setting};
+use super::super::interpret::Interpreter;
 use super::super::measured::Measured;
+use super::super::setting::Setting;
 use super::super::state::State;
 use super::Jet;
 use num_dual::{Dual2_64, DualNum, HyperDual64, second_derivative, second_partial_derivative};

@@ -1,52 +1,15 @@
 //! Expressions of the language to symbolic values.
 
-use super::homogeneity::Measured;
-use super::origin::Origins;
-use super::scope::{self, Names, Values, plain};
-use super::space::{Frames, Quaternion, Spatial};
-use super::tables;
+use super::interpreter::Interpreter;
+use super::scope::{self, plain};
+use super::space::Spatial;
 use super::value::{Shape, Value};
-use super::{Dependence, Dependences, Dimension, Point, Unit};
+use super::{Dimension, Point, Unit};
 use crate::dsl::{Expression, Kind, Region};
-use crate::mistakes::Mistakes;
-use crate::symbolic::{Constant, Differential, Expr, Graph, Number, evaluate};
+use crate::symbolic::{Constant, Expr, Number};
 use syn::Ident;
 
-/// Turns expressions into values. `None` means a mistake that has been taken note of.
-pub(super) struct Interpreter {
-    pub(super) graph: Graph,
-    pub(super) dependences: Dependences,
-    pub(super) values: Values,
-    pub(super) tables: Names<tables::Function>,
-    pub(super) origins: Origins,
-    /// Whether dimensions are looked at: they are unless no unit is declared anywhere.
-    pub(super) with_units: bool,
-    /// Reserved names that something is called nevertheless: its uses are no mistakes too.
-    pub(super) misnamed: Vec<String>,
-    /// Words that have a meaning in one expression alone.
-    pub(super) local: Vec<(&'static str, Value)>,
-    /// The multipliers of each constraint; absent until constraints are resolved.
-    pub(super) reactions: Option<Names<Value>>,
-    /// Names of the outputs, which are no values.
-    pub(super) outputs: Vec<String>,
-    pub(super) time: Expr,
-    pub(super) motion: Differential,
-    pub(super) mistakes: Mistakes,
-    /// All rotations.
-    pub(super) frames: Frames,
-    /// Those quaternions whose components are coordinates.
-    pub(super) quaternions: Vec<Quaternion>,
-    /// How many components the first vector has, and where it stands: all others have as many.
-    pub(super) vectors: Option<(usize, Region)>,
-}
-
 impl Interpreter {
-    /// A mistake at a place.
-    pub(super) fn refuse<T>(&mut self, region: Region, message: impl std::fmt::Display) -> Option<T> {
-        self.mistakes.add(region.error(message));
-        None
-    }
-
     /// A scalar.
     pub(super) fn scalar(&mut self, expression: &Expression) -> Option<Expr> {
         self.scalar_value(expression).map(|(value, _)| value)
@@ -98,11 +61,6 @@ impl Interpreter {
         }
     }
 
-    /// Whether vectors have three components.
-    pub(super) fn is_spatial(&self) -> bool {
-        self.vectors.is_some_and(|(components, _)| components == 3)
-    }
-
     /// The components of a value: of a vector those in the world, of a rotation those of its matrix.
     pub(super) fn components(&mut self, value: &Value) -> Vec<Expr> {
         match &value.shape {
@@ -111,16 +69,6 @@ impl Interpreter {
             Shape::Spatial(vector) => self.resolved(vector).to_vec(),
             Shape::Rotation(turn) => self.frames.matrix(*turn).concat(),
         }
-    }
-
-    /// Refuses an expression that depends on what it must not depend on here; `rule` says why.
-    pub(super) fn restrict(&mut self, place: Region, values: &[Expr], forbidden: Dependence, rule: &str) -> Option<()> {
-        for value in values {
-            if self.dependences.of(&self.graph, *value).meets(forbidden) {
-                return self.refuse(place, rule);
-            }
-        }
-        Some(())
     }
 
     /// Any value.
@@ -144,21 +92,6 @@ impl Interpreter {
         self.check_constants(region, &components)?;
         value.dimension = value.dimension.filter(|_| self.with_units);
         Some(value)
-    }
-
-    /// Refuses constants that are no real numbers, such as `sqrt(-1)`, and coefficients beyond the range of `f64`.
-    pub(super) fn check_constants(&mut self, region: Region, values: &[Expr]) -> Option<()> {
-        for value in values {
-            let constant = self.dependences.of(&self.graph, *value) == Dependence::NONE;
-            if constant && !evaluate(&self.graph, &[*value], |_| f64::NAN)[0].is_finite() {
-                return self.refuse(region, "this is not a finite real number");
-            }
-            if !self.graph.numbers_in_range(*value) {
-                return self
-                    .refuse(region, "a coefficient here is outside the range of numbers (about 1e-308 to 1e308)");
-            }
-        }
-        Some(())
     }
 
     fn number(&mut self, region: Region, literal: &str, unit: Option<&crate::dsl::Unit>) -> Option<Value> {
@@ -217,68 +150,6 @@ impl Interpreter {
             (None, base) => ("dot", base?),
         };
         self.values.get_region(base).map(|_| (rate, base))
-    }
-
-    fn vector(&mut self, region: Region, components: &[Expression]) -> Option<Value> {
-        let values: Vec<_> = components.iter().map(|c| self.scalar_value(c)).collect();
-        if ![2, 3].contains(&values.len()) {
-            let message = match values.len() {
-                6 => "six numbers in brackets are an inertia; a vector has two components in the plane, `[x, y]`, and \
-                      three in space, `[x, y, z]`"
-                    .to_owned(),
-                given => format!(
-                    "a vector of the plane has two components, `[x, y]`, and one of space three, `[x, y, z]`; this has {given}"
-                ),
-            };
-            return self.refuse(region, message);
-        }
-        self.check_length(region, values.len())?;
-        let mut entries = Vec::new();
-        let (first, mut dimension) = (&components[0], None);
-        for (component, value) in components.iter().zip(values) {
-            let (value, own) = value?;
-            let (a, b) = (
-                Measured { expression: first, dimension: &dimension },
-                Measured { expression: component, dimension: &own },
-            );
-            let rule = match components.len() {
-                2 => "both components of a vector are of one dimension",
-                _ => "all components of a vector are of one dimension",
-            };
-            dimension = self.common_dimension(a, b, rule)?;
-            entries.push(value);
-        }
-        let shape = match entries.as_slice() {
-            [x, y] => Shape::Vector([*x, *y]),
-            [x, y, z] => Shape::Spatial(Spatial::world([*x, *y, *z])),
-            _ => return None,
-        };
-        Some(Value::new(shape, dimension))
-    }
-
-    /// Refuses a vector with more or fewer components than those before it.
-    fn check_length(&mut self, region: Region, components: usize) -> Option<()> {
-        let (known, first) = *self.vectors.get_or_insert((components, region));
-        if components == 3 {
-            self.frames.begin(&mut self.graph);
-        }
-        if known == components {
-            return Some(());
-        }
-        let message = match known {
-            2 => {
-                "this vector has three components, and the mechanism is planar, as its first vector says; write `[x, y]`, \
-                  or three components everywhere"
-            }
-            _ => {
-                "this vector has two components, and the mechanism is spatial, as its first vector says; write `[x, y, 0]`, \
-                  or two components everywhere"
-            }
-        };
-        let mut mistake = region.error(message);
-        mistake.combine(first.error("the first vector stands here"));
-        self.mistakes.add(mistake);
-        None
     }
 
     fn component(&mut self, vector: &Expression, name: &Ident) -> Option<Value> {
