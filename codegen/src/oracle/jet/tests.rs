@@ -19,7 +19,7 @@ fn evaluate(text: &str, setting: Setting) -> std::result::Result<Result<Jet>, Bo
     let declaration = format!(
         "pub Sample; coordinates {{ x; y; }} parameters {{ a = 1; }} let r = [x, y]; outputs {{ f = {text}; }}"
     );
-    let declaration = crate::dsl::parse(declaration.parse()?)?;
+    let declaration = crate::parse(declaration.parse()?)?;
     let output = declaration.outputs.first().and_then(|group| group.outputs.first()).ok_or("no output")?;
     Ok(Interpreter::new(&declaration, &|_| 1.0, setting).scalar(&output.value))
 }
