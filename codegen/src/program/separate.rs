@@ -178,7 +178,7 @@ fn observations(planner: &Planner) -> [Kernel; 4] {
             "drawing",
             Positions,
             "The numbers of each shape of the drawing, in metres and radians.".into(),
-            &drawing(&model),
+            &drawing(model),
         ),
     ]
 }

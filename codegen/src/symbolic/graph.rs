@@ -85,7 +85,7 @@ impl Graph {
 
     /// The same, if it has been made.
     pub fn existing(&self, symbol: Symbol) -> Option<Expr> {
-        self.nodes.get_index_of(&Node::Symbol(symbol)).map(|index| Expr::at(index))
+        self.nodes.get_index_of(&Node::Symbol(symbol)).map(Expr::at)
     }
 
     /// An exact rational.
