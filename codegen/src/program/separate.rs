@@ -186,21 +186,20 @@ fn observations(planner: &Planner) -> [Kernel; 4] {
 fn initial(planner: &Planner, zero: Expr) -> Kernel {
     let model = &planner.equations.model;
     let n = model.coordinates.len();
-    planner.kernel(
-            "initial",
-            Parameters,
-            format!("Declared start: values or guesses of the coordinates ({n}), and speeds ({n}), in SI units; 0 where nothing is declared."),
-            |lowering| {
-                let (positions, speeds) = start(model, zero);
-                Results::record(
-                    Record::Initial,
-                    [
-                        ("positions", Results::Vector(lowering.lower_all(&positions))),
-                        ("speeds", Results::Vector(lowering.lower_all(&speeds))),
-                    ],
-                )
-            },
+    let docs = format!(
+        "Declared start: values or guesses of the coordinates ({n}), and speeds ({n}), in SI units; 0 where nothing is \
+         declared."
+    );
+    planner.kernel("initial", Parameters, docs, |lowering| {
+        let (positions, speeds) = start(model, zero);
+        Results::record(
+            Record::Initial,
+            [
+                ("positions", Results::Vector(lowering.lower_all(&positions))),
+                ("speeds", Results::Vector(lowering.lower_all(&speeds))),
+            ],
         )
+    })
 }
 
 fn start(model: &Model, zero: Expr) -> (Vec<Expr>, Vec<Expr>) {
