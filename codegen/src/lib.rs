@@ -7,6 +7,7 @@
 pub mod dsl;
 pub mod dynamics;
 pub mod emit;
+pub mod joints;
 pub mod mistakes;
 pub mod model;
 pub mod nearest;
@@ -83,10 +84,18 @@ pub fn equations(tokens: TokenStream) -> syn::Result<dynamics::EquationsOfMotion
     Ok(dynamics::derive(resolved(tokens)?.1))
 }
 
-/// The first two stages.
+/// What a declaration says, its joints written out: the first two stages.
+///
+/// # Errors
+/// All mistakes of the first stage that finds any, each at the user's own word.
+pub fn parse(tokens: TokenStream) -> syn::Result<dsl::Declaration> {
+    joints::write_out(dsl::read(tokens)?)
+}
+
+/// The first three stages.
 fn resolved(tokens: TokenStream) -> syn::Result<(dsl::Declaration, model::Model)> {
     dsl::attributed(tokens, |tokens| {
-        let declaration = dsl::parse(tokens)?;
+        let declaration = parse(tokens)?;
         let model = model::resolve(&declaration)?;
         Ok((declaration, model))
     })

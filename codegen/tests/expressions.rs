@@ -7,7 +7,7 @@ use codegen::symbolic::evaluate;
 /// The SI value of a parameter's default.
 fn value(expression: &str) -> f64 {
     let text = format!("M; coordinates {{ x; }} parameters {{ p = {expression}; }} bodies {{ b: mass 1 at [x, 0]; }}");
-    let model = codegen::model::resolve(&codegen::dsl::parse(text.parse().unwrap()).unwrap()).unwrap();
+    let model = codegen::model::resolve(&codegen::parse(text.parse().unwrap()).unwrap()).unwrap();
     evaluate(&model.graph, &[model.parameters[0].default], |_| f64::NAN)[0]
 }
 

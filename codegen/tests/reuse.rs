@@ -163,7 +163,7 @@ fn the_text_of_a_declaration_means_the_same() {
 #[test]
 fn the_oracle_reads_what_is_written_out() {
     let used = double_pendulum(&format!("{ROD} use Rod([0, 0], a) as upper; use Rod(upper_tip, b) as lower;"));
-    let declaration = dsl::parse(used.parse().unwrap()).unwrap();
+    let declaration = codegen::parse(used.parse().unwrap()).unwrap();
     let si_factor = |unit: &dsl::Unit| Unit::resolve(unit).unwrap().factor();
     let oracle = Oracle::new(&declaration, &si_factor);
     let parameters = oracle.default_parameters().unwrap();

@@ -2,7 +2,6 @@
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
-use codegen::dsl;
 use codegen::oracle::{Oracle, State};
 use codegen::symbolic::Table;
 
@@ -171,7 +170,7 @@ fn the_oracle_agrees() {
                 }
                 let words = format!("{between}, {outside}");
                 let table = table(&words, &rows);
-                let declaration = dsl::parse(declaration(&words, &rows).parse().unwrap()).unwrap();
+                let declaration = codegen::parse(declaration(&words, &rows).parse().unwrap()).unwrap();
                 let oracle = Oracle::new(&declaration, &|_| 1.0);
                 for _ in 0..30 {
                     let (q, speed) = (rows[0].0 - 1.0 + (x - rows[0].0 + 2.0) * next(), 2.0 * next() - 1.0);

@@ -19,7 +19,7 @@ const STATES: usize = 1000;
 
 fn main() {
     let Ok(tokens) = RobotArm::<f64>::DESCRIPTION.declaration.parse() else { return };
-    let Ok(model) = codegen::dsl::parse(tokens).and_then(|declaration| codegen::model::resolve(&declaration)) else {
+    let Ok(model) = codegen::parse(tokens).and_then(|declaration| codegen::model::resolve(&declaration)) else {
         return;
     };
     let mut equations = codegen::dynamics::derive_cheapest(model);

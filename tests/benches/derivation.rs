@@ -2,7 +2,7 @@
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
-use codegen::{dsl, dynamics, emit, model, program};
+use codegen::{dynamics, emit, model, program};
 use proc_macro2::TokenStream;
 use quote::quote;
 use sim::Description;
@@ -24,7 +24,7 @@ fn stages(description: &Description) {
     let mut best = [Duration::MAX; 6];
     for _ in 0..RUNS {
         let clock = Instant::now();
-        let declaration = dsl::parse(tokens.clone()).unwrap();
+        let declaration = codegen::parse(tokens.clone()).unwrap();
         let parsed = clock.elapsed();
         let model = model::resolve(&declaration).unwrap();
         let resolved = clock.elapsed();

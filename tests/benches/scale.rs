@@ -5,7 +5,7 @@
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
-use codegen::{dsl, dynamics, emit, model, program};
+use codegen::{dynamics, emit, model, program};
 use quote::quote;
 use sim_kernel::Mechanism;
 use std::hint::black_box;
@@ -197,7 +197,7 @@ fn dependent<const Q: usize>(states: &[[[f64; Q]; 2]; STATES], route: &impl Fn(&
 
 fn making(name: &str, declaration: &str) -> Making {
     let derive = || {
-        let parsed = dsl::parse(declaration.parse().unwrap()).unwrap();
+        let parsed = codegen::parse(declaration.parse().unwrap()).unwrap();
         let mut equations = dynamics::derive_cheapest(model::resolve(&parsed).unwrap());
         let program = program::plan(&mut equations);
         let rust = emit::emit(&parsed.head, declaration, &equations, &program, &quote!(sim_kernel));

@@ -57,7 +57,7 @@ fn each<const N: usize>(random: &mut Random, size: f64) -> [f64; N] {
 
 /// The backward error of z, unknown by unknown what a stable elimination leaves: 100 n roundings.
 fn solves(declaration: &str, parameters: &[f64], q: &[f64], qd: &[f64], z: &[f64]) {
-    let declaration = dsl::parse(declaration.parse().unwrap()).unwrap();
+    let declaration = codegen::parse(declaration.parse().unwrap()).unwrap();
     let si_factor = |unit: &dsl::Unit| Unit::resolve(unit).unwrap().factor();
     let terms = Oracle::new(&declaration, &si_factor)
         .terms(&State { time: 0.0, parameters, inputs: &[], coordinates: q, speeds: qd })

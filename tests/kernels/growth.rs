@@ -2,7 +2,7 @@
 //! long sums are cut (chains) or the order of elimination finds the band (four-bars side by side).
 
 use codegen::dynamics::derive_cheapest;
-use codegen::{dsl, model, program};
+use codegen::{model, program};
 use tests::declarations::{Angles, chain, four_bars};
 
 #[test]
@@ -22,7 +22,7 @@ fn twice_the_bodies_take_twice_the_operations() {
 }
 
 fn operations(declaration: &str) -> usize {
-    let declaration = dsl::parse(declaration.parse().unwrap()).unwrap();
+    let declaration = codegen::parse(declaration.parse().unwrap()).unwrap();
     let mut equations = derive_cheapest(model::resolve(&declaration).unwrap());
     let program = program::plan(&mut equations);
     program.kernels.iter().find(|kernel| kernel.name == "dynamics").unwrap().operations.total()

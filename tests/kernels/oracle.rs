@@ -2,7 +2,7 @@
 //! parameters, half of them on the constraints.
 //!
 //! The oracle shares nothing with the engine, the model, the derivation and the planning of kernels. It shares the parsed
-//! declaration, and with that all that `dsl` writes out: fragments and repetitions, joints as constraints, poses and
+//! declaration, and with that all that `dsl` and `joints` write out: fragments and repetitions, joints as constraints, poses and
 //! coordinates, free bodies, points `on()` them; and the sizes of units. Joints are therefore checked apart, against equations
 //! written by hand (`tests/space/joints_by_hand.rs`, `tests/motion/joints.rs`).
 
@@ -34,7 +34,7 @@ fn every_kernel_of_every_mechanism_agrees() {
 
 fn check<M: Mechanism>() {
     let name = M::DESCRIPTION.name;
-    let declaration = dsl::parse(M::DESCRIPTION.declaration.parse().unwrap()).unwrap();
+    let declaration = codegen::parse(M::DESCRIPTION.declaration.parse().unwrap()).unwrap();
     let mut random = Random(11);
     let (mut worst, mut residual, mut on_constraints, mut solved, mut refused) = (0.0f64, 0.0f64, 0, 0, 0);
     for i in 0..STATES {

@@ -158,7 +158,7 @@ fn kernels_are_those_of_newton_and_euler() {
 fn operations_are_no_more_than_published() {
     let tokens = RobotArm::<f64>::DESCRIPTION.declaration.parse().unwrap();
     let clock = Instant::now();
-    let model = codegen::model::resolve(&codegen::dsl::parse(tokens).unwrap()).unwrap();
+    let model = codegen::model::resolve(&codegen::parse(tokens).unwrap()).unwrap();
     let mut equations = codegen::dynamics::derive_cheapest(model);
     let program = codegen::program::plan(&mut equations);
     println!("derivation and planning, without optimisation: {:.2} s", clock.elapsed().as_secs_f64());

@@ -284,7 +284,7 @@ fn a_free_body_has_eulers_equations() {
 #[test]
 fn eulers_equations_are_as_short_as_on_paper() {
     let kernels = |declaration: &str| {
-        let declaration = codegen::dsl::parse(declaration.parse().unwrap()).unwrap();
+        let declaration = codegen::parse(declaration.parse().unwrap()).unwrap();
         let model = codegen::model::resolve(&declaration).unwrap();
         plan(&mut codegen::dynamics::derive_cheapest(model)).kernels
     };

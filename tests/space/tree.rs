@@ -259,7 +259,7 @@ fn an_arm_of_joints_is_the_arm_by_hand() {
 
 /// The operations of each kernel.
 fn operations(declaration: &str) -> Vec<(String, usize)> {
-    let model = codegen::model::resolve(&codegen::dsl::parse(declaration.parse().unwrap()).unwrap()).unwrap();
+    let model = codegen::model::resolve(&codegen::parse(declaration.parse().unwrap()).unwrap()).unwrap();
     let program = codegen::program::plan(&mut codegen::dynamics::derive_cheapest(model));
     program.kernels.iter().map(|kernel| (kernel.name.to_string(), kernel.operations.total())).collect()
 }

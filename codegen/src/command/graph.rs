@@ -3,7 +3,7 @@
 use super::source::Source;
 use anyhow::{Result, bail};
 use codegen::program::{Diagram, Program, plan};
-use codegen::{dsl, dynamics, model, nearest};
+use codegen::{dynamics, model, nearest};
 use proc_macro2::TokenStream;
 use std::fmt::Write;
 
@@ -22,7 +22,7 @@ pub(super) fn graph(source: &Source, kernel: &str) -> Result<String> {
 
 /// The kernels that are generated, and the name of the mechanism.
 fn program(declaration: TokenStream) -> syn::Result<(String, Program)> {
-    let mut equations = dynamics::derive_cheapest(model::resolve(&dsl::parse(declaration)?)?);
+    let mut equations = dynamics::derive_cheapest(model::resolve(&codegen::parse(declaration)?)?);
     let program = plan(&mut equations);
     Ok((equations.model.name, program))
 }

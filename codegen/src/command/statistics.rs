@@ -11,7 +11,7 @@ pub(super) fn statistics(declaration: TokenStream) -> syn::Result<String> {
     let mut stages = Stages::default();
     let text = dsl::source_text(declaration.clone());
     // The body of `codegen::generate`, stage by stage.
-    let declaration = stages.time("parse", || dsl::parse(declaration))?;
+    let declaration = stages.time("parse", || codegen::parse(declaration))?;
     let model = stages.time("resolve", || model::resolve(&declaration))?;
     let mut equations = stages.time("derive", || dynamics::derive_cheapest(model));
     let program = stages.time("plan", || program::plan(&mut equations));

@@ -1,44 +1,34 @@
 //! Stage 1: text to parsed declaration, with the place of every word kept.
 
-mod axes;
-mod block;
-mod choice;
 mod declarations;
-mod event;
-mod expression;
 mod file;
-mod frame;
-mod free;
-mod given;
-mod joint;
-mod joint_coordinates;
 mod limits;
-mod load;
-mod made;
-mod marks;
-mod no_constraint;
 mod parse;
 mod print;
 mod rates;
 mod region;
 mod reuse;
 mod source;
-mod spanning_tree;
-mod spatial_joint;
 mod syntax;
-mod table;
 mod tree;
-mod unit;
 
+// What a declaration says once its joints are written out, for readers outside of this crate.
+pub use crate::parse;
 pub use declarations::declarations;
-pub use event::{Action, Direction, Event};
 pub use file::read_files;
-pub use joint::{Guide, Joint, JointKind};
-pub use parse::{Head, parse, parse_head};
+pub use parse::{parse_head, parse_unit};
 pub use region::Region;
 pub use reuse::attributed;
 pub use source::source_text;
-pub use spatial_joint::{Rolling, Side, SpatialJoint, SpatialKind};
 pub use syntax::*;
 pub use tree::*;
-pub use unit::parse_unit;
+
+use proc_macro2::TokenStream;
+
+/// Reads a whole declaration, its joints as they are written.
+///
+/// # Errors
+/// All mistakes of form, each at the user's own word, combined into one error.
+pub fn read(tokens: TokenStream) -> syn::Result<Declaration> {
+    parse::declaration(reuse::expand(tokens)?)
+}

@@ -1,4 +1,4 @@
-//! Stage 3: model to equations of motion, by the TMT method with cut loops.
+//! Stage 4: model to equations of motion, by the TMT method with cut loops.
 //!
 //! x = T(q, t) stacks the rotation and position of each body; v = T_q q' + T_t; loops are closed by
 //! constraints C(q, t) = 0:
@@ -16,8 +16,11 @@
 
 mod auxiliary;
 mod block;
+mod cheapest;
+mod column;
 mod constraints;
 mod energy;
+mod formulation;
 mod intermediates;
 mod inverse;
 mod kinematics;
@@ -34,6 +37,7 @@ mod turns;
 mod variables;
 
 pub use block::{Block, Solution};
+pub use column::Column;
 pub use constraints::Constraints;
 pub use energy::Energy;
 pub use intermediates::Intermediate;
@@ -41,14 +45,14 @@ pub use inverse::Inverse;
 pub use kinematics::Kinematics;
 pub use lagrange::{Lagrange, lagrange};
 pub use outputs::Outputs;
-pub use sensitivity::Column;
 pub use speeds::SpeedEquations;
 pub use tmt::{Row, Tmt};
 pub use turns::{Form, Turn};
 pub use variables::{Differentiated, Variables};
 
 use crate::model::Model;
-use intermediates::{Formulation, cheapest};
+use cheapest::cheapest;
+use formulation::Formulation;
 use variables::Derivatives;
 
 /// The equations of motion of a model, with n variables and m constraints. All expressions live in `model.graph`, in

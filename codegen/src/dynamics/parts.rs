@@ -1,6 +1,6 @@
 //! Parts of sums that sums have in common, found by their terms, and expressions written with them.
 
-use super::intermediates::Formulation;
+use super::formulation::Formulation;
 use super::rows::{Along, LoadRow};
 use super::variables::Variables;
 use crate::model::{Dependence, Model};

@@ -3,19 +3,12 @@
 //! With the equations as K z = r, z = (q'', lambda), any derivative of the solution solves K dz = dr - dK z: here are
 //! the right-hand sides, the derivatives of r - K z at fixed z (the implicit function theorem).
 
+use super::column::Column;
 use super::tmt::Tmt;
 use super::turns::Form;
 use super::variables::{Derivatives, inner};
 use crate::model::Model;
 use crate::symbolic::{Differential, Expr, Symbol};
-
-/// Derivatives with respect to one variable.
-pub struct Column {
-    /// Of r - K z at fixed accelerations and multipliers, n + m.
-    pub residual: Vec<Expr>,
-    /// Of the angles by which rows are turned, one for each turn.
-    pub angles: Vec<Expr>,
-}
 
 /// Above, the kernel of the derivatives with respect to the state is made only if it is asked for: it grows with the
 /// square of the number of coordinates.

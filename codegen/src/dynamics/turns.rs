@@ -11,8 +11,8 @@
 //! parameters: one entry less to eliminate, and a pivot that no position makes zero. As the turn is orthonormal the
 //! equations stay as well conditioned as they were.
 
+use super::column::Column;
 use super::constraints::Constraints;
-use super::sensitivity::Column;
 use crate::model::Model;
 use crate::symbolic::{Expr, Function, Graph, Node, Symbol};
 use std::cmp::Reverse;
@@ -166,7 +166,7 @@ fn angles(graph: &Graph, entries: &[Expr]) -> Vec<Expr> {
 mod tests {
     use super::*;
     use crate::dynamics::derive;
-    use crate::{dsl, model};
+    use crate::{model, parse};
 
     const FOUR_BAR: &str = "
         /// A four-bar.
@@ -180,7 +180,7 @@ mod tests {
 
     fn turned(rest: &str) -> (Model, Option<Form>) {
         let text = format!("{FOUR_BAR} {rest}");
-        let declaration = dsl::parse(text.parse().unwrap()).unwrap();
+        let declaration = parse(text.parse().unwrap()).unwrap();
         let equations = derive(model::resolve(&declaration).unwrap());
         (equations.model, equations.turned)
     }

@@ -3,7 +3,7 @@
 use super::{kebab_case, size};
 use crate::dsl::Mark;
 use crate::dynamics::EquationsOfMotion;
-use crate::model::{Dimension, Direction, Event, EventStep, Level, Model, Shape, Start, Target, Unit};
+use crate::model::{Coordinate, Dimension, Direction, Event, EventStep, Level, Model, Shape, Start, Target, Unit};
 use crate::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -17,34 +17,13 @@ pub(super) fn description(
     let model = &equations.model;
     let quantity = |name: &str, unit: &Unit, docs: &str| quantity(name, unit, docs, path);
     let (name, type_name, docs) = (kebab_case(&model.name), &model.name, &model.docs);
-    let coordinates = model.coordinates.iter().map(|c| {
-        let position = quantity(&c.name, &c.unit, &c.docs);
-        let speed = quantity(&format!("{}_dot", c.name), &c.unit.per_time(1), "");
-        let acceleration = quantity(&format!("{}_ddot", c.name), &c.unit.per_time(2), "");
-        let start = match c.start {
-            Start::Given(_) => quote! { Given },
-            Start::Guess(_) => quote! { Guess },
-            Start::Free => quote! { Free },
-        };
-        let speed_given = c.start_speed.is_some();
-        quote! {
-            #path::Coordinate {
-                position: #position, speed: #speed, acceleration: #acceleration, start: #path::Start::#start, speed_given: #speed_given,
-            }
-        }
-    });
+    let coordinates = coordinates(model, path);
     let parameters = model.parameters.iter().map(|p| quantity(&p.name, &p.unit, &p.docs));
     let inputs = model.inputs.iter().map(|input| quantity(&input.name, &input.unit, &input.docs));
     let constraints = model.constraints.iter().map(|c| quantity(&c.name, &c.unit, ""));
     let between_speeds = model.constraints.iter().enumerate().filter(|(_, c)| c.level == Level::Speeds);
     let norm_constraints = model.norm_constraints.iter().copied().map(size);
-    let sparsity = program.sparsity.iter().flat_map(|sparsity| &sparsity.rows).map(|row| {
-        let columns = row.columns.iter().copied().map(size);
-        let [constraint, first, entries, diagonal] = [row.constraint, row.first, row.entries, row.diagonal].map(size);
-        quote! {
-            #path::SparseRow { constraint: #constraint, columns: &[#(#columns),*], entries: #entries, first: #first, diagonal: #diagonal }
-        }
-    });
+    let sparsity = sparsity(program, path);
     let speed_constraints = between_speeds.map(|(i, _)| size(i));
     let conditionals = model.conditionals.iter().map(|c| {
         let (name, first, len, active) = (&c.name, size(c.rows.start), size(c.rows.len()), c.initially_active);
@@ -57,19 +36,7 @@ pub(super) fn description(
         let (name, title, len) = (&group.name, &group.title, size(group.len));
         quote! { #path::Figure { name: #name, title: #title, len: #len } }
     });
-    let drawing = model.drawing.iter().map(|shape| {
-        let shape = match shape {
-            Shape::Points(Mark::Line, points) => counted("Line", points.len()),
-            Shape::Points(Mark::Curve, points) => counted("Curve", points.len()),
-            Shape::Points(Mark::Spring, _) => quote! { Spring },
-            Shape::Points(Mark::Damper, _) => quote! { Damper },
-            Shape::Points(Mark::Ground, points) => counted("Ground", points.len()),
-            Shape::Points(Mark::Point, points) => counted("Points", points.len()),
-            Shape::Slider(..) => quote! { Slider },
-            Shape::Circle(..) => quote! { Circle },
-        };
-        quote! { #path::Shape::#shape }
-    });
+    let drawing = drawing(model, path);
     let dimension = size(model.dimension);
     let made = [
         ("dynamics_jacobian", equations.declared.by_state.is_some()),
@@ -100,6 +67,58 @@ pub(super) fn description(
             drawing: &[#(#drawing),*],
         }
     }
+}
+
+/// Coordinates with their speeds and accelerations, and how each starts.
+fn coordinates(model: &Model, path: &TokenStream) -> Vec<TokenStream> {
+    let quantity = |name: &str, unit: &Unit, docs: &str| quantity(name, unit, docs, path);
+    let coordinate = |c: &Coordinate| {
+        let position = quantity(&c.name, &c.unit, &c.docs);
+        let speed = quantity(&format!("{}_dot", c.name), &c.unit.per_time(1), "");
+        let acceleration = quantity(&format!("{}_ddot", c.name), &c.unit.per_time(2), "");
+        let start = match c.start {
+            Start::Given(_) => quote! { Given },
+            Start::Guess(_) => quote! { Guess },
+            Start::Free => quote! { Free },
+        };
+        let speed_given = c.start_speed.is_some();
+        quote! {
+            #path::Coordinate {
+                position: #position, speed: #speed, acceleration: #acceleration, start: #path::Start::#start, speed_given: #speed_given,
+            }
+        }
+    };
+    model.coordinates.iter().map(coordinate).collect()
+}
+
+/// The pattern of the constraint Jacobian, row by row.
+fn sparsity(program: &Program, path: &TokenStream) -> Vec<TokenStream> {
+    let rows = program.sparsity.iter().flat_map(|sparsity| &sparsity.rows).map(|row| {
+        let columns = row.columns.iter().copied().map(size);
+        let [constraint, first, entries, diagonal] = [row.constraint, row.first, row.entries, row.diagonal].map(size);
+        quote! {
+            #path::SparseRow { constraint: #constraint, columns: &[#(#columns),*], entries: #entries, first: #first, diagonal: #diagonal }
+        }
+    });
+    rows.collect()
+}
+
+/// The shapes that are drawn, with how many points each has.
+fn drawing(model: &Model, path: &TokenStream) -> Vec<TokenStream> {
+    let shapes = model.drawing.iter().map(|shape| {
+        let shape = match shape {
+            Shape::Points(Mark::Line, points) => counted("Line", points.len()),
+            Shape::Points(Mark::Curve, points) => counted("Curve", points.len()),
+            Shape::Points(Mark::Spring, _) => quote! { Spring },
+            Shape::Points(Mark::Damper, _) => quote! { Damper },
+            Shape::Points(Mark::Ground, points) => counted("Ground", points.len()),
+            Shape::Points(Mark::Point, points) => counted("Points", points.len()),
+            Shape::Slider(..) => quote! { Slider },
+            Shape::Circle(..) => quote! { Circle },
+        };
+        quote! { #path::Shape::#shape }
+    });
+    shapes.collect()
 }
 
 /// A named quantity.

@@ -1,7 +1,8 @@
 //! Each program as a function of the mechanism.
 
+use super::names::{output_rates_name, outputs_name, prepared_name};
 use super::record::record_type;
-use super::{ident, size, table, types};
+use super::{ident, size, table};
 use crate::model::Model;
 use crate::program::{Arguments, Kernel, LookUp, Name, Piece, Program, Receiver, Record, Results, Statement, Tree};
 use proc_macro2::{Delimiter, Group, Ident, TokenStream};
@@ -9,7 +10,7 @@ use quote::{ToTokens, format_ident, quote};
 
 /// All kernels, as methods of the mechanism and of what is prepared from its parameters.
 pub(super) fn kernels(model: &Model, program: &Program, path: &TokenStream) -> TokenStream {
-    let (name, prepared) = (ident(&model.name), types::prepared_name(model));
+    let (name, prepared) = (ident(&model.name), prepared_name(model));
     let of = |receiver: Receiver| program.kernels.iter().filter(move |kernel| kernel.receiver == receiver);
     let functions = of(Receiver::Mechanism).map(|kernel| function(model, kernel, path));
     let prepared_functions = of(Receiver::Prepared).map(|kernel| function(model, kernel, path));
@@ -110,7 +111,7 @@ fn shortcut(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     let list = arguments(model, kernel.arguments);
     let names = argument_names(kernel.arguments);
     let returns = returns(model, kernel, path);
-    let prepared = types::prepared_name(model);
+    let prepared = prepared_name(model);
     let docs =
         format!(" [`{prepared}::{name}`] once; for many calls with the same parameters [`Self::prepare`] first.");
     quote! {
@@ -271,7 +272,7 @@ pub(super) fn returned_array(model: &Model, kernel: &Kernel, path: &TokenStream)
                 quote! { #path::SpeedDynamics<S, [S; #k], [S; #r]> }
             }
             Record::Prepared => {
-                let prepared = types::prepared_name(model);
+                let prepared = prepared_name(model);
                 quote! { #prepared<S> }
             }
         },
@@ -286,8 +287,8 @@ pub(super) fn returned_array(model: &Model, kernel: &Kernel, path: &TokenStream)
 /// The struct that a kernel returns instead of an array.
 pub(super) fn record_of(model: &Model, kernel: &Kernel) -> Option<Ident> {
     match kernel.name {
-        "outputs" => Some(types::outputs_name(model)),
-        "output_rates" => Some(types::output_rates_name(model)),
+        "outputs" => Some(outputs_name(model)),
+        "output_rates" => Some(output_rates_name(model)),
         _ => None,
     }
 }
@@ -311,7 +312,7 @@ fn returned(model: &Model, results: &Results<Tree>, path: &TokenStream) -> Token
         Results::Refused(pivots) => refused(pivots.as_deref(), path),
         Results::Record(record, fields) => {
             let name = match record {
-                Record::Prepared => types::prepared_name(model).into_token_stream(),
+                Record::Prepared => prepared_name(model).into_token_stream(),
                 _ => {
                     let name = format_ident!("{record:?}");
                     quote! { #path::#name }

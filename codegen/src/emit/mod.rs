@@ -1,10 +1,15 @@
-//! Stage 5: programs to Rust tokens. Nothing about numbers is decided here, so that another language could print
+//! Stage 6: programs to Rust tokens. Nothing about numbers is decided here, so that another language could print
 //! the same programs.
 
 mod description;
+mod documentation;
 mod equations;
 mod format;
+mod forward;
+mod implementation;
 mod kernel;
+mod marker;
+mod names;
 mod record;
 mod speeds;
 mod stub;
@@ -31,7 +36,7 @@ pub fn emit(
 ) -> TokenStream {
     let types = types::types(head, equations, program, path);
     let kernels = kernel::kernels(&equations.model, program, path);
-    let mechanism = types::mechanism_impl(equations, program, declaration, path);
+    let mechanism = implementation::implementation(equations, program, declaration, path);
     let speeds = speeds::speeds(head, equations, program, path);
     [types, kernels, mechanism].into_iter().chain(speeds).collect()
 }

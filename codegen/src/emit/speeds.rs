@@ -1,8 +1,9 @@
 //! What generalised speeds add to a mechanism: their struct, and the impl of their trait.
 
 use super::description::quantity;
+use super::documentation::documented;
+use super::forward::forward;
 use super::record::record;
-use super::types::{documented, forward};
 use super::{ident, size};
 use crate::dsl::Head;
 use crate::dynamics::EquationsOfMotion;

@@ -1,6 +1,6 @@
 //! Sums, products, quotients and powers of values.
 
-use super::interpret::Interpreter;
+use super::interpreter::Interpreter;
 use super::space::triple;
 use super::value::{Shape, Value};
 use crate::dsl::{Expression, Operator};

@@ -3,7 +3,7 @@
 //! A declaration with such displacements is resolved twice: once with the number 0 in their places, which gives the very
 //! model that it would be without them, and once with variables, from which the conjugate forces are derived.
 
-use super::interpret::Interpreter;
+use super::interpreter::Interpreter;
 use super::origin::Origin;
 use super::quantities::{define, refuse_rate, resolve_unit};
 use super::scope::plain;
@@ -24,30 +24,30 @@ pub(super) enum Displacements {
 pub(super) fn resolve_auxiliaries(
     declaration: &Declaration,
     displacements: Displacements,
-    i: &mut Interpreter,
+    interpreter: &mut Interpreter,
 ) -> Vec<(Auxiliary, Value)> {
     let mut auxiliaries = Vec::new();
     for a in &declaration.auxiliary {
         let name = plain(&a.name);
-        refuse_rate(&a.name, declaration, i);
-        let unit = resolve_unit(&a.unit, i);
+        refuse_rate(&a.name, declaration, interpreter);
+        let unit = resolve_unit(&a.unit, interpreter);
         let auxiliary = Auxiliary {
-            displacement: i.graph.symbol(&name),
-            rate: i.graph.symbol(&format!("{name}_dot")),
-            reaction: i.graph.symbol(&format!("reaction_{name}")),
+            displacement: interpreter.graph.symbol(&name),
+            rate: interpreter.graph.symbol(&format!("{name}_dot")),
+            reaction: interpreter.graph.symbol(&format!("reaction_{name}")),
             name,
         };
-        i.dependences.declare(auxiliary.displacement, Dependence::COORDINATE);
-        i.dependences.declare(auxiliary.rate, Dependence::SPEED);
-        i.dependences.declare(auxiliary.reaction, Dependence::ACCELERATION.or(Dependence::MULTIPLIER));
+        interpreter.dependences.declare(auxiliary.displacement, Dependence::COORDINATE);
+        interpreter.dependences.declare(auxiliary.rate, Dependence::SPEED);
+        interpreter.dependences.declare(auxiliary.reaction, Dependence::ACCELERATION.or(Dependence::MULTIPLIER));
         let value = match displacements {
-            Displacements::Zero => i.graph.zero(),
-            Displacements::Variable => i.graph.variable(auxiliary.displacement),
+            Displacements::Zero => interpreter.graph.zero(),
+            Displacements::Variable => interpreter.graph.variable(auxiliary.displacement),
         };
         let dimension = unit.map(|unit| unit.dimension().clone());
-        i.origins.add(plain(&a.name), Origin::Declared(a.unit.as_ref().map(|unit| unit.text.clone())));
-        define(&a.name, Some(Value::scalar(value, dimension.clone())), i);
-        let reaction = i.graph.variable(auxiliary.reaction);
+        interpreter.origins.add(plain(&a.name), Origin::Declared(a.unit.as_ref().map(|unit| unit.text.clone())));
+        define(&a.name, Some(Value::scalar(value, dimension.clone())), interpreter);
+        let reaction = interpreter.graph.variable(auxiliary.reaction);
         let force = Value::scalar(reaction, dimension.map(|dimension| Dimension::energy().over(&dimension)));
         auxiliaries.push((auxiliary, force));
     }

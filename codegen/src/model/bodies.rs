@@ -1,7 +1,8 @@
 //! The `bodies` block.
 
-use super::interpret::Interpreter;
-use super::level::{self, MOVING};
+use super::inertial::inertial;
+use super::interpreter::Interpreter;
+use super::level;
 use super::scope::{Names, plain};
 use super::space::{Spatial, Turn, norm_square, resolve_inertia};
 use super::{Attitude, Body, Dependence, Dimension, Fall, Level, Norm, Point, Tensor};
@@ -24,27 +25,27 @@ pub(super) struct ResolvedBodies {
     pub(super) norms: Vec<Norm>,
 }
 
-pub(super) fn resolve_bodies(declaration: &Declaration, i: &mut Interpreter) -> ResolvedBodies {
+pub(super) fn resolve_bodies(declaration: &Declaration, interpreter: &mut Interpreter) -> ResolvedBodies {
     let mut names = Names::new("body");
     let (mut bodies, mut turns, mut norms) = (Vec::new(), Vec::new(), Vec::new());
     for (at, b) in declaration.bodies.iter().enumerate() {
-        names.define(&b.name, Some(at), &mut i.mistakes);
-        let turn = b.attitude.as_ref().map(|attitude| i.attitude_of(attitude));
+        names.define(&b.name, Some(at), &mut interpreter.mistakes);
+        let turn = b.attitude.as_ref().map(|attitude| interpreter.attitude_of(attitude));
         let body = match turn {
             Some(None) => None,
-            _ => resolve_body(b, turn.flatten(), i),
+            _ => resolve_body(b, turn.flatten(), interpreter),
         };
         if let (Some(turn), Some(attitude)) = (turn.flatten(), body.as_ref().and_then(|body| body.attitude.as_ref())) {
-            add_norms(&mut norms, turn, &attitude.inertia, i);
+            add_norms(&mut norms, turn, &attitude.inertia, interpreter);
         }
         let place = body.as_ref().and(b.mass.as_ref()).and_then(|(_, place)| place.as_ref());
-        let place = place.filter(|_| turn.is_some()).and_then(|place| i.spatial_value(place));
-        turns.push(turn.flatten().map(|turn| (turn, place.map(|(place, _)| i.with_frame(place, turn)))));
+        let place = place.filter(|_| turn.is_some()).and_then(|place| interpreter.spatial_value(place));
+        turns.push(turn.flatten().map(|turn| (turn, place.map(|(place, _)| interpreter.with_frame(place, turn)))));
         bodies.push(body);
     }
     if declaration.bodies.is_empty() {
         let place = Region::from(&declaration.head.name);
-        i.mistakes.add(
+        interpreter.mistakes.add(
             place.error("a mechanism needs at least one body: `bodies { rod: mass m at G, inertia J, angle phi; }`"),
         );
     }
@@ -52,20 +53,25 @@ pub(super) fn resolve_bodies(declaration: &Declaration, i: &mut Interpreter) -> 
 }
 
 /// Gives each quaternion of coordinates, with the first body that it turns, that body's mean moment of inertia.
-fn add_norms(norms: &mut Vec<Norm>, turn: Turn, inertia: &Tensor, i: &mut Interpreter) {
-    for components in i.frames.quaternions(turn) {
-        let square = norm_square(&mut i.graph, &components);
+fn add_norms(norms: &mut Vec<Norm>, turn: Turn, inertia: &Tensor, interpreter: &mut Interpreter) {
+    for components in interpreter.frames.quaternions(turn) {
+        let square = norm_square(&mut interpreter.graph, &components);
         if norms.iter().all(|norm| norm.square != square) {
-            let sum = i.graph.sum(&inertia.moments);
-            let third = i.graph.integer(3);
-            norms.push(Norm { square, inertia: i.graph.div(sum, third) });
+            let sum = interpreter.graph.sum(&inertia.moments);
+            let third = interpreter.graph.integer(3);
+            norms.push(Norm { square, inertia: interpreter.graph.div(sum, third) });
         }
     }
 }
 
 /// Lets bodies fall: gravity in the frame of each.
-pub(super) fn fall(bodies: &mut [Option<Body>], turns: &[TurnedBody], gravity: &Spatial, i: &mut Interpreter) {
-    let Interpreter { graph, motion, frames, .. } = i;
+pub(super) fn fall(
+    bodies: &mut [Option<Body>],
+    turns: &[TurnedBody],
+    gravity: &Spatial,
+    interpreter: &mut Interpreter,
+) {
+    let Interpreter { graph, motion, frames, .. } = interpreter;
     let up = gravity.clone().map(|x| graph.neg(x));
     for (body, turn) in bodies.iter_mut().zip(turns) {
         if let (Some(Body { attitude: Some(attitude), .. }), Some((_, Some((place, frame))))) = (body, turn) {
@@ -77,59 +83,61 @@ pub(super) fn fall(bodies: &mut [Option<Body>], turns: &[TurnedBody], gravity: &
 }
 
 /// What turns in space: its inertia, its attitude, and its centre of mass as it moves in its own frame.
-fn resolve_attitude(b: &dsl::Body, turn: Turn, has_place: bool, i: &mut Interpreter) -> Option<Attitude> {
+fn resolve_attitude(b: &dsl::Body, turn: Turn, has_place: bool, interpreter: &mut Interpreter) -> Option<Attitude> {
     let Some(inertia) = &b.inertia else {
         let message = format!(
             "the inertia of `{}` is missing: `inertia [A, B, C]`, its principal moments, stands with an attitude",
             b.name
         );
-        return i.refuse(Region::from(&b.name), message);
+        return interpreter.refuse(Region::from(&b.name), message);
     };
-    let inertia = resolve_inertia(inertia, i)?;
+    let inertia = resolve_inertia(inertia, interpreter)?;
     let place = match &b.mass {
-        Some((_, Some(place))) if has_place => Some(i.spatial_value(place)?.0),
+        Some((_, Some(place))) if has_place => Some(interpreter.spatial_value(place)?.0),
         _ => None,
     };
-    let place = place.map(|place| i.with_frame(place, turn));
-    let Interpreter { graph, motion, frames, .. } = i;
+    let place = place.map(|place| interpreter.with_frame(place, turn));
+    let Interpreter { graph, motion, frames, .. } = interpreter;
     let centre = place.map(|(place, frame)| frames.point_rates(graph, motion, &place, frame));
     let spin = frames.spin_rates(turn);
     Some(Attitude { inertia, matrix: *frames.matrix(turn), spin, centre, fall: None })
 }
 
-fn resolve_body(b: &dsl::Body, turn: Option<Turn>, i: &mut Interpreter) -> Option<Body> {
+fn resolve_body(b: &dsl::Body, turn: Option<Turn>, interpreter: &mut Interpreter) -> Option<Body> {
     let name = plain(&b.name);
     let place = Region::from(&b.name);
     if let (Some(attitude), Some(_)) = (&b.attitude, &b.angle) {
-        return i.refuse(attitude.region, format!("body `{name}` has an angle and an attitude; keep one of them"));
+        return interpreter
+            .refuse(attitude.region, format!("body `{name}` has an angle and an attitude; keep one of them"));
     }
     // Every part is looked at before the first mistake counts.
-    let mass = b.mass.as_ref().map(|(mass, position)| resolve_mass(mass, position.as_ref(), &name, i));
+    let mass = b.mass.as_ref().map(|(mass, position)| resolve_mass(mass, position.as_ref(), &name, interpreter));
     let angle = b.angle.as_ref().map(|angle| {
         const WHAT: &str = "the angle of a body";
-        let value = level::angle(angle, WHAT, i)?;
-        i.smooth(angle.region, &[value], Level::Positions, WHAT).map(|()| value)
+        let value = level::angle(angle, WHAT, interpreter)?;
+        interpreter.smooth(angle.region, &[value], Level::Positions, WHAT).map(|()| value)
     });
     let has_place = matches!(mass, Some(Some(_)));
-    let attitude = turn.map(|turn| resolve_attitude(b, turn, has_place, i));
+    let attitude = turn.map(|turn| resolve_attitude(b, turn, has_place, interpreter));
     let inertia = b.inertia.as_ref().filter(|_| turn.is_none()).map(|inertia| {
         if let Kind::Vector(_) = inertia.kind {
             let message = format!(
                 "how is `{name}` turned? An inertia of several moments stands with an attitude: \
                  `inertia [A, B, C], attitude R`"
             );
-            return i.refuse(inertia.region, message);
+            return interpreter.refuse(inertia.region, message);
         }
-        let value = i.scalar_of(inertia, &Dimension::inertia(), "an inertia")?;
-        inertial(inertia, value, i)
+        let value = interpreter.scalar_of(inertia, &Dimension::inertia(), "an inertia")?;
+        inertial(inertia, value, interpreter)
     });
     if let (Some(inertia), None, None) = (&b.inertia, &b.angle, turn) {
         if let Kind::Vector(_) = inertia.kind {
             return None;
         }
-        return i.refuse(inertia.region, format!("about which angle does `{name}` turn? Write `inertia J, angle phi`"));
+        return interpreter
+            .refuse(inertia.region, format!("about which angle does `{name}` turn? Write `inertia J, angle phi`"));
     }
-    let zero = i.graph.zero();
+    let zero = interpreter.graph.zero();
     let mass = mass.map_or(Some(None), |mass| mass.map(Some))?;
     let angle = angle.map_or(Some(None), |angle| angle.map(Some))?;
     let inertia = inertia.unwrap_or(Some(zero))?;
@@ -137,8 +145,11 @@ fn resolve_body(b: &dsl::Body, turn: Option<Turn>, i: &mut Interpreter) -> Optio
     let rotation = angle.map(|angle| (inertia, angle));
     let turned = attitude.iter().flat_map(|attitude| attitude.matrix.concat());
     let moved: Vec<Expr> = mass.iter().flat_map(|(_, p)| p.clone()).chain(angle).chain(turned).collect();
-    if !moved.iter().any(|x| i.dependences.of(&i.graph, *x).meets(Dependence::COORDINATE.or(Dependence::TIME))) {
-        return i.refuse(
+    if !moved
+        .iter()
+        .any(|x| interpreter.dependences.of(&interpreter.graph, *x).meets(Dependence::COORDINATE.or(Dependence::TIME)))
+    {
+        return interpreter.refuse(
             place,
             format!(
                 "no coordinate moves body `{name}`; leave it out, or let its position or angle depend on a coordinate"
@@ -152,31 +163,18 @@ fn resolve_mass(
     mass: &Expression,
     position: Option<&Expression>,
     body: &str,
-    i: &mut Interpreter,
+    interpreter: &mut Interpreter,
 ) -> Option<(Expr, Point)> {
-    let value = i.scalar_of(mass, &Dimension::mass(), "a mass").and_then(|value| inertial(mass, value, i));
+    let value =
+        interpreter.scalar_of(mass, &Dimension::mass(), "a mass").and_then(|value| inertial(mass, value, interpreter));
     let Some(position) = position else {
-        return i.refuse(
+        return interpreter.refuse(
             mass.region,
             format!("where is the mass of `{body}`? Write `mass m at P`, P being its centre of mass, or let the body be `free`"),
         );
     };
     const WHAT: &str = "the position of a mass";
-    let at =
-        level::position(position, WHAT, i).filter(|at| i.smooth(position.region, at, Level::Positions, WHAT).is_some());
+    let at = level::position(position, WHAT, interpreter)
+        .filter(|at| interpreter.smooth(position.region, at, Level::Positions, WHAT).is_some());
     value.zip(at)
-}
-
-/// A mass or moment of inertia: made of parameters.
-pub(super) fn inertial(expression: &Expression, value: Expr, i: &mut Interpreter) -> Option<Expr> {
-    i.restrict(
-        expression.region,
-        &[value],
-        MOVING.or(Dependence::TIME).or(Dependence::INPUT),
-        "a mass or inertia is made of numbers and parameters; it cannot change with the motion",
-    )?;
-    if i.graph.as_number(value).is_some_and(|number| number.is_negative()) {
-        return i.refuse(expression.region, "a mass or inertia cannot be negative");
-    }
-    Some(value)
 }

@@ -1,7 +1,7 @@
 //! Calls of functions.
 
-use super::homogeneity::Measured;
-use super::interpret::Interpreter;
+use super::interpreter::Interpreter;
+use super::measured::Measured;
 use super::scope::{self, plain};
 use super::space::{Spatial, triple};
 use super::value::{Shape, Value};
@@ -16,17 +16,7 @@ impl Interpreter {
     pub(super) fn call(&mut self, region: Region, name: &Ident, arguments: &[Expression]) -> Option<Value> {
         let text = plain(name);
         if let Some(function) = Function::ALL.into_iter().find(|f| f.name() == text) {
-            let [argument] = self.arguments(region, &text, arguments, ["x"])?;
-            let (x, dimension) = self.scalar_value(argument)?;
-            let dimension = match function {
-                Function::Abs => dimension,
-                Function::Sign => Some(Dimension::none()),
-                _ => {
-                    self.expect_pure(&text, Measured { expression: argument, dimension: &dimension })?;
-                    Some(Dimension::none())
-                }
-            };
-            return Some(Value::scalar(self.graph.call(function, x), dimension));
+            return self.elementary(region, function, arguments);
         }
         if self.tables.get_region(&text).is_some() {
             return self.look_up(region, name, arguments);
@@ -63,31 +53,7 @@ impl Interpreter {
                 let dimension = left.dimension.zip(right.dimension).map(|(a, b)| a.times(&b));
                 Some(Value::scalar(inner, dimension))
             }
-            "cross" => {
-                let [a, b] = self.arguments(region, &text, arguments, ["a", "b"])?;
-                self.cross(a, b)
-            }
-            "rotation" => {
-                let [axis, angle] = self.arguments(region, &text, arguments, ["axis", "angle"])?;
-                self.rotation(axis, angle)
-            }
-            "euler" => self.euler(region, arguments),
-            "quaternion" => {
-                let components = self.arguments(region, &text, arguments, ["q0", "q1", "q2", "q3"])?;
-                self.quaternion(region, components)
-            }
-            "axes" => {
-                let axes = self.arguments(region, &text, arguments, ["u", "v", "w"])?;
-                self.axes(region, axes)
-            }
-            "transpose" => {
-                let [rotation] = self.arguments(region, &text, arguments, ["R"])?;
-                self.transpose(rotation)
-            }
-            "angular_velocity" => {
-                let [rotation] = self.arguments(region, &text, arguments, ["R"])?;
-                self.angular_velocity(rotation)
-            }
+            text if scope::SPATIAL_FUNCTIONS.contains(&text) => self.call_in_space(region, text, arguments),
             "omega" | "attitude" => self.refuse(region, format!("`{text}(..)` takes the name of a body that turns")),
             "dot" => {
                 let [x] = self.arguments(region, &text, arguments, ["x"])?;
@@ -99,20 +65,66 @@ impl Interpreter {
                 self.rate_of(x.region, rate)
             }
             "reaction" => self.reaction(region, arguments),
+            _ => self.unknown_function(name),
+        }
+    }
+
+    /// Of one of the engine's own functions.
+    fn elementary(&mut self, region: Region, function: Function, arguments: &[Expression]) -> Option<Value> {
+        let [argument] = self.arguments(region, function.name(), arguments, ["x"])?;
+        let (x, dimension) = self.scalar_value(argument)?;
+        let dimension = match function {
+            Function::Abs => dimension,
+            Function::Sign => Some(Dimension::none()),
             _ => {
-                if self.values.get_region(&text).is_some() {
-                    return self.refuse(
-                        name.into(),
-                        format!("`{text}` is not a function; a product is written `{text}*(..)`"),
-                    );
-                }
-                let functions = scope::functions().map(str::to_owned);
-                let known: Vec<String> = self.tables.names().map(str::to_owned).chain(functions).collect();
-                let near = nearest::suggestion(&text, known.iter().map(String::as_str));
-                let all = if near.is_empty() { format!("; there are {}", known.join(", ")) } else { String::new() };
-                self.refuse(name.into(), format!("no function is called `{text}`{near}{all}"))
+                self.expect_pure(function.name(), Measured { expression: argument, dimension: &dimension })?;
+                Some(Dimension::none())
+            }
+        };
+        Some(Value::scalar(self.graph.call(function, x), dimension))
+    }
+
+    /// Of one of the functions of space.
+    fn call_in_space(&mut self, region: Region, text: &str, arguments: &[Expression]) -> Option<Value> {
+        match text {
+            "cross" => {
+                let [a, b] = self.arguments(region, text, arguments, ["a", "b"])?;
+                self.cross(a, b)
+            }
+            "rotation" => {
+                let [axis, angle] = self.arguments(region, text, arguments, ["axis", "angle"])?;
+                self.rotation(axis, angle)
+            }
+            "euler" => self.euler(region, arguments),
+            "quaternion" => {
+                let components = self.arguments(region, text, arguments, ["q0", "q1", "q2", "q3"])?;
+                self.quaternion(region, components)
+            }
+            "axes" => {
+                let axes = self.arguments(region, text, arguments, ["u", "v", "w"])?;
+                self.axes(region, axes)
+            }
+            "transpose" => {
+                let [rotation] = self.arguments(region, text, arguments, ["R"])?;
+                self.transpose(rotation)
+            }
+            _ => {
+                let [rotation] = self.arguments(region, text, arguments, ["R"])?;
+                self.angular_velocity(rotation)
             }
         }
+    }
+
+    fn unknown_function(&mut self, name: &Ident) -> Option<Value> {
+        let text = plain(name);
+        if self.values.get_region(&text).is_some() {
+            return self.refuse(name.into(), format!("`{text}` is not a function; a product is written `{text}*(..)`"));
+        }
+        let functions = scope::functions().map(str::to_owned);
+        let known: Vec<String> = self.tables.names().map(str::to_owned).chain(functions).collect();
+        let near = nearest::suggestion(&text, known.iter().map(String::as_str));
+        let all = if near.is_empty() { format!("; there are {}", known.join(", ")) } else { String::new() };
+        self.refuse(name.into(), format!("no function is called `{text}`{near}{all}"))
     }
 
     fn arguments<'a, const N: usize>(

@@ -1,7 +1,7 @@
 //! `if`, `min` and `max`.
 
-use super::homogeneity::Measured;
-use super::interpret::Interpreter;
+use super::interpreter::Interpreter;
+use super::measured::Measured;
 use super::space::Spatial;
 use super::value::{Shape, Value};
 use crate::dsl::{self, Comparison, Expression, Region};

@@ -1,9 +1,8 @@
 //! Loads along scalars: potentials, dissipation functions, springs, dampers.
 
-use super::homogeneity::Measured;
-use super::interpret::Interpreter;
-use super::level::{self, position_level, position_scalar};
-use super::loads::load_level;
+use super::interpreter::Interpreter;
+use super::level::{self, load_level, position_level, position_scalar};
+use super::measured::Measured;
 use super::value::Value;
 use super::{Dependence, Dimension, Effort};
 use crate::dsl::{Element, Expression, Extent, Law, Region};
@@ -15,50 +14,55 @@ const STRETCH: &str = "stretch";
 const RATE: &str = "rate";
 
 /// -dV/dq: -1 along V.
-pub(super) fn potential(energy: &Expression, i: &mut Interpreter) -> Option<Effort> {
-    let along = position_scalar(energy, &Dimension::energy(), "a potential energy", i)?;
-    if !i.dependences.of(&i.graph, along).meets(Dependence::COORDINATE) {
-        return i.refuse(energy.region, "no coordinate stands in this potential energy, so no force comes of it");
+pub(super) fn potential(energy: &Expression, interpreter: &mut Interpreter) -> Option<Effort> {
+    let along = position_scalar(energy, &Dimension::energy(), "a potential energy", interpreter)?;
+    if !interpreter.dependences.of(&interpreter.graph, along).meets(Dependence::COORDINATE) {
+        return interpreter
+            .refuse(energy.region, "no coordinate stands in this potential energy, so no force comes of it");
     }
-    Some(Effort { force: i.graph.integer(-1), along })
+    Some(Effort { force: interpreter.graph.integer(-1), along })
 }
 
 /// -dR/dq' along each coordinate and whatever else moves, given with its rate (Rayleigh's dissipation function; Goldstein,
 /// Poole, Safko: Classical Mechanics, 3rd ed., (1.69)).
-pub(super) fn dissipation(function: &Expression, moving: &[(Symbol, Symbol)], i: &mut Interpreter) -> Vec<Effort> {
+pub(super) fn dissipation(
+    function: &Expression,
+    moving: &[(Symbol, Symbol)],
+    interpreter: &mut Interpreter,
+) -> Vec<Effort> {
     let power = Some(Dimension::energy().over(&Dimension::time()));
-    let Some(value) = load_scalar(function, power, "a dissipation function", i) else { return vec![] };
-    if !i.dependences.of(&i.graph, value).meets(Dependence::SPEED) {
+    let Some(value) = load_scalar(function, power, "a dissipation function", interpreter) else { return vec![] };
+    if !interpreter.dependences.of(&interpreter.graph, value).meets(Dependence::SPEED) {
         let message = "no speed stands in this dissipation function, so it brakes nothing; write it with `dot(..)`";
-        i.mistakes.add(function.region.error(message));
+        interpreter.mistakes.add(function.region.error(message));
     }
     let along = moving.iter().map(|(position, rate)| {
-        let slope = Differential::partial(&mut i.graph, *rate).of(&mut i.graph, value);
-        Effort { force: i.graph.neg(slope), along: i.graph.variable(*position) }
+        let slope = Differential::partial(&mut interpreter.graph, *rate).of(&mut interpreter.graph, value);
+        Effort { force: interpreter.graph.neg(slope), along: interpreter.graph.variable(*position) }
     });
     let along: Vec<Effort> = along.collect();
-    along.into_iter().filter(|effort| !i.graph.is_zero(effort.force)).collect()
+    along.into_iter().filter(|effort| !interpreter.graph.is_zero(effort.force)).collect()
 }
 
 /// An angle that a torque works along.
-pub(super) fn turned(expression: &Expression, i: &mut Interpreter) -> Option<Expr> {
-    let along = level::angle(expression, "the angle that a torque turns", i)?;
-    check_moves(expression.region, along, i)?;
+pub(super) fn turned(expression: &Expression, interpreter: &mut Interpreter) -> Option<Expr> {
+    let along = level::angle(expression, "the angle that a torque turns", interpreter)?;
+    check_moves(expression.region, along, interpreter)?;
     Some(along)
 }
 
 /// The force of an element along its extent.
-pub(super) fn element(element: &Element, i: &mut Interpreter) -> Option<Effort> {
-    let along = resolve_extent(element.keyword, &element.extent, i);
+pub(super) fn element(element: &Element, interpreter: &mut Interpreter) -> Option<Effort> {
+    let along = resolve_extent(element.keyword, &element.extent, interpreter);
     match &element.law {
         Law::Force(force) => {
             let (needed, what) = needed("a force", along.as_ref(), Along::force);
-            let force = load_scalar(force, needed, &what, i)?;
+            let force = load_scalar(force, needed, &what, interpreter)?;
             along.map(|along| Effort { force, along: along.value })
         }
-        Law::Spring(law, rest) => spring(law, rest, along, i),
-        Law::Friction(force, smooth) => friction(force, smooth, along, i),
-        Law::Damper(law) => damper(law, along, i),
+        Law::Spring(law, rest) => spring(law, rest, along, interpreter),
+        Law::Friction(force, smooth) => friction(force, smooth, along, interpreter),
+        Law::Damper(law) => damper(law, along, interpreter),
     }
 }
 
@@ -104,132 +108,148 @@ fn needed(
     (along.and_then(dimension), format!("{part} along {extent}"))
 }
 
-fn resolve_extent(keyword: Region, extent: &Extent, i: &mut Interpreter) -> Option<Along> {
+fn resolve_extent(keyword: Region, extent: &Extent, interpreter: &mut Interpreter) -> Option<Along> {
     let along = match extent {
-        Extent::Distance(from, to) => distance(from, to, i),
+        Extent::Distance(from, to) => distance(from, to, interpreter),
         Extent::Difference(from, to) => {
-            let (a, b) = (position(from, i), position(to, i));
+            let (a, b) = (position(from, interpreter), position(to, interpreter));
             let ((a, of_a), (b, of_b)) = (a?, b?);
             let from = Measured { expression: from, dimension: &of_a };
             let to = Measured { expression: to, dimension: &of_b };
-            let dimension = i.common_dimension(from, to, "an element works between quantities of one dimension")?;
-            Some(Along { value: i.graph.sub(b, a), square: None, dimension })
+            let dimension =
+                interpreter.common_dimension(from, to, "an element works between quantities of one dimension")?;
+            Some(Along { value: interpreter.graph.sub(b, a), square: None, dimension })
         }
-        Extent::Quantity(x) => position(x, i).map(|(value, dimension)| Along { value, square: None, dimension }),
+        Extent::Quantity(x) => {
+            position(x, interpreter).map(|(value, dimension)| Along { value, square: None, dimension })
+        }
     }?;
-    check_moves(keyword, along.value, i)?;
+    check_moves(keyword, along.value, interpreter)?;
     Some(along)
 }
 
-fn distance(from: &Expression, to: &Expression, i: &mut Interpreter) -> Option<Along> {
+fn distance(from: &Expression, to: &Expression, interpreter: &mut Interpreter) -> Option<Along> {
     const WHAT: &str = "the end of an element";
-    let (a, b) = (level::position(from, WHAT, i), level::position(to, WHAT, i));
+    let (a, b) = (level::position(from, WHAT, interpreter), level::position(to, WHAT, interpreter));
     let (a, b) = (a?, b?);
-    let way: Vec<Expr> = a.into_iter().zip(b).map(|(a, b)| i.graph.sub(b, a)).collect();
-    let squares: Vec<Expr> = way.into_iter().map(|x| i.graph.mul(x, x)).collect();
-    let square = i.graph.sum(&squares);
-    let dimension = Some(Dimension::length()).filter(|_| i.with_units);
-    Some(Along { value: i.graph.sqrt(square), square: Some(square), dimension })
+    let way: Vec<Expr> = a.into_iter().zip(b).map(|(a, b)| interpreter.graph.sub(b, a)).collect();
+    let squares: Vec<Expr> = way.into_iter().map(|x| interpreter.graph.mul(x, x)).collect();
+    let square = interpreter.graph.sum(&squares);
+    let dimension = Some(Dimension::length()).filter(|_| interpreter.with_units);
+    Some(Along { value: interpreter.graph.sqrt(square), square: Some(square), dimension })
 }
 
-fn position(expression: &Expression, i: &mut Interpreter) -> Option<(Expr, Option<Dimension>)> {
-    let (value, dimension) = i.scalar_value(expression)?;
-    position_level(expression, &[value], "what an element works along", i)?;
+fn position(expression: &Expression, interpreter: &mut Interpreter) -> Option<(Expr, Option<Dimension>)> {
+    let (value, dimension) = interpreter.scalar_value(expression)?;
+    position_level(expression, &[value], "what an element works along", interpreter)?;
     Some((value, dimension))
 }
 
-fn check_moves(place: Region, along: Expr, i: &mut Interpreter) -> Option<()> {
-    match i.dependences.of(&i.graph, along).meets(Dependence::COORDINATE) {
+fn check_moves(place: Region, along: Expr, interpreter: &mut Interpreter) -> Option<()> {
+    match interpreter.dependences.of(&interpreter.graph, along).meets(Dependence::COORDINATE) {
         true => Some(()),
-        false => i.refuse(place, "no coordinate changes what this works along, so it moves nothing; leave it out"),
+        false => {
+            interpreter.refuse(place, "no coordinate changes what this works along, so it moves nothing; leave it out")
+        }
     }
 }
 
-fn load_scalar(expression: &Expression, needed: Option<Dimension>, what: &str, i: &mut Interpreter) -> Option<Expr> {
-    let (value, dimension) = i.scalar_value(expression)?;
-    load_level(expression, vec![value], i)?;
+fn load_scalar(
+    expression: &Expression,
+    needed: Option<Dimension>,
+    what: &str,
+    interpreter: &mut Interpreter,
+) -> Option<Expr> {
+    let (value, dimension) = interpreter.scalar_value(expression)?;
+    load_level(expression, vec![value], interpreter)?;
     if let Some(needed) = needed {
-        i.expect_in_place(Measured { expression, dimension: &dimension }, &needed, what);
+        interpreter.expect_in_place(Measured { expression, dimension: &dimension }, &needed, what);
     }
     Some(value)
 }
 
 /// -k (x - x0), or minus the force that is given for a stretch of x - x0.
-fn spring(law: &Expression, rest: &Expression, along: Option<Along>, i: &mut Interpreter) -> Option<Effort> {
+fn spring(law: &Expression, rest: &Expression, along: Option<Along>, interpreter: &mut Interpreter) -> Option<Effort> {
     let (needed_rest, what) = needed("where a spring is at rest", along.as_ref(), |along| along.dimension.clone());
-    let rest = load_scalar(rest, needed_rest, &what, i);
+    let rest = load_scalar(rest, needed_rest, &what, interpreter);
     if !law.mentions(STRETCH) && !law.mentions(RATE) {
         let (needed, what) = needed("the stiffness of a spring", along.as_ref(), Along::stiffness);
-        let stiffness = load_scalar(law, needed, &what, i);
+        let stiffness = load_scalar(law, needed, &what, interpreter);
         let (stiffness, rest, along) = (stiffness?, rest?, along?);
-        return Some(linear_spring(stiffness, rest, &along, i));
+        return Some(linear_spring(stiffness, rest, &along, interpreter));
     }
     let (rest, along) = (rest?, along?);
-    let stretch = Value::scalar(i.graph.sub(along.value, rest), along.dimension.clone());
-    let words = vec![(STRETCH, stretch), rate_word(&along, i)];
-    let force = law_of_force(law, words, needed("the force of a spring", Some(&along), Along::force), i)?;
-    Some(Effort { force: i.graph.neg(force), along: along.value })
+    let stretch = Value::scalar(interpreter.graph.sub(along.value, rest), along.dimension.clone());
+    let words = vec![(STRETCH, stretch), rate_word(&along, interpreter)];
+    let force = law_of_force(law, words, needed("the force of a spring", Some(&along), Along::force), interpreter)?;
+    Some(Effort { force: interpreter.graph.neg(force), along: along.value })
 }
 
 /// Without free length it pulls by the way between its ends, which has no direction to be divided by: -k/2 along x^2.
-fn linear_spring(stiffness: Expr, rest: Expr, along: &Along, i: &mut Interpreter) -> Effort {
+fn linear_spring(stiffness: Expr, rest: Expr, along: &Along, interpreter: &mut Interpreter) -> Effort {
     match along.square {
-        Some(square) if i.graph.is_zero(rest) => {
-            Effort { force: i.graph.scale(&-&Number::HALF, stiffness), along: square }
+        Some(square) if interpreter.graph.is_zero(rest) => {
+            Effort { force: interpreter.graph.scale(&-&Number::HALF, stiffness), along: square }
         }
         _ => {
-            let stretch = i.graph.sub(along.value, rest);
-            let pull = i.graph.mul(stiffness, stretch);
-            Effort { force: i.graph.neg(pull), along: along.value }
+            let stretch = interpreter.graph.sub(along.value, rest);
+            let pull = interpreter.graph.mul(stiffness, stretch);
+            Effort { force: interpreter.graph.neg(pull), along: along.value }
         }
     }
 }
 
 /// -c x', or minus the force that is given for a rate of x'.
-fn damper(law: &Expression, along: Option<Along>, i: &mut Interpreter) -> Option<Effort> {
-    if law.mentions(STRETCH) && i.values.get_region(STRETCH).is_none() {
-        return i.refuse(law.region, "a damper has no free length to be stretched from; its force depends on `rate`");
+fn damper(law: &Expression, along: Option<Along>, interpreter: &mut Interpreter) -> Option<Effort> {
+    if law.mentions(STRETCH) && interpreter.values.get_region(STRETCH).is_none() {
+        return interpreter
+            .refuse(law.region, "a damper has no free length to be stretched from; its force depends on `rate`");
     }
     if !law.mentions(RATE) {
         let (needed, what) = needed("the coefficient of a damper", along.as_ref(), Along::damping);
-        let coefficient = load_scalar(law, needed, &what, i);
+        let coefficient = load_scalar(law, needed, &what, interpreter);
         let (coefficient, along) = (coefficient?, along?);
-        let rate = rate_of(&along, i);
-        let force = i.graph.mul(coefficient, rate);
-        return Some(Effort { force: i.graph.neg(force), along: along.value });
+        let rate = rate_of(&along, interpreter);
+        let force = interpreter.graph.mul(coefficient, rate);
+        return Some(Effort { force: interpreter.graph.neg(force), along: along.value });
     }
     let along = along?;
-    let words = vec![rate_word(&along, i)];
-    let force = law_of_force(law, words, needed("the force of a damper", Some(&along), Along::force), i)?;
-    Some(Effort { force: i.graph.neg(force), along: along.value })
+    let words = vec![rate_word(&along, interpreter)];
+    let force = law_of_force(law, words, needed("the force of a damper", Some(&along), Along::force), interpreter)?;
+    Some(Effort { force: interpreter.graph.neg(force), along: along.value })
 }
 
 /// -F tanh(x'/v0): Coulomb's friction, but for speeds of a few v0 (Andersson, Soederberg, Bjoerklund: Friction models for
 /// sliding dry, boundary and mixed lubricated contacts, Tribology International 40, 2007).
-fn friction(force: &Expression, smooth: &Expression, along: Option<Along>, i: &mut Interpreter) -> Option<Effort> {
+fn friction(
+    force: &Expression,
+    smooth: &Expression,
+    along: Option<Along>,
+    interpreter: &mut Interpreter,
+) -> Option<Effort> {
     let (needed_force, of_force) = needed("the size of friction", along.as_ref(), Along::force);
     let (needed_speed, of_speed) = needed("the speed within which friction is smoothed", along.as_ref(), Along::rate);
-    let size = load_scalar(force, needed_force, &of_force, i);
-    let speed = load_scalar(smooth, needed_speed, &of_speed, i);
+    let size = load_scalar(force, needed_force, &of_force, interpreter);
+    let speed = load_scalar(smooth, needed_speed, &of_speed, interpreter);
     let (size, speed, along) = (size?, speed?, along?);
-    if i.graph.is_zero(speed) {
+    if interpreter.graph.is_zero(speed) {
         let message = "the speed within which friction is smoothed is above 0: a force that jumps cannot be integrated";
-        return i.refuse(smooth.region, message);
+        return interpreter.refuse(smooth.region, message);
     }
-    let rate = rate_of(&along, i);
-    let ratio = i.graph.div(rate, speed);
-    let part = i.graph.call(Function::Tanh, ratio);
-    let force = i.graph.mul(size, part);
-    Some(Effort { force: i.graph.neg(force), along: along.value })
+    let rate = rate_of(&along, interpreter);
+    let ratio = interpreter.graph.div(rate, speed);
+    let part = interpreter.graph.call(Function::Tanh, ratio);
+    let force = interpreter.graph.mul(size, part);
+    Some(Effort { force: interpreter.graph.neg(force), along: along.value })
 }
 
-fn rate_of(along: &Along, i: &mut Interpreter) -> Expr {
-    let Interpreter { graph, motion, .. } = i;
+fn rate_of(along: &Along, interpreter: &mut Interpreter) -> Expr {
+    let Interpreter { graph, motion, .. } = interpreter;
     motion.of(graph, along.value)
 }
 
-fn rate_word(along: &Along, i: &mut Interpreter) -> (&'static str, Value) {
-    (RATE, Value::scalar(rate_of(along, i), along.rate()))
+fn rate_word(along: &Along, interpreter: &mut Interpreter) -> (&'static str, Value) {
+    (RATE, Value::scalar(rate_of(along, interpreter), along.rate()))
 }
 
 /// A law with the words that stand in it alone.
@@ -237,20 +257,20 @@ fn law_of_force(
     law: &Expression,
     words: Vec<(&'static str, Value)>,
     (needed, what): (Option<Dimension>, String),
-    i: &mut Interpreter,
+    interpreter: &mut Interpreter,
 ) -> Option<Expr> {
     for (word, _) in &words {
         if law.mentions(word)
-            && let Some(own) = i.values.get_region(word)
+            && let Some(own) = interpreter.values.get_region(word)
         {
             let mut mistake = law.region.error(format!("in the law of an element `{word}` is its own {word}"));
             mistake.combine(own.error(format!("choose another name than `{word}` for this")));
-            i.mistakes.add(mistake);
+            interpreter.mistakes.add(mistake);
             return None;
         }
     }
-    i.local = words;
-    let force = load_scalar(law, needed, &what, i);
-    i.local.clear();
+    interpreter.local = words;
+    let force = load_scalar(law, needed, &what, interpreter);
+    interpreter.local.clear();
     force
 }

@@ -1,11 +1,11 @@
 //! The `events` block: conditions, and what happens when they come to hold.
 
 use super::equations::equation_sides;
-use super::interpret::Interpreter;
+use super::interpreter::Interpreter;
 use super::level::{MOVING, no_input};
 use super::loads::named;
+use super::plain::in_unit;
 use super::scope::{Names, plain};
-use super::start::in_unit;
 use super::value::Shape;
 use super::{Conditional, Coordinate, Dependence, Dimension, Event, EventStep, Parameter, Target, Unit};
 use crate::dsl::{self, Action, Activity, Declaration, Expression, Region};
@@ -22,15 +22,15 @@ pub(super) struct Known<'a> {
 
 const FORCES: Dependence = Dependence::ACCELERATION.or(Dependence::MULTIPLIER);
 
-pub(super) fn resolve_events(declaration: &Declaration, known: &Known, i: &mut Interpreter) -> Vec<Event> {
+pub(super) fn resolve_events(declaration: &Declaration, known: &Known, interpreter: &mut Interpreter) -> Vec<Event> {
     let mut names = Names::new("event");
     let mut events = Vec::new();
     for event in &declaration.events {
-        names.define(&event.condition.name, Some(()), &mut i.mistakes);
-        let condition = condition(&event.condition, i);
-        let steps = steps(event, declaration, known, i);
+        names.define(&event.condition.name, Some(()), &mut interpreter.mistakes);
+        let condition = condition(&event.condition, interpreter);
+        let steps = steps(event, declaration, known, interpreter);
         let Some(value) = condition else { continue };
-        let on_forces = i.dependences.of(&i.graph, value).meets(FORCES);
+        let on_forces = interpreter.dependences.of(&interpreter.graph, value).meets(FORCES);
         let name = plain(&event.condition.name);
         events.push(Event { name, value, direction: event.direction, on_forces, steps });
     }
@@ -38,43 +38,48 @@ pub(super) fn resolve_events(declaration: &Declaration, known: &Known, i: &mut I
 }
 
 /// left - right.
-fn condition(equation: &dsl::Equation, i: &mut Interpreter) -> Option<Expr> {
+fn condition(equation: &dsl::Equation, interpreter: &mut Interpreter) -> Option<Expr> {
     let place = equation.left.region.to(equation.right.region);
-    let Shape::Scalar(value) = equation_sides(equation, i)?.shape else {
-        return i.refuse(place, "an event is an equation between scalars; take a component (`.x`, `.y`)");
+    let Shape::Scalar(value) = equation_sides(equation, interpreter)?.shape else {
+        return interpreter.refuse(place, "an event is an equation between scalars; take a component (`.x`, `.y`)");
     };
-    no_input(place, &[value], "an event", i)?;
-    if !i.dependences.of(&i.graph, value).meets(MOVING.or(FORCES).or(Dependence::TIME)) {
+    no_input(place, &[value], "an event", interpreter)?;
+    if !interpreter.dependences.of(&interpreter.graph, value).meets(MOVING.or(FORCES).or(Dependence::TIME)) {
         let message = format!(
             "event `{}` never changes; let it depend on a coordinate, a speed, a reaction or `t`",
             equation.name
         );
-        return i.refuse(Region::from(&equation.name), message);
+        return interpreter.refuse(Region::from(&equation.name), message);
     }
     Some(value)
 }
 
 /// The actions of an event; consecutive ones of one kind happen at once.
-fn steps(event: &dsl::Event, declaration: &Declaration, known: &Known, i: &mut Interpreter) -> Vec<EventStep> {
+fn steps(
+    event: &dsl::Event,
+    declaration: &Declaration,
+    known: &Known,
+    interpreter: &mut Interpreter,
+) -> Vec<EventStep> {
     let mut steps: Vec<EventStep> = Vec::new();
     for action in &event.actions {
-        match (steps.last_mut(), step(action, declaration, known, i)) {
+        match (steps.last_mut(), step(action, declaration, known, interpreter)) {
             (Some(EventStep::Set(before)), Some((EventStep::Set(more), place))) => {
                 if let Some((target, _)) = more.iter().find(|(target, _)| before.iter().any(|(b, _)| b == target)) {
                     let what = told(*target, known);
-                    i.mistakes.add(place.error(format!("{what} is set twice at once; keep one")));
+                    interpreter.mistakes.add(place.error(format!("{what} is set twice at once; keep one")));
                 }
                 before.extend(more);
             }
             (Some(EventStep::Switch(before)), Some((EventStep::Switch(more), place))) => {
                 if more.iter().any(|(index, _)| before.iter().any(|(b, _)| b == index)) {
-                    i.mistakes.add(place.error("this constraint is switched twice at once; keep one"));
+                    interpreter.mistakes.add(place.error("this constraint is switched twice at once; keep one"));
                 }
                 before.extend(more);
             }
             (Some(EventStep::Impact(before)), Some((EventStep::Impact(more), place))) => {
                 if more.iter().any(|(index, _)| before.iter().any(|(b, _)| b == index)) {
-                    i.mistakes.add(place.error("this constraint is hit twice at once; keep one"));
+                    interpreter.mistakes.add(place.error("this constraint is hit twice at once; keep one"));
                 }
                 before.extend(more);
             }
@@ -94,24 +99,29 @@ fn told(target: Target, known: &Known) -> String {
 }
 
 /// One action, with where it stands; nothing for `record`, which is what happens anyway.
-fn step(action: &Action, declaration: &Declaration, known: &Known, i: &mut Interpreter) -> Option<(EventStep, Region)> {
+fn step(
+    action: &Action,
+    declaration: &Declaration,
+    known: &Known,
+    interpreter: &mut Interpreter,
+) -> Option<(EventStep, Region)> {
     match action {
         Action::Record => None,
         Action::Stop { after, place } => Some((EventStep::Stop(*after), *place)),
         Action::Set { name, is_speed, value } => {
-            let (target, unit) = target(name, *is_speed, known, i)?;
-            let value = assigned(value, target, &unit, known, i)?;
+            let (target, unit) = target(name, *is_speed, known, interpreter)?;
+            let value = assigned(value, target, &unit, known, interpreter)?;
             Some((EventStep::Set(vec![(target, value)]), name.into()))
         }
         Action::Swap(first, second) => {
-            let (a, b) = (coordinate(first, known, i), coordinate(second, known, i));
+            let (a, b) = (coordinate(first, known, interpreter), coordinate(second, known, interpreter));
             let (a, b) = (a?, b?);
             if a == b {
-                return i.refuse(second.into(), "a coordinate is swapped with another one, not with itself");
+                return interpreter.refuse(second.into(), "a coordinate is swapped with another one, not with itself");
             }
             let (one, other) = (named(first), named(second));
-            let (of_one, of_other) = (i.value(&one)?, i.value(&other)?);
-            i.common_dimension(
+            let (of_one, of_other) = (interpreter.value(&one)?, interpreter.value(&other)?);
+            interpreter.common_dimension(
                 of_one.measured(&one),
                 of_other.measured(&other),
                 "only quantities of one dimension are swapped",
@@ -120,20 +130,20 @@ fn step(action: &Action, declaration: &Declaration, known: &Known, i: &mut Inter
             let mut sets = Vec::new();
             for (to, from) in [(a, b), (b, a)] {
                 let (position, speed) = of(from);
-                sets.push((Target::Position(to), i.graph.variable(position)));
-                sets.push((Target::Speed(to), i.graph.variable(speed)));
+                sets.push((Target::Position(to), interpreter.graph.variable(position)));
+                sets.push((Target::Speed(to), interpreter.graph.variable(speed)));
             }
             Some((EventStep::Set(sets), first.into()))
         }
         Action::Switch { constraint, to } => {
-            let index = conditional(constraint, declaration, known, i)?;
+            let index = conditional(constraint, declaration, known, interpreter)?;
             Some((EventStep::Switch(vec![(index, *to == Activity::Active)]), constraint.into()))
         }
         Action::Impact { constraint, restitution } => {
-            let index = conditional(constraint, declaration, known, i);
+            let index = conditional(constraint, declaration, known, interpreter);
             let coefficient = match restitution {
-                Some(expression) => coefficient(expression, i),
-                None => Some(i.graph.zero()),
+                Some(expression) => coefficient(expression, interpreter),
+                None => Some(interpreter.graph.zero()),
             };
             Some((EventStep::Impact(vec![(index?, coefficient?)]), constraint.into()))
         }
@@ -141,12 +151,13 @@ fn step(action: &Action, declaration: &Declaration, known: &Known, i: &mut Inter
 }
 
 /// A coordinate, its speed or a parameter, with the unit that plain numbers are in.
-fn target(name: &Ident, is_speed: bool, known: &Known, i: &mut Interpreter) -> Option<(Target, Unit)> {
+fn target(name: &Ident, is_speed: bool, known: &Known, interpreter: &mut Interpreter) -> Option<(Target, Unit)> {
     let text = plain(name);
     let parameter = known.parameters.iter().position(|p| p.name == text);
     if let Some(index) = parameter {
         if is_speed {
-            return i.refuse(name.into(), format!("`{text}` is a parameter and has no speed: `set {text} = ..;`"));
+            return interpreter
+                .refuse(name.into(), format!("`{text}` is a parameter and has no speed: `set {text} = ..;`"));
         }
         return Some((Target::Parameter(index), known.parameters[index].unit.clone()));
     }
@@ -160,9 +171,9 @@ fn target(name: &Ident, is_speed: bool, known: &Known, i: &mut Interpreter) -> O
         let message = format!(
             "no coordinate or parameter is called `{text}`{near}; coordinates, their speeds and parameters are set"
         );
-        return i.refuse(name.into(), message);
+        return interpreter.refuse(name.into(), message);
     }
-    let index = coordinate(name, known, i)?;
+    let index = coordinate(name, known, interpreter)?;
     let unit = &known.coordinates[index].unit;
     Some(match is_speed {
         true => (Target::Speed(index), unit.per_time(1)),
@@ -170,18 +181,18 @@ fn target(name: &Ident, is_speed: bool, known: &Known, i: &mut Interpreter) -> O
     })
 }
 
-fn coordinate(name: &Ident, known: &Known, i: &mut Interpreter) -> Option<usize> {
+fn coordinate(name: &Ident, known: &Known, interpreter: &mut Interpreter) -> Option<usize> {
     let text = plain(name);
     let found = known.coordinates.iter().position(|c| c.name == text);
     if found.is_none() {
         let near = nearest::suggestion(&text, known.coordinates.iter().map(|c| c.name.as_str()));
-        return i.refuse(name.into(), format!("no coordinate is called `{text}`{near}"));
+        return interpreter.refuse(name.into(), format!("no coordinate is called `{text}`{near}"));
     }
     found
 }
 
 /// A constraint that events may switch.
-fn conditional(name: &Ident, declaration: &Declaration, known: &Known, i: &mut Interpreter) -> Option<usize> {
+fn conditional(name: &Ident, declaration: &Declaration, known: &Known, interpreter: &mut Interpreter) -> Option<usize> {
     let text = plain(name);
     if let Some(index) = known.conditionals.iter().position(|c| c.name == text) {
         return Some(index);
@@ -191,30 +202,36 @@ fn conditional(name: &Ident, declaration: &Declaration, known: &Known, i: &mut I
             "constraint `{text}` always holds; one that events switch or hit is declared `{text}: .. initially released;` \
              or `initially active`"
         );
-        return i.refuse(name.into(), message);
+        return interpreter.refuse(name.into(), message);
     }
     let near = nearest::suggestion(
         &text,
         declaration.constraints.iter().map(|c| plain(&c.name)).collect::<Vec<_>>().iter().map(String::as_str),
     );
-    i.refuse(name.into(), format!("no constraint is called `{text}`{near}"))
+    interpreter.refuse(name.into(), format!("no constraint is called `{text}`{near}"))
 }
 
 /// A value of a state before: plain numbers are in the unit of what is set.
-fn assigned(expression: &Expression, target: Target, unit: &Unit, known: &Known, i: &mut Interpreter) -> Option<Expr> {
+fn assigned(
+    expression: &Expression,
+    target: Target,
+    unit: &Unit,
+    known: &Known,
+    interpreter: &mut Interpreter,
+) -> Option<Expr> {
     let rule = "what an event sets follows from coordinates, speeds, parameters and `t`; accelerations and reactions \
                 are not known there";
-    in_unit(expression, told(target, known).trim_matches('`'), unit, (FORCES, rule), i)
+    in_unit(expression, told(target, known).trim_matches('`'), unit, (FORCES, rule), interpreter)
 }
 
 /// A ratio of speeds.
-fn coefficient(expression: &Expression, i: &mut Interpreter) -> Option<Expr> {
-    let value = i.scalar_of(expression, &Dimension::none(), "a coefficient of restitution")?;
+fn coefficient(expression: &Expression, interpreter: &mut Interpreter) -> Option<Expr> {
+    let value = interpreter.scalar_of(expression, &Dimension::none(), "a coefficient of restitution")?;
     let rule = "a coefficient of restitution follows from coordinates, speeds, parameters and `t`";
-    i.restrict(expression.region, &[value], FORCES, rule)?;
-    let is_number = i.dependences.of(&i.graph, value) == Dependence::NONE;
-    if is_number && evaluate(&i.graph, &[value], |_| f64::NAN)[0] < 0.0 {
-        return i.refuse(
+    interpreter.restrict(expression.region, &[value], FORCES, rule)?;
+    let is_number = interpreter.dependences.of(&interpreter.graph, value) == Dependence::NONE;
+    if is_number && evaluate(&interpreter.graph, &[value], |_| f64::NAN)[0] < 0.0 {
+        return interpreter.refuse(
             expression.region,
             "a coefficient of restitution is not negative: 0 for no rebound, 1 for a full one",
         );

@@ -2,17 +2,11 @@
 //!
 //! A dimension that is not known fits everywhere: that of a plain 0, and those of names that were complained of already.
 
-use super::interpret::Interpreter;
+use super::interpreter::Interpreter;
+use super::measured::Measured;
 use super::{Dimension, Point, Unit};
 use crate::dsl::Expression;
 use crate::symbolic::Expr;
-
-/// An expression with its dimension.
-#[derive(Clone, Copy)]
-pub(super) struct Measured<'a> {
-    pub(super) expression: &'a Expression,
-    pub(super) dimension: &'a Option<Dimension>,
-}
 
 impl Interpreter {
     /// The dimension that two expressions share; where they differ that is a mistake, and `rule` says why.

@@ -2,8 +2,8 @@
 
 use super::bodies::TurnedBody;
 use super::elements::{dissipation, element, potential, turned};
-use super::interpret::Interpreter;
-use super::level::{self, BEYOND_SPEED};
+use super::interpreter::Interpreter;
+use super::level::{self, load_level};
 use super::scope::{Names, plain};
 use super::space::{Spatial, Turn};
 use super::{Body, Dimension, Effort, Force, Point, Push, Pushed};
@@ -27,80 +27,94 @@ pub(super) fn resolve_loads(
     bodies: &[Option<Body>],
     turns: &[TurnedBody],
     names: &Names<usize>,
-    i: &mut Interpreter,
+    interpreter: &mut Interpreter,
 ) -> Loads {
     let mut loads = Loads::default();
     let mut gravity_at: Option<Region> = None;
     for load in &declaration.loads {
         match load {
-            dsl::Load::Force { force, point } if i.is_spatial() => {
-                loads.pushes.extend(spatial_force(force, point, i));
+            dsl::Load::Force { force, point } if interpreter.is_spatial() => {
+                loads.pushes.extend(spatial_force(force, point, interpreter));
             }
             dsl::Load::Torque { moment, body } if turned_body(body, turns, names).is_some() => {
                 let turned = turned_body(body, turns, names);
-                loads.pushes.extend(turned.and_then(|(body, turn)| spatial_torque(moment, body, turn, i)));
+                loads.pushes.extend(turned.and_then(|(body, turn)| spatial_torque(moment, body, turn, interpreter)));
             }
             dsl::Load::Force { force, point } => {
-                let value = i.point_of(force, &Dimension::force(), "a force");
-                let value = value.and_then(|value| load_level(force, value, i));
-                let at = level::position(point, "the point of a force", i);
+                let value = interpreter.point_of(force, &Dimension::force(), "a force");
+                let value = value.and_then(|value| load_level(force, value, interpreter));
+                let at = level::position(point, "the point of a force", interpreter);
                 if let (Some(force), Some(at)) = (value, at) {
                     loads.forces.push(Force { force, at });
                 }
             }
-            dsl::Load::Torque { moment, body } => loads.efforts.extend(torque(moment, body, bodies, names, i)),
-            dsl::Load::Potential(energy) => loads.efforts.extend(potential(energy, i)),
-            dsl::Load::Dissipation(function) => loads.efforts.extend(dissipation(function, moving, i)),
+            dsl::Load::Torque { moment, body } => {
+                loads.efforts.extend(torque(moment, body, bodies, names, interpreter))
+            }
+            dsl::Load::Potential(energy) => loads.efforts.extend(potential(energy, interpreter)),
+            dsl::Load::Dissipation(function) => loads.efforts.extend(dissipation(function, moving, interpreter)),
             dsl::Load::Element(load) => {
-                if let Some(body) = body_instead_of_scalar(&load.extent, names, i) {
+                if let Some(body) = body_instead_of_scalar(&load.extent, names, interpreter) {
                     let message = format!("`{body}` is a body; a force on it acts at a point: `force [F, 0] at P;`");
-                    i.mistakes.add(Region::from(body).error(message));
+                    interpreter.mistakes.add(Region::from(body).error(message));
                     continue;
                 }
-                loads.efforts.extend(element(load, i));
+                loads.efforts.extend(element(load, interpreter));
             }
             dsl::Load::Gravity { keyword, acceleration } => {
                 if let Some(first) = gravity_at.replace(*keyword) {
                     let mut mistake = keyword.error("gravity is declared twice; keep one");
                     mistake.combine(first.error("it is first declared here"));
-                    i.mistakes.add(mistake);
+                    interpreter.mistakes.add(mistake);
                 }
-                let value = i.point_of(acceleration, &Dimension::acceleration(), "gravity");
-                let value = value.and_then(|value| load_level(acceleration, value, i));
-                if let Some(value) = value.as_ref().and_then(|value| <[Expr; 3]>::try_from(value.as_slice()).ok()) {
-                    loads.falling = Some(Spatial::world(value));
-                }
-                loads.gravity = value.or(loads.gravity);
-                let massless = declaration.bodies.iter().all(|body| body.mass.is_none());
-                if massless && !declaration.bodies.is_empty() {
-                    i.mistakes
-                        .add(keyword.error(
-                            "gravity acts on masses, and no body has one; write `mass m at P` in a body's line",
-                        ));
-                }
+                loads.fall(*keyword, acceleration, declaration, interpreter);
             }
         }
     }
     loads
 }
 
+impl Loads {
+    /// Gravity, which needs a mass to act on.
+    fn fall(
+        &mut self,
+        keyword: Region,
+        acceleration: &Expression,
+        declaration: &Declaration,
+        interpreter: &mut Interpreter,
+    ) {
+        let value = interpreter.point_of(acceleration, &Dimension::acceleration(), "gravity");
+        let value = value.and_then(|value| load_level(acceleration, value, interpreter));
+        if let Some(value) = value.as_ref().and_then(|value| <[Expr; 3]>::try_from(value.as_slice()).ok()) {
+            self.falling = Some(Spatial::world(value));
+        }
+        self.gravity = value.or(self.gravity.take());
+        let massless = declaration.bodies.iter().all(|body| body.mass.is_none());
+        if massless && !declaration.bodies.is_empty() {
+            interpreter.mistakes.add(
+                keyword.error("gravity acts on masses, and no body has one; write `mass m at P` in a body's line"),
+            );
+        }
+    }
+}
+
 /// A force at a point: it works along the point's velocity, in the frame that the force is written in.
-fn spatial_force(force: &Expression, point: &Expression, i: &mut Interpreter) -> Option<Push> {
-    let value = spatial_load(force, &Dimension::force(), "a force", i);
-    let place = level::position(point, "the point of a force", i)?;
-    let ((value, force), (at, _)) = (value?, i.spatial_value(point)?);
+fn spatial_force(force: &Expression, point: &Expression, interpreter: &mut Interpreter) -> Option<Push> {
+    let value = spatial_load(force, &Dimension::force(), "a force", interpreter);
+    let place = level::position(point, "the point of a force", interpreter)?;
+    let ((value, force), (at, _)) = (value?, interpreter.spatial_value(point)?);
     let turn = value.frame().unwrap_or(Turn::NONE);
-    let Interpreter { graph, motion, frames, .. } = i;
+    let Interpreter { graph, motion, frames, .. } = interpreter;
     let along = frames.point_rates(graph, motion, &at, turn);
     let in_world = Pushed::Force { force, at: place };
     Some(Push { effort: frames.resolved_in(graph, &value, turn), along, in_world })
 }
 
 /// A torque on a body: it works along the angular velocity, in the body's frame.
-fn spatial_torque(moment: &Expression, body: usize, turn: Turn, i: &mut Interpreter) -> Option<Push> {
-    let (value, moment) = spatial_load(moment, &Dimension::energy(), "a torque", i)?;
-    let effort = i.frames.resolved_in(&mut i.graph, &value, turn);
-    Some(Push { effort, along: i.frames.spin_rates(turn), in_world: Pushed::Torque { moment, body } })
+fn spatial_torque(moment: &Expression, body: usize, turn: Turn, interpreter: &mut Interpreter) -> Option<Push> {
+    let (value, moment) = spatial_load(moment, &Dimension::energy(), "a torque", interpreter)?;
+    let effort = interpreter.frames.resolved_in(&mut interpreter.graph, &value, turn);
+    Some(Push { effort, along: interpreter.frames.spin_rates(turn), in_world: Pushed::Torque { moment, body } })
 }
 
 /// A load, and its components in the world's frame.
@@ -108,13 +122,13 @@ fn spatial_load(
     expression: &Expression,
     needed: &Dimension,
     what: &str,
-    i: &mut Interpreter,
+    interpreter: &mut Interpreter,
 ) -> Option<(Spatial, Point)> {
-    let (vector, value) = i.spatial_value(expression)?;
-    i.expect_world(expression.region, &value.bases)?;
-    i.expect_in_place(value.measured(expression), needed, what);
-    let components = i.resolved(&vector).to_vec();
-    let components = load_level(expression, components, i)?;
+    let (vector, value) = interpreter.spatial_value(expression)?;
+    interpreter.expect_world(expression.region, &value.bases)?;
+    interpreter.expect_in_place(value.measured(expression), needed, what);
+    let components = interpreter.resolved(&vector).to_vec();
+    let components = load_level(expression, components, interpreter)?;
     Some((vector, components))
 }
 
@@ -129,28 +143,38 @@ fn torque(
     on: &Ident,
     bodies: &[Option<Body>],
     names: &Names<usize>,
-    i: &mut Interpreter,
+    interpreter: &mut Interpreter,
 ) -> Option<Effort> {
-    let value =
-        i.scalar_of(moment, &Dimension::energy(), "a torque").and_then(|value| load_level(moment, vec![value], i));
-    let is_body = names.get_region(&plain(on)).is_some() || i.values.get_region(&plain(on)).is_none();
-    let along = if is_body { angle_of(on, bodies, names, i) } else { turned(&named(on), i) };
+    let value = interpreter
+        .scalar_of(moment, &Dimension::energy(), "a torque")
+        .and_then(|value| load_level(moment, vec![value], interpreter));
+    let is_body = names.get_region(&plain(on)).is_some() || interpreter.values.get_region(&plain(on)).is_none();
+    let along = if is_body { angle_of(on, bodies, names, interpreter) } else { turned(&named(on), interpreter) };
     let (value, along) = (value?, along?);
     Some(Effort { force: value[0], along })
 }
 
 /// The body that `on` names, if that is no scalar too.
-fn body_instead_of_scalar<'e>(extent: &'e Extent, names: &Names<usize>, i: &Interpreter) -> Option<&'e Ident> {
+fn body_instead_of_scalar<'e>(
+    extent: &'e Extent,
+    names: &Names<usize>,
+    interpreter: &Interpreter,
+) -> Option<&'e Ident> {
     let Extent::Quantity(Expression { kind: Kind::Name(name), .. }) = extent else { return None };
     let text = plain(name);
-    (names.get_region(&text).is_some() && i.values.get_region(&text).is_none()).then_some(name)
+    (names.get_region(&text).is_some() && interpreter.values.get_region(&text).is_none()).then_some(name)
 }
 
-fn angle_of(body: &Ident, bodies: &[Option<Body>], names: &Names<usize>, i: &mut Interpreter) -> Option<Expr> {
-    let at = names.find(body, &mut i.mistakes)?;
+fn angle_of(
+    body: &Ident,
+    bodies: &[Option<Body>],
+    names: &Names<usize>,
+    interpreter: &mut Interpreter,
+) -> Option<Expr> {
+    let at = names.find(body, &mut interpreter.mistakes)?;
     match bodies[at].as_ref()?.rotation {
         Some((_, angle)) => Some(angle),
-        None => i.refuse(
+        None => interpreter.refuse(
             body.into(),
             format!("a torque turns an angle, and body `{body}` has none; write `angle phi` in its line"),
         ),
@@ -159,14 +183,4 @@ fn angle_of(body: &Ident, bodies: &[Option<Body>], names: &Names<usize>, i: &mut
 
 pub(super) fn named(name: &Ident) -> Expression {
     Expression { region: name.into(), kind: Kind::Name(name.clone()) }
-}
-
-pub(super) fn load_level(expression: &Expression, values: Point, i: &mut Interpreter) -> Option<Point> {
-    i.restrict(
-        expression.region,
-        &values,
-        BEYOND_SPEED,
-        "a load is made of coordinates, speeds, parameters and time; `ddot()` cannot stand in it",
-    )?;
-    Some(values)
 }

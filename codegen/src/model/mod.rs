@@ -1,8 +1,9 @@
-//! Stage 2: names resolved and mistakes of meaning found; the declaration becomes symbolic. No token of the
+//! Stage 3: names resolved and mistakes of meaning found; the declaration becomes symbolic. No token of the
 //! user's text goes beyond this stage.
 
 mod arithmetic;
 mod auxiliary;
+mod blame;
 mod bodies;
 mod calls;
 mod choice;
@@ -12,16 +13,23 @@ mod drawing;
 mod elements;
 mod equations;
 mod events;
+mod expressions;
+mod function;
 mod homogeneity;
-mod interpret;
+mod inertial;
+mod interpreter;
 mod level;
 mod loads;
+mod look_up;
+mod measured;
 mod origin;
 mod outputs;
+mod plain;
 mod quantities;
 mod rates;
 mod resolve;
 mod scope;
+mod smooth;
 mod space;
 mod speeds;
 mod spline;
@@ -30,6 +38,7 @@ mod tables;
 mod units;
 mod unmoved;
 mod value;
+mod vectors;
 
 pub use crate::dsl::Direction;
 pub use dependence::{Dependence, Dependences};

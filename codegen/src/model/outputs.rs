@@ -1,6 +1,6 @@
 //! The `outputs` block.
 
-use super::interpret::Interpreter;
+use super::interpreter::Interpreter;
 use super::quantities::resolve_unit;
 use super::scope::{Names, plain};
 use super::value::Shape;
@@ -13,7 +13,7 @@ pub(super) fn resolve_outputs(
     declaration: &Declaration,
     coordinates: &[Coordinate],
     constraints: &[Constraint],
-    i: &mut Interpreter,
+    interpreter: &mut Interpreter,
 ) -> (Vec<Output>, Vec<OutputGroup>) {
     let mut columns: Vec<String> = vec!["t".into()];
     columns.extend(
@@ -28,27 +28,27 @@ pub(super) fn resolve_outputs(
         if let Some(name) = group.name.as_ref().or(group.outputs.first().map(|output| &output.name)) {
             let defined_twice = group.name.is_none() && names.get_region(&plain(name)).is_some();
             if !defined_twice {
-                define_figure(name, &mut figures, i);
+                define_figure(name, &mut figures, interpreter);
             }
         }
         let first = outputs.len();
         for output in &group.outputs {
             let name = plain(&output.name);
-            names.define(&output.name, Some(()), &mut i.mistakes);
+            names.define(&output.name, Some(()), &mut interpreter.mistakes);
             if columns.contains(&name) {
-                i.mistakes.add(
+                interpreter.mistakes.add(
                     Region::from(&output.name)
                         .error(format!("`{name}` is recorded already, under this name; choose another")),
                 );
             }
             if of_sweeps.contains(&name) {
-                i.mistakes.add(
+                interpreter.mistakes.add(
                     Region::from(&output.name)
                         .error(format!("a sweep records what drives do as `{name}`; choose another name")),
                 );
             }
-            let unit = resolve_unit(&output.unit, i);
-            let value = output_value(output, &name, unit.as_ref(), i);
+            let unit = resolve_unit(&output.unit, interpreter);
+            let value = output_value(output, &name, unit.as_ref(), interpreter);
             if let (Some(value), Some(unit)) = (value, unit) {
                 outputs.push(Output { name, docs: output.docs.clone(), unit, value });
             }
@@ -72,32 +72,38 @@ fn columns_of_sweeps(declaration: &Declaration, coordinates: &[Coordinate]) -> V
 }
 
 /// Figures are files, and some file systems do not tell letter case apart.
-fn define_figure(name: &Ident, figures: &mut Vec<(String, Region)>, i: &mut Interpreter) {
+fn define_figure(name: &Ident, figures: &mut Vec<(String, Region)>, interpreter: &mut Interpreter) {
     let file = plain(name).to_lowercase();
     if file == "mechanism" {
-        i.mistakes
+        interpreter
+            .mistakes
             .add(Region::from(name).error("`mechanism` is the figure of the mechanism itself; choose another name"));
     }
     if let Some((_, first)) = figures.iter().find(|(other, _)| *other == file) {
         let mut mistake = Region::from(name)
             .error(format!("two figures would be called `{file}`; choose another name for one of them"));
         mistake.combine(first.error("the other one is here"));
-        i.mistakes.add(mistake);
+        interpreter.mistakes.add(mistake);
     }
     figures.push((file, name.into()));
 }
 
-fn output_value(output: &dsl::Output, name: &str, unit: Option<&Unit>, i: &mut Interpreter) -> Option<Expr> {
-    let value = i.value(&output.value)?;
+fn output_value(output: &dsl::Output, name: &str, unit: Option<&Unit>, interpreter: &mut Interpreter) -> Option<Expr> {
+    let value = interpreter.value(&output.value)?;
     match value.shape {
         Shape::Scalar(scalar) => {
-            i.expect_unit(value.measured(&output.value), &format!("output `{name}` is declared"), name, unit?);
+            interpreter.expect_unit(
+                value.measured(&output.value),
+                &format!("output `{name}` is declared"),
+                name,
+                unit?,
+            );
             Some(scalar)
         }
         Shape::Rotation(_) => {
-            i.refuse(output.value.region, format!("output `{name}` is a rotation; an output is a scalar"))
+            interpreter.refuse(output.value.region, format!("output `{name}` is a rotation; an output is a scalar"))
         }
-        Shape::Vector(_) | Shape::Spatial(_) => i.refuse(
+        Shape::Vector(_) | Shape::Spatial(_) => interpreter.refuse(
             output.value.region,
             format!("output `{name}` is a vector; write one output for each component: `{name}_x = (..).x;`"),
         ),

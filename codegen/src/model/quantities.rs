@@ -1,10 +1,10 @@
 //! Coordinates, parameters and `let`s: the names of scalars and vectors.
 
-use super::interpret::Interpreter;
+use super::interpreter::Interpreter;
 use super::level::MOVING;
 use super::origin::Origin;
+use super::plain::in_unit;
 use super::scope::{check_reserved, plain};
-use super::start::in_unit;
 use super::value::{Shape, Value};
 use super::{Body, Constraint, Coordinate, Dependence, Input, Parameter, Start, Unit};
 use crate::dsl::{self, Declaration, Expression, Region};
@@ -12,46 +12,52 @@ use crate::symbolic::{Expr, Symbol};
 use syn::Ident;
 
 /// What a declared unit means; `None` is a mistake, noted.
-pub(super) fn resolve_unit(unit: &Option<dsl::Unit>, i: &mut Interpreter) -> Option<Unit> {
+pub(super) fn resolve_unit(unit: &Option<dsl::Unit>, interpreter: &mut Interpreter) -> Option<Unit> {
     match unit {
-        Some(unit) => i.mistakes.note(Unit::resolve(unit)),
+        Some(unit) => interpreter.mistakes.note(Unit::resolve(unit)),
         None => Some(Unit::none()),
     }
 }
 
 /// Defines a coordinate or parameter. One whose unit is mistaken has a dimension that fits everywhere.
-fn define_symbol(name: &Ident, symbol: Symbol, written: &Option<dsl::Unit>, unit: Option<&Unit>, i: &mut Interpreter) {
+fn define_symbol(
+    name: &Ident,
+    symbol: Symbol,
+    written: &Option<dsl::Unit>,
+    unit: Option<&Unit>,
+    interpreter: &mut Interpreter,
+) {
     let origin = Origin::Declared(written.as_ref().map(|unit| unit.text.clone()));
-    i.origins.add(plain(name), origin);
-    let variable = i.graph.variable(symbol);
-    define(name, Some(Value::scalar(variable, unit.map(|unit| unit.dimension().clone()))), i);
+    interpreter.origins.add(plain(name), origin);
+    let variable = interpreter.graph.variable(symbol);
+    define(name, Some(Value::scalar(variable, unit.map(|unit| unit.dimension().clone()))), interpreter);
 }
 
-pub(super) fn define(name: &Ident, value: Option<Value>, i: &mut Interpreter) {
+pub(super) fn define(name: &Ident, value: Option<Value>, interpreter: &mut Interpreter) {
     if let Err(mistake) = check_reserved(name) {
-        i.mistakes.add(mistake);
-        i.misnamed.push(plain(name));
+        interpreter.mistakes.add(mistake);
+        interpreter.misnamed.push(plain(name));
         return;
     }
-    match i.tables.check_free(name) {
-        Ok(()) => i.values.define(name, value, &mut i.mistakes),
-        Err(mistake) => i.mistakes.add(mistake),
+    match interpreter.tables.check_free(name) {
+        Ok(()) => interpreter.values.define(name, value, &mut interpreter.mistakes),
+        Err(mistake) => interpreter.mistakes.add(mistake),
     }
 }
 
-pub(super) fn resolve_coordinates(declaration: &Declaration, i: &mut Interpreter) -> Vec<Coordinate> {
+pub(super) fn resolve_coordinates(declaration: &Declaration, interpreter: &mut Interpreter) -> Vec<Coordinate> {
     let mut coordinates: Vec<Coordinate> = Vec::new();
     for c in &declaration.coordinates {
         let name = plain(&c.name);
-        refuse_rate(&c.name, declaration, i);
-        let unit = resolve_unit(&c.unit, i);
-        let position = i.graph.symbol(&name);
-        let speed = i.graph.symbol(&format!("{name}_dot"));
-        let acceleration = i.graph.symbol(&format!("{name}_ddot"));
-        i.dependences.declare(position, Dependence::COORDINATE);
-        i.dependences.declare(speed, Dependence::SPEED);
-        i.dependences.declare(acceleration, Dependence::ACCELERATION);
-        define_symbol(&c.name, position, &c.unit, unit.as_ref(), i);
+        refuse_rate(&c.name, declaration, interpreter);
+        let unit = resolve_unit(&c.unit, interpreter);
+        let position = interpreter.graph.symbol(&name);
+        let speed = interpreter.graph.symbol(&format!("{name}_dot"));
+        let acceleration = interpreter.graph.symbol(&format!("{name}_ddot"));
+        interpreter.dependences.declare(position, Dependence::COORDINATE);
+        interpreter.dependences.declare(speed, Dependence::SPEED);
+        interpreter.dependences.declare(acceleration, Dependence::ACCELERATION);
+        define_symbol(&c.name, position, &c.unit, unit.as_ref(), interpreter);
         let unit = unit.unwrap_or_else(Unit::none);
         let (docs, start, start_speed) = (c.docs.clone(), Start::Free, None);
         coordinates.push(Coordinate { name, docs, unit, position, speed, acceleration, start, start_speed });
@@ -60,7 +66,7 @@ pub(super) fn resolve_coordinates(declaration: &Declaration, i: &mut Interpreter
 }
 
 /// Refuses a name that the speed or acceleration of a coordinate has already.
-pub(super) fn refuse_rate(name: &Ident, declaration: &Declaration, i: &mut Interpreter) {
+pub(super) fn refuse_rate(name: &Ident, declaration: &Declaration, interpreter: &mut Interpreter) {
     let text = plain(name);
     let base = text.strip_suffix("_dot").or_else(|| text.strip_suffix("_ddot"));
     let coordinate = declaration.coordinates.iter().map(|c| plain(&c.name)).find(|c| Some(c.as_str()) == base);
@@ -68,18 +74,18 @@ pub(super) fn refuse_rate(name: &Ident, declaration: &Declaration, i: &mut Inter
         let message = format!(
             "`{text}` is the name of a rate of `{coordinate}` in files and on the command line; choose another name"
         );
-        i.mistakes.add(Region::from(name).error(message));
+        interpreter.mistakes.add(Region::from(name).error(message));
     }
 }
 
-pub(super) fn resolve_parameters(declaration: &Declaration, i: &mut Interpreter) -> Vec<Parameter> {
+pub(super) fn resolve_parameters(declaration: &Declaration, interpreter: &mut Interpreter) -> Vec<Parameter> {
     let any = MOVING.or(Dependence::TIME).or(Dependence::PARAMETER);
     let rule = "the default of a parameter is a number; what follows from other parameters is a `let`";
     let mut parameters = Vec::new();
     for p in &declaration.parameters {
         let line = (&p.name, &p.unit, &p.value);
         if let Some(Valued { name, unit, symbol, value: default }) =
-            resolve_valued(line, Dependence::PARAMETER, (any, rule), declaration, i)
+            resolve_valued(line, Dependence::PARAMETER, (any, rule), declaration, interpreter)
         {
             parameters.push(Parameter { name, docs: p.docs.clone(), unit, symbol, default });
         }
@@ -88,7 +94,7 @@ pub(super) fn resolve_parameters(declaration: &Declaration, i: &mut Interpreter)
 }
 
 /// Inputs, each with a course of numbers, parameters and time.
-pub(super) fn resolve_inputs(declaration: &Declaration, i: &mut Interpreter) -> Vec<Input> {
+pub(super) fn resolve_inputs(declaration: &Declaration, interpreter: &mut Interpreter) -> Vec<Input> {
     let any = MOVING.or(Dependence::INPUT);
     let rule = "the declared course of an input is made of numbers, parameters and `t`; what depends on the motion is set \
                 at run time, or is a load";
@@ -96,7 +102,7 @@ pub(super) fn resolve_inputs(declaration: &Declaration, i: &mut Interpreter) -> 
     for input in &declaration.inputs {
         let line = (&input.name, &input.unit, &input.value);
         if let Some(Valued { name, unit, symbol, value: course }) =
-            resolve_valued(line, Dependence::INPUT, (any, rule), declaration, i)
+            resolve_valued(line, Dependence::INPUT, (any, rule), declaration, interpreter)
         {
             inputs.push(Input { name, docs: input.docs.clone(), unit, symbol, course });
         }
@@ -118,45 +124,45 @@ fn resolve_valued(
     dependence: Dependence,
     forbidden: (Dependence, &str),
     declaration: &Declaration,
-    i: &mut Interpreter,
+    interpreter: &mut Interpreter,
 ) -> Option<Valued> {
     let text = plain(name);
-    refuse_rate(name, declaration, i);
-    let unit = resolve_unit(written, i);
-    let symbol = i.graph.symbol(&text);
-    i.dependences.declare(symbol, dependence);
+    refuse_rate(name, declaration, interpreter);
+    let unit = resolve_unit(written, interpreter);
+    let symbol = interpreter.graph.symbol(&text);
+    interpreter.dependences.declare(symbol, dependence);
     let value = match &unit {
-        Some(unit) => in_unit(value, &text, unit, forbidden, i),
-        None => i.scalar(value),
+        Some(unit) => in_unit(value, &text, unit, forbidden, interpreter),
+        None => interpreter.scalar(value),
     };
-    define_symbol(name, symbol, written, unit.as_ref(), i);
+    define_symbol(name, symbol, written, unit.as_ref(), interpreter);
     Some(Valued { name: text, unit: unit.unwrap_or_else(Unit::none), symbol, value: value? })
 }
 
-pub(super) fn resolve_lets(declaration: &Declaration, i: &mut Interpreter) -> Vec<(String, Expr)> {
+pub(super) fn resolve_lets(declaration: &Declaration, interpreter: &mut Interpreter) -> Vec<(String, Expr)> {
     let mut named = Vec::new();
     for (at, definition) in declaration.lets.iter().enumerate() {
         let value = match later_use(&definition.value, &declaration.lets[at..]) {
             Some(mistake) => {
-                i.mistakes.add(mistake);
+                interpreter.mistakes.add(mistake);
                 None
             }
-            None => i.value(&definition.value),
+            None => interpreter.value(&definition.value),
         };
-        refuse_rate(&definition.name, declaration, i);
+        refuse_rate(&definition.name, declaration, interpreter);
         let name = plain(&definition.name);
         match value.as_ref().map(|value| &value.shape) {
             Some(Shape::Scalar(scalar)) => named.push((name.clone(), *scalar)),
             Some(Shape::Vector([x, y])) => named.extend([(format!("{name}_x"), *x), (format!("{name}_y"), *y)]),
             Some(Shape::Spatial(vector)) => {
-                let components = i.frames.resolved(&mut i.graph, vector);
+                let components = interpreter.frames.resolved(&mut interpreter.graph, vector);
                 named.extend(["x", "y", "z"].iter().zip(components).map(|(axis, x)| (format!("{name}_{axis}"), x)));
             }
             Some(Shape::Rotation(_)) | None => {}
         }
-        let origin = Origin::Defined(i.parts(&definition.value));
-        i.origins.add(name, origin);
-        define(&definition.name, value, i);
+        let origin = Origin::Defined(interpreter.parts(&definition.value));
+        interpreter.origins.add(name, origin);
+        define(&definition.name, value, interpreter);
     }
     named
 }
@@ -183,10 +189,10 @@ pub(super) fn check_coordinates_used(
     coordinates: &[Coordinate],
     bodies: &[Option<Body>],
     constraints: &[Constraint],
-    i: &mut Interpreter,
+    interpreter: &mut Interpreter,
 ) {
     // Another mistake may be why it is not used.
-    if !i.mistakes.is_empty() {
+    if !interpreter.mistakes.is_empty() {
         return;
     }
     let mut roots: Vec<Expr> = constraints.iter().map(|c| c.value).collect();
@@ -195,10 +201,10 @@ pub(super) fn check_coordinates_used(
         roots.extend(body.rotation.map(|(_, angle)| angle));
         roots.extend(body.attitude.iter().flat_map(|attitude| attitude.matrix.concat()));
     }
-    let used = i.graph.symbols_of(&roots);
+    let used = interpreter.graph.symbols_of(&roots);
     for (c, written) in coordinates.iter().zip(&declaration.coordinates) {
         if !used.contains(&c.position) && !used.contains(&c.speed) {
-            i.mistakes.add(Region::from(&written.name).error(format!(
+            interpreter.mistakes.add(Region::from(&written.name).error(format!(
                 "coordinate `{}` moves no body and stands in no constraint; use it or leave it out",
                 c.name
             )));

@@ -5,29 +5,32 @@ use super::bodies::{ResolvedBodies, fall, resolve_bodies};
 use super::drawing::resolve_drawing;
 use super::equations::resolve_constraints;
 use super::events::{Known, resolve_events};
-use super::interpret::Interpreter;
+use super::interpreter::Interpreter;
 use super::loads::resolve_loads;
-use super::origin::Origins;
 use super::outputs::resolve_outputs;
 use super::quantities::{
     check_coordinates_used, resolve_coordinates, resolve_inputs, resolve_lets, resolve_parameters,
 };
-use super::scope::{Names, plain};
-use super::space::{Frames, check_norms};
+use super::scope::plain;
+use super::space::check_norms;
 use super::speeds::resolve_speeds;
 use super::start::resolve_initial;
 use super::tables::resolve_tables;
-use super::{Dependence, Dependences, Model, time_derivative};
+use super::value::Value;
+use super::{Auxiliary, Coordinate, Input, Model, Parameter, time_derivative};
 use crate::dsl::OptionalKernel::{DynamicsJacobian, DynamicsSensitivity, InverseDynamics};
 use crate::dsl::{Declaration, Region};
-use crate::mistakes::Mistakes;
-use crate::symbolic::{Differential, Graph};
+use crate::symbolic::{Graph, Symbol};
 
 /// Resolves a declaration.
 ///
 /// # Errors
 /// All mistakes of meaning, each at the user's own word, combined into one error.
 pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
+    if declaration.coordinates.is_empty() {
+        let place = Region::from(&declaration.head.name);
+        return Err(place.error("a mechanism needs at least one coordinate: `coordinates { phi [rad]; }`"));
+    }
     let mut model = resolve_with(declaration, Displacements::Zero)?;
     if !model.auxiliaries.is_empty() {
         let displaced = resolve_with(declaration, Displacements::Variable)?;
@@ -38,66 +41,29 @@ pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
 }
 
 fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn::Result<Model> {
-    if declaration.coordinates.is_empty() {
-        let place = Region::from(&declaration.head.name);
-        return Err(place.error("a mechanism needs at least one coordinate: `coordinates { phi [rad]; }`"));
-    }
     let mut graph = Graph::new();
     let time = graph.symbol("t");
-    let mut dependences = Dependences::default();
-    dependences.declare(time, Dependence::TIME);
-    let mut interpreter = Interpreter {
-        time: graph.variable(time),
-        graph,
-        dependences,
-        values: Names::new("value"),
-        tables: Names::new("table"),
-        origins: Origins::default(),
-        with_units: declaration.has_units(),
-        misnamed: vec![],
-        local: vec![],
-        reactions: None,
-        outputs: declaration
-            .outputs
-            .iter()
-            .flat_map(|group| &group.outputs)
-            .map(|output| plain(&output.name))
-            .collect(),
-        motion: Differential::along([]),
-        mistakes: Mistakes::default(),
-        frames: Frames::default(),
-        quaternions: vec![],
-        vectors: None,
-    };
-    let i = &mut interpreter;
-    resolve_tables(declaration, i);
-    let mut coordinates = resolve_coordinates(declaration, i);
-    i.motion = time_derivative(&mut i.graph, time, &coordinates, &[]);
-    let parameters = resolve_parameters(declaration, i);
-    let inputs = resolve_inputs(declaration, i);
-    let auxiliaries = resolve_auxiliaries(declaration, displacements, i);
-    let (auxiliaries, forces): (Vec<_>, Vec<_>) = auxiliaries.into_iter().unzip();
-    let mut moving: Vec<_> = coordinates.iter().map(|c| (c.position, c.speed)).collect();
-    if displacements == Displacements::Variable {
-        i.motion = time_derivative(&mut i.graph, time, &coordinates, &auxiliaries);
-        moving.extend(auxiliaries.iter().map(|a| (a.displacement, a.rate)));
-    }
-    let named = resolve_lets(declaration, i);
-    let ResolvedBodies { mut bodies, turns, names: body_names, norms } = resolve_bodies(declaration, i);
-    let loads = resolve_loads(declaration, &moving, &bodies, &turns, &body_names, i);
+    let mut interpreter = Interpreter::new(declaration, graph, time);
+    resolve_tables(declaration, &mut interpreter);
+    let Symbols { mut coordinates, parameters, inputs, auxiliaries, forces, moving } =
+        resolve_symbols(declaration, time, displacements, &mut interpreter);
+    let named = resolve_lets(declaration, &mut interpreter);
+    let ResolvedBodies { mut bodies, turns, names: body_names, norms } = resolve_bodies(declaration, &mut interpreter);
+    let loads = resolve_loads(declaration, &moving, &bodies, &turns, &body_names, &mut interpreter);
     if let Some(gravity) = &loads.falling {
-        fall(&mut bodies, &turns, gravity, i);
+        fall(&mut bodies, &turns, gravity, &mut interpreter);
     }
-    let (constraints, conditionals) = resolve_constraints(declaration, &forces, i);
-    resolve_initial(declaration, &mut coordinates, i);
+    let (constraints, conditionals) = resolve_constraints(declaration, &forces, &mut interpreter);
+    resolve_initial(declaration, &mut coordinates, &mut interpreter);
     let known = Known { coordinates: &coordinates, parameters: &parameters, conditionals: &conditionals };
-    let events = resolve_events(declaration, &known, i);
-    let (outputs, groups) = resolve_outputs(declaration, &coordinates, &constraints, i);
-    let drawing = resolve_drawing(declaration, i);
-    check_coordinates_used(declaration, &coordinates, &bodies, &constraints, i);
-    let norm_constraints = check_norms(&i.quaternions, &constraints, &i.graph, &mut i.mistakes);
-    let speeds = resolve_speeds(declaration, &coordinates, &constraints, &norm_constraints, i);
-    let dimension = if i.is_spatial() { 3 } else { 2 };
+    let events = resolve_events(declaration, &known, &mut interpreter);
+    let (outputs, groups) = resolve_outputs(declaration, &coordinates, &constraints, &mut interpreter);
+    let drawing = resolve_drawing(declaration, &mut interpreter);
+    check_coordinates_used(declaration, &coordinates, &bodies, &constraints, &mut interpreter);
+    let norm_constraints =
+        check_norms(&interpreter.quaternions, &constraints, &interpreter.graph, &mut interpreter.mistakes);
+    let speeds = resolve_speeds(declaration, &coordinates, &constraints, &norm_constraints, &mut interpreter);
+    let dimension = if interpreter.is_spatial() { 3 } else { 2 };
     let Interpreter { graph, dependences, mistakes, .. } = interpreter;
     mistakes.or(Model {
         name: plain(&declaration.head.name),
@@ -130,4 +96,36 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         wants_inverse: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&InverseDynamics)),
         wants_sensitivity: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&DynamicsSensitivity)),
     })
+}
+
+/// What is declared as a symbol.
+struct Symbols {
+    coordinates: Vec<Coordinate>,
+    parameters: Vec<Parameter>,
+    inputs: Vec<Input>,
+    auxiliaries: Vec<Auxiliary>,
+    /// The forces conjugate to auxiliary displacements.
+    forces: Vec<Value>,
+    /// Everything that moves, with its rate.
+    moving: Vec<(Symbol, Symbol)>,
+}
+
+fn resolve_symbols(
+    declaration: &Declaration,
+    time: Symbol,
+    displacements: Displacements,
+    interpreter: &mut Interpreter,
+) -> Symbols {
+    let coordinates = resolve_coordinates(declaration, interpreter);
+    interpreter.motion = time_derivative(&mut interpreter.graph, time, &coordinates, &[]);
+    let parameters = resolve_parameters(declaration, interpreter);
+    let inputs = resolve_inputs(declaration, interpreter);
+    let auxiliaries = resolve_auxiliaries(declaration, displacements, interpreter);
+    let (auxiliaries, forces): (Vec<_>, Vec<_>) = auxiliaries.into_iter().unzip();
+    let mut moving: Vec<_> = coordinates.iter().map(|c| (c.position, c.speed)).collect();
+    if displacements == Displacements::Variable {
+        interpreter.motion = time_derivative(&mut interpreter.graph, time, &coordinates, &auxiliaries);
+        moving.extend(auxiliaries.iter().map(|a| (a.displacement, a.rate)));
+    }
+    Symbols { coordinates, parameters, inputs, auxiliaries, forces, moving }
 }

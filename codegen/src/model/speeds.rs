@@ -4,7 +4,7 @@
 //! With the rows that they satisfy by construction, the norms of quaternions and the constraints between speeds, they
 //! must determine q': as many rows as there are coordinates, none of which follows from the others everywhere.
 
-use super::interpret::Interpreter;
+use super::interpreter::Interpreter;
 use super::level::no_input;
 use super::quantities::resolve_unit;
 use super::rates::first_power;
@@ -26,8 +26,9 @@ impl Model {
 
 /// Those that keep norms, and those between speeds; not those that events switch.
 fn satisfied(constraints: &[Constraint], norm_constraints: &[usize]) -> Vec<usize> {
-    let is_satisfied = |i: &usize| {
-        constraints[*i].activity.is_none() && (constraints[*i].level == Level::Speeds || norm_constraints.contains(i))
+    let is_satisfied = |interpreter: &usize| {
+        constraints[*interpreter].activity.is_none()
+            && (constraints[*interpreter].level == Level::Speeds || norm_constraints.contains(interpreter))
     };
     (0..constraints.len()).filter(is_satisfied).collect()
 }
@@ -37,18 +38,18 @@ pub(super) fn resolve_speeds(
     coordinates: &[Coordinate],
     constraints: &[Constraint],
     norm_constraints: &[usize],
-    i: &mut Interpreter,
+    interpreter: &mut Interpreter,
 ) -> Vec<GeneralizedSpeed> {
     let speeds: Vec<GeneralizedSpeed> =
-        declaration.speeds.iter().filter_map(|speed| resolve_speed(speed, declaration, i)).collect();
+        declaration.speeds.iter().filter_map(|speed| resolve_speed(speed, declaration, interpreter)).collect();
     // Another mistake may be why there are too few, or why constraints are missing.
-    if i.mistakes.is_empty() && !speeds.is_empty() {
+    if interpreter.mistakes.is_empty() && !speeds.is_empty() {
         let names: Vec<&Ident> = declaration.speeds.iter().map(|speed| &speed.name).collect();
         let rows: Vec<&Constraint> =
             satisfied(constraints, norm_constraints).into_iter().map(|row| &constraints[row]).collect();
-        let _ = check_count(&names, coordinates, &rows, i).and_then(|()| {
-            let rates: Vec<Expr> = rows.iter().map(|row| rate(row, i)).collect();
-            check_independent(&names, &speeds, coordinates, &rows, &rates, i)
+        let _ = check_count(&names, coordinates, &rows, interpreter).and_then(|()| {
+            let rates: Vec<Expr> = rows.iter().map(|row| rate(row, interpreter)).collect();
+            check_independent(&names, &speeds, coordinates, &rows, &rates, interpreter)
         });
     }
     speeds
@@ -57,46 +58,56 @@ pub(super) fn resolve_speeds(
 fn resolve_speed(
     speed: &dsl::GeneralizedSpeed,
     declaration: &Declaration,
-    i: &mut Interpreter,
+    interpreter: &mut Interpreter,
 ) -> Option<GeneralizedSpeed> {
     let name = plain(&speed.name);
-    let unit = resolve_unit(&speed.unit, i);
+    let unit = resolve_unit(&speed.unit, interpreter);
     let definition = declaration.lets.iter().find(|definition| definition.name == speed.name)?;
     let place = definition.value.region;
-    let value = i.values.get(&name)?.clone();
+    let value = interpreter.values.get(&name)?.clone();
     let Shape::Scalar(scalar) = value.shape else {
         let message = format!(
             "generalised speed `{name}` is {}; write one line for each component: `{name}_x = (..).x;`",
             value.kind()
         );
-        return i.refuse(place, message);
+        return interpreter.refuse(place, message);
     };
     let unit = unit?;
-    i.expect_unit(value.measured(&definition.value), &format!("generalised speed `{name}` is declared"), &name, &unit);
-    no_input(place, &[scalar], WHAT, i)?;
+    interpreter.expect_unit(
+        value.measured(&definition.value),
+        &format!("generalised speed `{name}` is declared"),
+        &name,
+        &unit,
+    );
+    no_input(place, &[scalar], WHAT, interpreter)?;
     let rule = "a generalised speed is made of the rates of coordinates; `ddot()` cannot stand in it";
-    i.restrict(place, &[scalar], Dependence::ACCELERATION, rule)?;
-    if !i.dependences.of(&i.graph, scalar).meets(Dependence::SPEED) {
+    interpreter.restrict(place, &[scalar], Dependence::ACCELERATION, rule)?;
+    if !interpreter.dependences.of(&interpreter.graph, scalar).meets(Dependence::SPEED) {
         let message = format!("no rate of a coordinate stands in generalised speed `{name}`; write one, with `dot()`");
-        return i.refuse(place, message);
+        return interpreter.refuse(place, message);
     }
     let rule = "a generalised speed is linear in the rates of coordinates, `a*dot(x) + b*dot(y) + c`";
-    first_power(place, &[scalar], rule, i)?;
-    i.smooth(place, &[scalar], Level::Speeds, WHAT)?;
-    let symbol = i.graph.symbol(&name);
+    first_power(place, &[scalar], rule, interpreter)?;
+    interpreter.smooth(place, &[scalar], Level::Speeds, WHAT)?;
+    let symbol = interpreter.graph.symbol(&name);
     Some(GeneralizedSpeed { name, docs: speed.docs.clone(), unit, value: scalar, symbol })
 }
 
 /// W q' + w of a row that holds between speeds; of one between positions its rate.
-fn rate(row: &Constraint, i: &mut Interpreter) -> Expr {
+fn rate(row: &Constraint, interpreter: &mut Interpreter) -> Expr {
     match row.level {
         Level::Speeds => row.value,
-        Level::Positions => i.motion.of(&mut i.graph, row.value),
+        Level::Positions => interpreter.motion.of(&mut interpreter.graph, row.value),
     }
 }
 
 /// Refuses more or fewer speeds than determine the rates.
-fn check_count(names: &[&Ident], coordinates: &[Coordinate], rows: &[&Constraint], i: &mut Interpreter) -> Option<()> {
+fn check_count(
+    names: &[&Ident],
+    coordinates: &[Coordinate],
+    rows: &[&Constraint],
+    interpreter: &mut Interpreter,
+) -> Option<()> {
     let (given, wanted) = (names.len(), coordinates.len().saturating_sub(rows.len()));
     if given == wanted {
         return Some(());
@@ -107,7 +118,7 @@ fn check_count(names: &[&Ident], coordinates: &[Coordinate], rows: &[&Constraint
         _ => format!(", less the constraints that hold whatever they are, {}", listed.join(", ")),
     };
     let place = names.get(wanted).or(names.last())?;
-    i.refuse(
+    interpreter.refuse(
         Region::from(*place),
         format!("generalised speeds: {given} given, {wanted} needed, as many as coordinates{less}"),
     )
@@ -120,16 +131,16 @@ fn check_independent(
     coordinates: &[Coordinate],
     rows: &[&Constraint],
     rates: &[Expr],
-    i: &mut Interpreter,
+    interpreter: &mut Interpreter,
 ) -> Option<()> {
     let mut by_speed: Vec<Differential> =
-        coordinates.iter().map(|c| Differential::partial(&mut i.graph, c.speed)).collect();
+        coordinates.iter().map(|c| Differential::partial(&mut interpreter.graph, c.speed)).collect();
     let all = rates.iter().copied().chain(speeds.iter().map(|speed| speed.value));
     let matrix: Vec<Vec<Expr>> =
-        all.map(|rate| by_speed.iter_mut().map(|by| by.of(&mut i.graph, rate)).collect()).collect();
-    let Some(dependent) = dependent(&i.graph, &matrix) else { return Some(()) };
+        all.map(|rate| by_speed.iter_mut().map(|by| by.of(&mut interpreter.graph, rate)).collect()).collect();
+    let Some(dependent) = dependent(&interpreter.graph, &matrix) else { return Some(()) };
     match dependent.checked_sub(rows.len()) {
-        Some(at) => i.refuse(
+        Some(at) => interpreter.refuse(
             Region::from(names[at]),
             format!(
                 "generalised speed `{}` follows from those above it and the constraints, so that they do not determine the \
@@ -137,7 +148,7 @@ fn check_independent(
                 speeds[at].name
             ),
         ),
-        None => i.refuse(
+        None => interpreter.refuse(
             Region::from(names[0]),
             format!(
                 "constraint `{}` follows from others, so that generalised speeds cannot satisfy both by construction; leave \

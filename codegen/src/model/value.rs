@@ -2,7 +2,7 @@
 //! dimension.
 
 use super::Dimension;
-use super::homogeneity::Measured;
+use super::measured::Measured;
 use super::space::{Bases, Spatial, Turn};
 use crate::dsl::Expression;
 use crate::symbolic::Expr;

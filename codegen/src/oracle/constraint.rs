@@ -1,10 +1,10 @@
 //! Constraints at one state: a row that holds between positions, or one that holds between speeds.
 
 use super::error::Result;
-use super::interpret::{Interpreter, Setting};
+use super::interpret::Interpreter;
 use super::jet::Jet;
 use super::measured::{Measured, inner};
-use super::mechanics::difference;
+use super::setting::Setting;
 use super::state::State;
 use super::value::Value;
 use crate::dsl::{Declaration, Equation, Unit};
@@ -61,8 +61,8 @@ pub(super) fn constraints(
     let constraint = |equation: &Equation| {
         let holds = equation.initially.is_none() || switched.next().unwrap_or(true);
         let rows: Vec<Row> = match declaration.has_rates(equation) {
-            true => rows(&difference(&mut speeds, equation)?, |row| between_speeds(row, at, auxiliaries)),
-            false => rows(&difference(&mut positions, equation)?, |row| between_positions(row, at, auxiliaries)),
+            true => rows(&speeds.difference(equation)?, |row| between_speeds(row, at, auxiliaries)),
+            false => rows(&positions.difference(equation)?, |row| between_positions(row, at, auxiliaries)),
         };
         Ok(Constraint { rows: rows.into_iter().map(|row| if holds { row } else { row.released() }).collect() })
     };

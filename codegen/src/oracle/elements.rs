@@ -1,10 +1,10 @@
 //! Loads along scalars: potentials, dissipation functions, springs, dampers.
 
+use super::effort::Effort;
 use super::error::{OracleError, Result};
 use super::interpret::Interpreter;
 use super::jet::Jet;
 use super::measured::Measured;
-use super::mechanics::Effort;
 use super::value::inner;
 use crate::dsl::{Expression, Extent, Law};
 

@@ -9,13 +9,14 @@
 //!
 //! A load or a constraint that no single body bears, as one written in coordinates or angles, has its virtual work alone.
 
+use super::effort::Effort;
 use super::elements::{dissipation, element, potential};
 use super::error::{OracleError, Result};
-use super::interpret::{Interpreter, Setting};
+use super::interpret::Interpreter;
 use super::jet::Jet;
 use super::measured::Measured;
-use super::mechanics::Effort;
 use super::motion::Solution;
+use super::setting::Setting;
 use super::state::State;
 use super::value::Value;
 use super::{Mechanics, Oracle};

@@ -1,15 +1,17 @@
 //! The mechanics of a declaration at one state: body rows, loads and constraints as jets in (q, t).
 
 use super::constraint::{self, Constraint, constraints};
+use super::effort::Effort;
 use super::elements::{dissipation, element, potential};
 use super::error::{OracleError, Result};
-use super::interpret::{Interpreter, Setting};
+use super::interpret::Interpreter;
 use super::jet::Jet;
 use super::measured::Measured;
 use super::rotation::Rotation;
+use super::setting::Setting;
 use super::state::State;
-use super::value::{Value, cross, inner};
-use crate::dsl::{Body, Declaration, Equation, Expression, Kind, Load, Operator, Unit};
+use super::value::{cross, inner};
+use crate::dsl::{Body, Declaration, Expression, Kind, Load, Unit};
 use syn::Ident;
 
 /// One row of x = T(q, t): a coordinate of a mass point, or the angle of a body; in space an entry of its rotation.
@@ -26,14 +28,6 @@ impl Row {
     fn new(inertia: Measured, place: Jet) -> Row {
         Row { inertia, partner: place.clone(), place }
     }
-}
-
-/// One component of a force or a moment, and the coordinate or angle along which it works.
-pub(super) struct Effort {
-    /// The component.
-    pub(super) force: Measured,
-    /// Its virtual work is `force` times the variation of this.
-    pub(super) place: Jet,
 }
 
 /// Everything of a declaration that enters the equations of motion, at one state.
@@ -87,12 +81,6 @@ impl Mechanics {
     pub(super) fn constraint_rows(&self) -> Vec<constraint::Row> {
         self.constraints.iter().flat_map(|constraint| constraint.rows.clone()).collect()
     }
-}
-
-/// left - right.
-pub(super) fn difference(interpreter: &mut Interpreter, equation: &Equation) -> Result<Value> {
-    let left = interpreter.value(&equation.left)?;
-    left.combine(Operator::Subtract, interpreter.value(&equation.right)?)
 }
 
 struct Builder<'d> {

@@ -2,8 +2,8 @@
 //!
 //! The parsed declaration is interpreted with second-order jets, and the equations are assembled and solved densely.
 //! Nothing here is shared with the symbolic engine, the resolved model or the derivation, so that a fault of any shows as a
-//! difference. Shared is the parsed declaration, and with it all that `dsl` writes out: fragments and repetitions, joints, free
-//! bodies and points on them. Every result carries the magnitude of what went into it (see [`Measured`]), which is what a difference
+//! difference. Shared is the parsed declaration, and with it all that `dsl` and `joints` write out: fragments and repetitions,
+//! joints, free bodies and points on them. Every result carries the magnitude of what went into it (see [`Measured`]), which is what a difference
 //! is to be compared with.
 //!
 //! Positions are jets in (q, t): P, P_q, P_t and all second derivatives, hence velocities and convective terms. Loads,
@@ -11,6 +11,7 @@
 
 mod comparison;
 mod constraint;
+mod effort;
 mod elements;
 mod error;
 mod freed;
@@ -22,7 +23,9 @@ mod mechanics;
 mod motion;
 mod observe;
 mod parameters;
+mod plain;
 mod rotation;
+mod setting;
 mod solve;
 mod state;
 mod table;
@@ -36,8 +39,9 @@ pub use motion::{Solution, Terms};
 pub use state::State;
 
 use crate::dsl::{Activity, Declaration, Unit};
-use interpret::{Interpreter, Setting};
+use interpret::Interpreter;
 use mechanics::Mechanics;
+use setting::Setting;
 
 /// Evaluates one declaration at given states.
 pub struct Oracle<'d> {

@@ -5,9 +5,9 @@ use super::error::{OracleError, Result, refuse};
 use super::interpret::Interpreter;
 use super::jet::Jet;
 use super::measured::{Measured, inner};
-use super::mechanics::{Mechanics, difference};
+use super::mechanics::Mechanics;
 use super::motion::Solution;
-use super::parameters::is_plain;
+use super::plain::is_plain;
 use super::value::Value;
 use crate::dsl::{Action, Declaration, Event, Unit};
 
@@ -19,7 +19,7 @@ pub(super) fn outputs(declaration: &Declaration, mut along: Interpreter) -> Resu
 
 /// left - right of every event.
 pub(super) fn events(declaration: &Declaration, mut along: Interpreter) -> Result<Vec<Measured>> {
-    let event = |event: &Event| Ok(difference(&mut along, &event.condition)?.scalar()?.value());
+    let event = |event: &Event| Ok(along.difference(&event.condition)?.scalar()?.value());
     declaration.events.iter().map(event).collect()
 }
 

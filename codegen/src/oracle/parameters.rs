@@ -1,9 +1,10 @@
 //! The defaults of parameters.
 
 use super::error::Result;
-use super::function::is_function;
-use super::interpret::{Interpreter, Setting};
-use crate::dsl::{Declaration, Expression, Kind, Unit};
+use super::interpret::Interpreter;
+use super::plain::is_plain;
+use super::setting::Setting;
+use crate::dsl::{Declaration, Unit};
 
 /// Every default in SI units. A default sees the parameters above it.
 pub(super) fn defaults(declaration: &Declaration, si_factor: &dyn Fn(&Unit) -> f64) -> Result<Vec<f64>> {
@@ -15,15 +16,4 @@ pub(super) fn defaults(declaration: &Declaration, si_factor: &dyn Fn(&Unit) -> f
         values.push(value * unit.map_or(1.0, si_factor));
     }
     Ok(values)
-}
-
-/// Whether neither a unit nor a name, other than that of a constant, stands in the expression.
-pub(super) fn is_plain(expression: &Expression) -> bool {
-    match &expression.kind {
-        // A table has its own units.
-        Kind::Call(function, _) if !is_function(&function.to_string()) => false,
-        Kind::Number { unit, .. } => unit.is_none(),
-        Kind::Name(name) => name == "pi" || name == "e",
-        _ => expression.parts().into_iter().all(is_plain),
-    }
 }

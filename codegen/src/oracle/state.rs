@@ -1,8 +1,6 @@
 //! What is known of a motion at one time.
 
 use super::error::{Result, refuse};
-use super::interpret::Setting;
-use super::jet::Jet;
 use super::measured::Measured;
 use crate::dsl::Declaration;
 
@@ -38,25 +36,5 @@ impl State<'_> {
     /// (q', 1, 0, ..): how the variables (q, t, s) of a position change in time.
     pub(super) fn rates(&self, auxiliaries: usize) -> Vec<Measured> {
         self.speeds.iter().copied().chain([1.0]).chain(vec![0.0; auxiliaries]).map(Measured::given).collect()
-    }
-
-    /// Along the motion, as far as q and q' tell.
-    pub(super) fn motion(&self) -> Setting {
-        self.along(|_| None)
-    }
-
-    /// Along the motion with q'' known too.
-    pub(super) fn accelerated_motion(&self, accelerations: &[Measured]) -> Setting {
-        self.along(|i| accelerations.get(i).copied())
-    }
-
-    fn along(&self, acceleration: impl Fn(usize) -> Option<Measured>) -> Setting {
-        let coordinate = |(i, (q, speed)): (usize, (&f64, &f64))| {
-            let derivatives: Vec<Measured> =
-                [Some(Measured::given(*speed)), acceleration(i)].into_iter().flatten().collect();
-            Jet::of_time(Measured::given(*q), &derivatives)
-        };
-        let coordinates = self.coordinates.iter().zip(self.speeds).enumerate().map(coordinate).collect();
-        Setting::motion(self.time, self.parameters, coordinates).with_inputs(self.inputs)
     }
 }

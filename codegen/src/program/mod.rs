@@ -1,4 +1,4 @@
-//! Stage 4: equations to straight-line programs, one for each kernel: what is shared, how the equations are
+//! Stage 5: equations to straight-line programs, one for each kernel: what is shared, how the equations are
 //! solved, in which order things are computed and under which names.
 
 mod collect;
@@ -19,6 +19,7 @@ mod prepared;
 mod reduced;
 mod results;
 mod schedule;
+mod separate;
 mod shared_products;
 mod sparsity;
 mod speeds;

@@ -5,10 +5,10 @@ use super::motion::Motion;
 use super::names::Names;
 use super::notes::Notes;
 use super::planner::{Head, Planner};
-use super::results::{Record, Results};
-use super::schedule::{Leaves, derived_name};
+use super::results::{REFUSED, Record, Results};
+use super::schedule::derived_name;
 use super::speeds;
-use super::values::{Input, Operation, Value, Values};
+use super::values::{Input, Leaves, Operation, Value, Values};
 use super::{Arguments, Kernel, Name, Receiver, Tree};
 use indexmap::IndexMap;
 use std::collections::BTreeSet;
@@ -144,8 +144,6 @@ fn sizes(planner: &Planner) -> [usize; 3] {
     let model = &planner.equations.model;
     [model.coordinates.len(), model.constraints.len(), model.parameters.len()]
 }
-
-pub(super) const REFUSED: &str = "Where `refused` is set a pivot was too small and nothing else holds";
 
 fn dynamics_docs(planner: &Planner, motion: &Motion) -> String {
     let [n, m, _] = sizes(planner);

@@ -37,6 +37,9 @@ pub enum Record {
     Prepared,
 }
 
+/// What documentation says of kernels with [`Results::Refused`].
+pub(super) const REFUSED: &str = "Where `refused` is set a pivot was too small and nothing else holds";
+
 impl<T> Results<T> {
     /// A struct of fields in order.
     pub(super) fn record<const N: usize>(record: Record, fields: [(&str, Results<T>); N]) -> Results<T> {

@@ -4,7 +4,7 @@
 //! whose expression would grow beyond a line, gets a statement of its own.
 
 use super::names::Names;
-use super::values::{Operation, Value, Values};
+use super::values::{Leaves, Operation, Value, Values};
 use super::{LookUp, Name, Statement, Tree, Wave};
 use crate::symbolic::{Function, TableId};
 use rustc_hash::FxHashMap;
@@ -14,9 +14,6 @@ use std::borrow::Cow;
 const LONGEST_EXPRESSION: usize = 14;
 /// The order of the highest derivative of a table that is not zero.
 const HIGHEST_DERIVATIVE: u8 = 3;
-
-/// Values that need no statement: inputs, and what was computed before.
-pub(super) type Leaves = FxHashMap<Value, Tree>;
 
 /// Names wished for values.
 pub(super) type Wishes<'a> = FxHashMap<Value, Cow<'a, str>>;

@@ -7,8 +7,7 @@
 //! `late * early * early` is `late * (early * early)`.
 
 use super::latency::{self, Time, times};
-use super::schedule::Leaves;
-use super::values::{Operation, Value, Values};
+use super::values::{Leaves, Operation, Value, Values};
 use indexmap::IndexMap;
 use rustc_hash::{FxBuildHasher, FxHashMap};
 use std::cmp::Reverse;

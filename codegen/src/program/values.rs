@@ -3,10 +3,10 @@
 //! Nothing algebraic happens here beyond 0 and 1, which is the engine's work and done before, but for one thing: what
 //! depends on parameters alone is kept together, so that it can be computed once for a set of parameters.
 
-use super::schedule::Leaves;
+use super::Tree;
 use crate::symbolic::{Function, TableId};
 use indexmap::IndexSet;
-use rustc_hash::FxBuildHasher;
+use rustc_hash::{FxBuildHasher, FxHashMap};
 
 /// A value of the program. Operands have smaller indices than what is made of them.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
@@ -65,6 +65,9 @@ pub(super) enum Input {
     /// A generalised speed.
     GeneralizedSpeed(usize),
 }
+
+/// Values that need no statement: inputs, and what was computed before.
+pub(super) type Leaves = FxHashMap<Value, Tree>;
 
 /// All values of a program.
 #[derive(Default)]

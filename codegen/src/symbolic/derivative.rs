@@ -1,6 +1,6 @@
 //! Derivatives on the shared graph.
 
-use super::graph::Symbols;
+use super::symbols::Symbols;
 use super::{Expr, Function, Graph, Node, Number, Symbol};
 use rustc_hash::FxHashMap;
 

@@ -1,6 +1,6 @@
 //! What is known of an expression for every real value of its symbols. Nothing known means no.
 
-use super::{Function, Graph, Node, Number};
+use super::{Expr, Function, Node, Number};
 
 /// Knowledge of sign and size. All false says nothing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -23,15 +23,20 @@ impl Facts {
         self.nonnegative && self.nonzero
     }
 
-    pub(super) fn of(graph: &Graph, node: &Node) -> Facts {
+    /// Of a node, by the facts of the expressions that it is made of and by those of them that are numbers.
+    pub(super) fn of<'n>(
+        node: &Node,
+        facts: impl Fn(Expr) -> Facts,
+        number: impl Fn(Expr) -> Option<&'n Number>,
+    ) -> Facts {
         match node {
             Node::Number(value) => Facts { nonnegative: !value.is_negative(), nonzero: !value.is_zero(), finite: true },
             Node::Constant(_) => Facts { nonnegative: true, nonzero: true, finite: true },
             Node::Symbol(_) => Facts { finite: true, ..Facts::default() },
-            Node::Atan2(y, x) => Facts { finite: graph.facts(*y).finite && graph.facts(*x).finite, ..Facts::default() },
-            Node::Table(_, _, argument) => Facts { finite: graph.facts(*argument).finite, ..Facts::default() },
+            Node::Atan2(y, x) => Facts { finite: facts(*y).finite && facts(*x).finite, ..Facts::default() },
+            Node::Table(_, _, argument) => Facts { finite: facts(*argument).finite, ..Facts::default() },
             Node::Choice(difference, above, otherwise) => {
-                let (difference, a, b) = (graph.facts(*difference), graph.facts(*above), graph.facts(*otherwise));
+                let (difference, a, b) = (facts(*difference), facts(*above), facts(*otherwise));
                 Facts {
                     nonnegative: a.nonnegative && b.nonnegative,
                     nonzero: a.nonzero && b.nonzero,
@@ -40,37 +45,36 @@ impl Facts {
             }
             Node::Sum { constant, terms } => {
                 let nonnegative = !constant.is_negative()
-                    && terms.iter().all(|(term, c)| !c.is_negative() && graph.facts(*term).nonnegative);
-                let one_positive =
-                    *constant > Number::ZERO || terms.iter().any(|(term, _)| graph.facts(*term).positive());
+                    && terms.iter().all(|(term, c)| !c.is_negative() && facts(*term).nonnegative);
+                let one_positive = *constant > Number::ZERO || terms.iter().any(|(term, _)| facts(*term).positive());
                 Facts {
                     nonnegative,
                     nonzero: nonnegative && one_positive,
-                    finite: terms.iter().all(|(term, _)| graph.facts(*term).finite),
+                    finite: terms.iter().all(|(term, _)| facts(*term).finite),
                 }
             }
             Node::Product { coefficient, factors } => Facts {
                 nonnegative: !coefficient.is_negative()
-                    && factors.iter().all(|(base, exponent)| exponent % 2 == 0 || graph.facts(*base).nonnegative),
+                    && factors.iter().all(|(base, exponent)| exponent % 2 == 0 || facts(*base).nonnegative),
                 // Underflow is not zero in exact arithmetic; a base that is nonzero stays so.
-                nonzero: factors.iter().all(|(base, _)| graph.facts(*base).nonzero),
+                nonzero: factors.iter().all(|(base, _)| facts(*base).nonzero),
                 finite: factors.iter().all(|(base, exponent)| match exponent {
-                    1.. => graph.facts(*base).finite,
-                    _ => graph.facts(*base).invertible(),
+                    1.. => facts(*base).finite,
+                    _ => facts(*base).invertible(),
                 }),
             },
             // A root exists only for bases that are not negative, and is not negative itself. A symbolic
             // exponent may turn out to be an odd integer.
             Node::Power { base, exponent } => {
-                let base = graph.facts(*base);
-                let root = graph.as_number(*exponent).and_then(Number::to_fraction).is_some_and(|(p, _)| p > 0);
+                let base = facts(*base);
+                let root = number(*exponent).and_then(Number::to_fraction).is_some_and(|(p, _)| p > 0);
                 Facts {
                     nonnegative: root || base.nonnegative,
                     nonzero: base.positive(),
-                    finite: base.finite && base.nonnegative && (root || base.nonzero && graph.facts(*exponent).finite),
+                    finite: base.finite && base.nonnegative && (root || base.nonzero && facts(*exponent).finite),
                 }
             }
-            Node::Call(function, argument) => Facts::of_call(*function, graph.facts(*argument)),
+            Node::Call(function, argument) => Facts::of_call(*function, facts(*argument)),
         }
     }
 

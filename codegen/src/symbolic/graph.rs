@@ -1,110 +1,10 @@
 //! The shared graph of expressions.
 
 use super::facts::Facts;
-use super::{Function, Number, Table, TableId};
+use super::symbols::Symbols;
+use super::{Constant, Expr, Node, Number, Symbol, Table};
 use indexmap::IndexSet;
 use rustc_hash::FxBuildHasher;
-
-/// An expression of a [`Graph`]. Equal handles are equal expressions.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub struct Expr(u32);
-
-impl Expr {
-    /// Position in the graph: operands stand before what is made of them.
-    pub fn index(self) -> usize {
-        self.0 as usize
-    }
-
-    pub(super) fn at(index: usize) -> Expr {
-        Expr(index as u32)
-    }
-}
-
-/// A free variable of the graph.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub struct Symbol(u32);
-
-/// A set that holds some symbols and perhaps others, as all share 64 bits: what does not depend on a symbol mostly shows at
-/// once.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Symbols(u64);
-
-impl Symbols {
-    pub(super) fn of<'a>(symbols: impl IntoIterator<Item = &'a Symbol>) -> Symbols {
-        Symbols(symbols.into_iter().fold(0, |bits, symbol| bits | 1 << (symbol.0 % u64::BITS)))
-    }
-
-    fn or(self, others: Symbols) -> Symbols {
-        Symbols(self.0 | others.0)
-    }
-
-    /// Whether some symbol may be in both.
-    pub(super) fn meet(self, others: Symbols) -> bool {
-        self.0 & others.0 != 0
-    }
-}
-
-/// A constant that is not rational.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub enum Constant {
-    /// The circle's ratio.
-    Pi,
-    /// Euler's number.
-    E,
-}
-
-impl Constant {
-    /// The nearest `f64`.
-    pub fn to_f64(self) -> f64 {
-        match self {
-            Constant::Pi => std::f64::consts::PI,
-            Constant::E => std::f64::consts::E,
-        }
-    }
-}
-
-/// What an expression is made of. Canonical: see the constructors, which alone make nodes.
-#[derive(Clone, PartialEq, Eq, Hash, Debug)]
-pub enum Node {
-    /// An exact rational.
-    Number(Number),
-    /// pi or e.
-    Constant(Constant),
-    /// A free variable.
-    Symbol(Symbol),
-    /// `constant + sum of coefficient * term`; terms are sorted, distinct, no sums, no numbers, and of
-    /// coefficient one themselves; coefficients are not zero.
-    Sum {
-        /// The rational part.
-        constant: Number,
-        /// Terms with their coefficients.
-        terms: Box<[(Expr, Number)]>,
-    },
-    /// `coefficient * product of base^exponent`; exponents are integers, not zero. A base stands twice
-    /// only with exponents of opposite sign, when it may be zero or infinite.
-    Product {
-        /// The rational factor, not zero.
-        coefficient: Number,
-        /// Bases, sorted, with their exponents.
-        factors: Box<[(Expr, i64)]>,
-    },
-    /// `base^exponent` for exponents that are not integers. A fraction p/q is kept as the p-th power (in
-    /// a product) of `base^(1/q)`.
-    Power {
-        /// What is raised.
-        base: Expr,
-        /// A fraction 1/q, or an expression; or any number of which q is not below 2^32.
-        exponent: Expr,
-    },
-    /// An elementary function.
-    Call(Function, Expr),
-    /// The angle of the point (x, y), given as (y, x).
-    Atan2(Expr, Expr),
-    /// The second where the first is above zero, and else the third; NaN where the first is.
-    Choice(Expr, Expr, Expr),
-    /// The derivative of this order of a table at an argument; its degree at most.
-    Table(TableId, u8, Expr),
-}
 
 /// The owner of expressions.
 #[derive(Clone, Default)]
@@ -146,16 +46,16 @@ impl Graph {
     pub(super) fn intern(&mut self, node: Node) -> Expr {
         let (index, new) = self.nodes.insert_full(node);
         if new {
-            let facts = Facts::of(self, &self.nodes[index]);
+            let facts = Facts::of(&self.nodes[index], |part| self.facts(part), |part| self.as_number(part));
             self.facts.push(facts);
             let occurring = match &self.nodes[index] {
                 Node::Symbol(symbol) => Symbols::of([symbol]),
-                _ => self.operands(Expr(index as u32)).fold(Symbols::default(), |all, x| all.or(self.may_occur(x))),
+                _ => self.operands(Expr::at(index)).fold(Symbols::default(), |all, x| all.or(self.may_occur(x))),
             };
             self.occurring.push(occurring);
         }
         // A graph of 2^32 nodes would take hundreds of gigabytes; memory ends first.
-        Expr(index as u32)
+        Expr::at(index)
     }
 
     /// The symbols that may occur in the expression; no others do.
@@ -185,7 +85,7 @@ impl Graph {
 
     /// The same, if it has been made.
     pub fn existing(&self, symbol: Symbol) -> Option<Expr> {
-        self.nodes.get_index_of(&Node::Symbol(symbol)).map(|index| Expr(index as u32))
+        self.nodes.get_index_of(&Node::Symbol(symbol)).map(Expr::at)
     }
 
     /// An exact rational.
@@ -271,7 +171,7 @@ impl Graph {
                 stack.extend(self.operands(expr));
             }
         }
-        (0..self.len() as u32).map(Expr).filter(|expr| seen[expr.index()]).collect()
+        (0..self.len()).map(Expr::at).filter(|expr| seen[expr.index()]).collect()
     }
 
     /// The symbols that occur in the given expressions, sorted.

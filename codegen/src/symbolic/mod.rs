@@ -52,6 +52,7 @@
 //! Each row is tested, at random points too, by `codegen/tests/symbolic/rules.rs`. Not among them is [`Graph::expand`], which
 //! its user has to ask for.
 
+mod call;
 mod choice;
 mod derivative;
 mod evaluate;
@@ -59,6 +60,8 @@ mod expand;
 mod facts;
 mod function;
 mod graph;
+mod look_up;
+mod node;
 mod number;
 mod power;
 mod product;
@@ -66,12 +69,14 @@ mod pythagoras;
 mod recognise;
 mod substitute;
 mod sum;
+mod symbols;
 mod table;
 
 pub use derivative::Differential;
 pub use evaluate::{apply_function, evaluate};
 pub use function::Function;
-pub use graph::{Constant, Expr, Graph, Node, Symbol};
+pub use graph::Graph;
+pub use node::{Constant, Expr, Node, Symbol};
 pub use number::Number;
 pub use recognise::Recognition;
 pub use substitute::{substitute, transplant, with_operands};

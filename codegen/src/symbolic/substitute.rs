@@ -1,6 +1,6 @@
 //! Replacing symbols by expressions, in one graph or from one graph to another.
 
-use super::graph::Symbols;
+use super::symbols::Symbols;
 use super::{Expr, Graph, Node, Symbol};
 use rustc_hash::FxHashMap;
 

@@ -1,7 +1,5 @@
 //! Functions given by rows: cubic pieces between knots.
 
-use super::{Expr, Graph, Node};
-
 /// A function of one argument in pieces: lines, or cubics.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Table {
@@ -22,9 +20,9 @@ pub struct Table {
     pub smoothness: u8,
 }
 
-/// A table of a [`Graph`].
+/// A table of a [`Graph`](super::Graph).
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub struct TableId(u32);
+pub struct TableId(pub(super) u32);
 
 impl TableId {
     /// Its place among the tables of the graph.
@@ -59,44 +57,5 @@ impl Table {
     /// The distance of the last knot from the first, if the function repeats itself after it.
     pub fn period(&self) -> Option<f64> {
         self.is_periodic.then(|| self.knots[self.knots.len() - 1] - self.knots[0])
-    }
-}
-
-impl Graph {
-    /// Takes a table in; equal ones are one.
-    pub fn add_table(&mut self, table: Table) -> TableId {
-        let known = self.tables.iter().position(|other| *other == table);
-        let index = known.unwrap_or_else(|| {
-            self.tables.push(table);
-            self.tables.len() - 1
-        });
-        TableId(index as u32)
-    }
-
-    /// The tables, by index.
-    pub fn tables(&self) -> &[Table] {
-        &self.tables
-    }
-
-    /// A table.
-    pub fn table(&self, id: TableId) -> &Table {
-        &self.tables[id.index()]
-    }
-
-    /// Everything that is looked up, by table and order of the derivative.
-    pub fn look_ups(&self) -> Vec<(Expr, TableId, u8)> {
-        let look_up = |(index, node): (usize, &Node)| match node {
-            Node::Table(table, order, _) => Some((Expr::at(index), *table, *order)),
-            _ => None,
-        };
-        self.nodes().enumerate().filter_map(look_up).collect()
-    }
-
-    /// The derivative of some order of a table at an argument; 0 beyond its degree.
-    pub fn look_up(&mut self, id: TableId, order: u8, argument: Expr) -> Expr {
-        match order > self.table(id).degree {
-            true => self.zero(),
-            false => self.intern(Node::Table(id, order, argument)),
-        }
     }
 }

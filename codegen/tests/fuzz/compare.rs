@@ -31,7 +31,7 @@ fn kernels_are_what_random_declarations_say() {
     let (mut worst, mut solved, mut all) = (0.0f64, 0, 0);
     let mut derived = Derivatives::default();
     for case in &cases {
-        let parsed = dsl::parse(case.declaration.parse().unwrap()).unwrap();
+        let parsed = codegen::parse(case.declaration.parse().unwrap()).unwrap();
         for state in &case.states {
             let values = found.next().unwrap();
             let (difference, term, is_solved) = compare(case.dimension, &parsed, state, &values);
@@ -63,7 +63,7 @@ fn case(name: &str, seed: usize, declaration: impl Fn(&str, usize) -> String) ->
         .unwrap_or_else(|mistakes| panic!("{}\nin\n{declaration}", codegen::mistakes::located(name, mistakes)))
         .model;
     let mut random = Random::new(seed + 77);
-    let parsed = dsl::parse(declaration.parse().unwrap()).unwrap();
+    let parsed = codegen::parse(declaration.parse().unwrap()).unwrap();
     let defaults = Oracle::new(&parsed, &si_factor).default_parameters().unwrap();
     let count = model.coordinates.len();
     let states = (0..STATES)

@@ -49,7 +49,7 @@ fn declaration(expression: &Expression, of: Dimension, system: &System, with_uni
 
 fn resolve(text: &str) -> Result<Model, Vec<String>> {
     let tokens = text.parse().unwrap();
-    let model = codegen::dsl::parse(tokens).and_then(|declaration| codegen::model::resolve(&declaration));
+    let model = codegen::parse(tokens).and_then(|declaration| codegen::model::resolve(&declaration));
     model.map_err(|mistakes| mistakes.into_iter().map(|mistake| mistake.to_string()).collect())
 }
 

@@ -6,8 +6,9 @@ mod identities;
 mod language;
 mod quick_return;
 
-use codegen::dsl::{Declaration, Unit, parse};
+use codegen::dsl::{Declaration, Unit};
 use codegen::oracle::{Measured, Oracle, Solution, State, Terms};
+use codegen::parse;
 
 type Outcome<T = ()> = Result<T, Box<dyn std::error::Error>>;
 

@@ -1,8 +1,8 @@
 //! Inertia tensors, about the centre of mass and in the frame of the body.
 
 use crate::dsl::{Expression, Kind};
-use crate::model::bodies::inertial;
-use crate::model::interpret::Interpreter;
+use crate::model::inertial::inertial;
+use crate::model::interpreter::Interpreter;
 use crate::model::{Dependence, Dimension, Tensor};
 use crate::symbolic::{Expr, evaluate};
 
@@ -10,42 +10,44 @@ const FORM: &str = "the inertia of a body in space is `inertia [A, B, C]`, its p
                     `inertia [Jxx, Jyy, Jzz, Jxy, Jxz, Jyz]`, in its own frame about its centre of mass";
 
 /// A tensor by its principal moments, or by the entries of its matrix.
-pub(in crate::model) fn resolve_inertia(expression: &Expression, i: &mut Interpreter) -> Option<Tensor> {
-    let Kind::Vector(written) = &expression.kind else { return i.refuse(expression.region, FORM) };
+pub(in crate::model) fn resolve_inertia(expression: &Expression, interpreter: &mut Interpreter) -> Option<Tensor> {
+    let Kind::Vector(written) = &expression.kind else { return interpreter.refuse(expression.region, FORM) };
     if ![3, 6].contains(&written.len()) {
-        return i.refuse(expression.region, format!("{} numbers are given; {FORM}", written.len()));
+        return interpreter.refuse(expression.region, format!("{} numbers are given; {FORM}", written.len()));
     }
     let mut entries = Vec::new();
     for (at, entry) in written.iter().enumerate() {
-        let value = i.scalar_of(entry, &Dimension::inertia(), "an inertia");
+        let value = interpreter.scalar_of(entry, &Dimension::inertia(), "an inertia");
         // Products of inertia have either sign.
-        entries.push(value.and_then(|value| if at < 3 { inertial(entry, value, i) } else { fixed(entry, value, i) }));
+        entries.push(value.and_then(|value| {
+            if at < 3 { inertial(entry, value, interpreter) } else { fixed(entry, value, interpreter) }
+        }));
     }
     let entries: Vec<Expr> = entries.into_iter().collect::<Option<_>>()?;
-    let zero = i.graph.zero();
+    let zero = interpreter.graph.zero();
     let entry = |k: usize| entries.get(k).copied().unwrap_or(zero);
     let tensor = Tensor { moments: [entry(0), entry(1), entry(2)], products: [entry(5), entry(4), entry(3)] };
-    check(expression, &tensor, i)?;
+    check(expression, &tensor, interpreter)?;
     Some(tensor)
 }
 
-fn fixed(expression: &Expression, value: Expr, i: &mut Interpreter) -> Option<Expr> {
+fn fixed(expression: &Expression, value: Expr, interpreter: &mut Interpreter) -> Option<Expr> {
     let moving = crate::model::level::MOVING.or(Dependence::TIME).or(Dependence::INPUT);
     let rule = "an inertia is made of numbers and parameters; it cannot change with the motion";
-    i.restrict(expression.region, &[value], moving, rule)?;
+    interpreter.restrict(expression.region, &[value], moving, rule)?;
     Some(value)
 }
 
 /// Refuses tensors of numbers that no body has.
-fn check(expression: &Expression, tensor: &Tensor, i: &mut Interpreter) -> Option<()> {
+fn check(expression: &Expression, tensor: &Tensor, interpreter: &mut Interpreter) -> Option<()> {
     let entries = tensor.entries();
-    if entries.iter().any(|entry| i.dependences.of(&i.graph, *entry) != Dependence::NONE) {
+    if entries.iter().any(|entry| interpreter.dependences.of(&interpreter.graph, *entry) != Dependence::NONE) {
         return Some(());
     }
-    let values = evaluate(&i.graph, &entries, |_| f64::NAN);
+    let values = evaluate(&interpreter.graph, &entries, |_| f64::NAN);
     let values = [values[0], values[1], values[2], values[3], values[4], values[5]];
     match impossible_inertia(values) {
-        Some(why) => i.refuse(expression.region, why),
+        Some(why) => interpreter.refuse(expression.region, why),
         None => Some(()),
     }
 }

@@ -6,10 +6,13 @@
 //! Newton and Euler's equations (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 5), and a rotation that
 //! meets its own inverse is gone.
 
+mod agreement;
 mod basis;
+mod components;
 mod frames;
 mod inertia;
 mod motion;
+mod norms;
 mod parts;
 mod quaternion;
 mod rotation;
@@ -20,6 +23,7 @@ pub(super) use basis::Bases;
 pub(super) use frames::{Frames, Turn};
 pub use inertia::impossible_inertia;
 pub(super) use inertia::resolve_inertia;
+pub(super) use norms::{Quaternion, check_norms};
 pub use parts::{Attitude, Fall, Norm, Push, Pushed, Rates, Tensor};
-pub(super) use quaternion::{Quaternion, check_norms, norm_square};
+pub(super) use quaternion::norm_square;
 pub(super) use vector::Spatial;

@@ -5,22 +5,14 @@
 //! multiplier the norm would have to take. What it costs is one division.
 
 use super::frames::Step;
+use super::norms::Quaternion;
 use super::triple::{Matrix, Triple};
 use crate::dsl::{Expression, Region};
-use crate::mistakes::Mistakes;
-use crate::model::interpret::Interpreter;
+use crate::model::interpreter::Interpreter;
 use crate::model::level::position_level;
 use crate::model::value::Value;
-use crate::model::{Constraint, Dependence, Dimension, Level};
-use crate::symbolic::{Expr, Graph, Node, Symbol, evaluate};
-
-/// A quaternion of coordinates, which need their norm constraint.
-pub(in crate::model) struct Quaternion {
-    pub(in crate::model) components: [Expr; 4],
-    symbols: [Symbol; 4],
-    names: [String; 4],
-    place: Region,
-}
+use crate::model::{Dependence, Dimension};
+use crate::symbolic::{Expr, Graph, Node};
 
 impl Interpreter {
     /// `quaternion(q0, q1, q2, q3)`, the scalar part first.
@@ -107,47 +99,4 @@ fn spin(graph: &mut Graph, q: &[Expr; 4], rates: &[Expr; 4], inverse: Expr) -> T
         let sum = graph.sum(&signed);
         graph.product(&[two, inverse, sum])
     })
-}
-
-/// The rows that keep the norms of quaternions of coordinates; refuses those that none keeps.
-pub(in crate::model) fn check_norms(
-    quaternions: &[Quaternion],
-    constraints: &[Constraint],
-    graph: &Graph,
-    mistakes: &mut Mistakes,
-) -> Vec<usize> {
-    let mut rows = Vec::new();
-    for quaternion in quaternions {
-        if let Some(row) = constraints.iter().position(|constraint| quaternion.is_kept_by(constraint, graph)) {
-            rows.push(row);
-        } else {
-            let [a, b, c, d] = &quaternion.names;
-            mistakes.add(quaternion.place.error(format!(
-                "nothing keeps the norm of this quaternion, so its four coordinates would move freely; add \
-                 `constraints {{ {a}_norm: {a}^2 + {b}^2 + {c}^2 + {d}^2 = 1; }}`"
-            )));
-        }
-    }
-    rows.sort_unstable();
-    rows.dedup();
-    rows
-}
-
-impl Quaternion {
-    /// Whether a constraint holds where the norm is 1 and not where it is 2: tried at some points.
-    fn is_kept_by(&self, constraint: &Constraint, graph: &Graph) -> bool {
-        let occurring = graph.symbols_of(&[constraint.value]);
-        let same = occurring.len() == 4 && self.symbols.iter().all(|symbol| occurring.contains(symbol));
-        let at = |k: usize, norm: f64| {
-            let direction: [f64; 4] =
-                std::array::from_fn(|i| ((4 * k + i + 1) as f64 * 0.618_033_988_75).fract() - 0.4);
-            let size = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
-            let value = |symbol: Symbol| {
-                self.symbols.iter().position(|own| *own == symbol).map_or(f64::NAN, |i| norm * direction[i] / size)
-            };
-            evaluate(graph, &[constraint.value], value)[0]
-        };
-        let keeps = |k: usize| at(k, 1.0).abs() < 1e-12 && at(k, 2.0).abs() > 0.1;
-        constraint.level == Level::Positions && same && (0..3).all(keeps)
-    }
 }

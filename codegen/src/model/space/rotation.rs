@@ -5,7 +5,7 @@ use super::frames::Step;
 use super::triple::{self, Matrix, Triple, add, cross, identity, scaled, sub};
 use super::{Bases, Spatial, Turn};
 use crate::dsl::{Expression, Kind, Region};
-use crate::model::interpret::Interpreter;
+use crate::model::interpreter::Interpreter;
 use crate::model::level;
 use crate::model::scope::plain;
 use crate::model::value::{Shape, Value};

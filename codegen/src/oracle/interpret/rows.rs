@@ -1,9 +1,10 @@
 //! Calls of tables.
 
-use super::{Interpreter, Setting};
+use super::Interpreter;
 use crate::dsl::{Expression, Table, Unit};
 use crate::oracle::error::{OracleError, Result, refuse};
-use crate::oracle::parameters::is_plain;
+use crate::oracle::plain::is_plain;
+use crate::oracle::setting::Setting;
 use crate::oracle::table::Function;
 use crate::oracle::value::Value;
 

@@ -1,8 +1,9 @@
 //! Jets against dual numbers, through the interpreter: every function, at many points, with all derivatives.
 
 use super::super::error::Result;
-use super::super::interpret::{Interpreter, Setting};
+use super::super::interpret::Interpreter;
 use super::super::measured::Measured;
+use super::super::setting::Setting;
 use super::super::state::State;
 use super::Jet;
 use num_dual::{Dual2_64, DualNum, HyperDual64, second_derivative, second_partial_derivative};
@@ -18,7 +19,7 @@ fn evaluate(text: &str, setting: Setting) -> std::result::Result<Result<Jet>, Bo
     let declaration = format!(
         "pub Sample; coordinates {{ x; y; }} parameters {{ a = 1; }} let r = [x, y]; outputs {{ f = {text}; }}"
     );
-    let declaration = crate::dsl::parse(declaration.parse()?)?;
+    let declaration = crate::parse(declaration.parse()?)?;
     let output = declaration.outputs.first().and_then(|group| group.outputs.first()).ok_or("no output")?;
     Ok(Interpreter::new(&declaration, &|_| 1.0, setting).scalar(&output.value))
 }

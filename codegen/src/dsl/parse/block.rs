@@ -1,0 +1,219 @@
+//! The lines of each block.
+
+use super::expression::expression;
+use super::lines::{ended, lines};
+use super::unit::declared_unit;
+use super::words::{accept_word, colon, docs, equals, expect_word, keyword, name};
+use crate::dsl::region::here;
+use crate::dsl::{
+    Auxiliary, Body, Coordinate, GeneralizedSpeed, Initial, InitialKind, Let, Mark, OptionalKernel, Output,
+    OutputGroup, Parameter, Region, Shape,
+};
+use syn::ext::IdentExt;
+use syn::parse::{ParseStream, Result};
+use syn::{Ident, LitStr, Token};
+
+pub(super) fn coordinate(input: ParseStream) -> Result<Coordinate> {
+    let docs = docs(input)?;
+    let name = name(input, "a coordinate: `alpha [rad];`")?;
+    let unit = declared_unit(input, &name)?;
+    if input.peek(Token![=]) {
+        return Err(here(input, format!("a start value stands in `initial {{ {name} = ..; }}`, not here")));
+    }
+    Ok(Coordinate { docs, name, unit })
+}
+
+/// A displacement that is zero: `bx [m];`
+pub(super) fn auxiliary(input: ParseStream) -> Result<Auxiliary> {
+    docs(input)?;
+    let name = name(input, "an auxiliary displacement: `bx [m];`")?;
+    let unit = declared_unit(input, &name)?;
+    if input.peek(Token![=]) {
+        return Err(here(input, format!("an auxiliary displacement is always zero; write `{name} [m];`")));
+    }
+    Ok(Auxiliary { name, unit })
+}
+
+pub(super) fn parameter(input: ParseStream) -> Result<Parameter> {
+    let docs = docs(input)?;
+    let name = name(input, "a parameter: `m [kg] = 0.5;`")?;
+    let unit = declared_unit(input, &name)?;
+    if !input.peek(Token![=]) {
+        return Err(here(input, format!("parameter `{name}` needs a default: `{name} [unit] = value;`")));
+    }
+    input.parse::<Token![=]>()?;
+    Ok(Parameter { docs, name, unit, value: expression(input)? })
+}
+
+pub(super) fn input(input: ParseStream) -> Result<Parameter> {
+    let docs = docs(input)?;
+    let name = name(input, "an input: `tau [N*m] = 0;`")?;
+    let unit = declared_unit(input, &name)?;
+    if input.parse::<Option<Token![=]>>()?.is_none() {
+        let form = format!("`{name} [unit] = expression;`, of numbers, parameters and `t`");
+        return Err(here(input, format!("input `{name}` needs a course, which it follows until it is set: {form}")));
+    }
+    Ok(Parameter { docs, name, unit, value: expression(input)? })
+}
+
+/// A generalised speed, and the definition of its name.
+pub(super) fn speed(input: ParseStream) -> Result<(GeneralizedSpeed, Let)> {
+    let docs = docs(input)?;
+    let name = name(input, "a generalised speed: `v [m/s] = dot(x)*cos(phi) + dot(y)*sin(phi);`")?;
+    let unit = declared_unit(input, &name)?;
+    equals(
+        input,
+        &format!("generalised speed `{name}` needs a definition: `{name} [unit] = expression;`, linear in `dot(..)`"),
+    )?;
+    let value = expression(input)?;
+    Ok((GeneralizedSpeed { docs, name: name.clone(), unit }, Let { name, value }))
+}
+
+pub(super) fn definition(input: ParseStream) -> Result<Let> {
+    input.parse::<Token![let]>()?;
+    let name = name(input, "a name: `let A = ..;`")?;
+    if input.peek(syn::token::Bracket) {
+        return Err(here(input, "a `let` has the unit of its expression; write `let name = ..;`"));
+    }
+    equals(input, "`let` gives a name to an expression: `let A = ..;`")?;
+    Ok(Let { name, value: expression(input)? })
+}
+
+pub(super) fn body(input: ParseStream) -> Result<Body> {
+    docs(input)?;
+    let name = name(input, "a body: `rod: mass m at G, inertia J, angle phi;`")?;
+    colon(input, "a body is written `name: mass m at G, inertia J, angle phi;`")?;
+    let mut body = Body { name, mass: None, inertia: None, angle: None, attitude: None, free: None };
+    loop {
+        let word = keyword(input, &["mass", "inertia", "angle", "attitude", "free"])?;
+        if word == "free" {
+            body.free = Some(Region::from(&word));
+            match input.parse::<Option<Token![,]>>()? {
+                Some(_) => continue,
+                None => return Ok(body),
+            }
+        }
+        let value = expression(input)?;
+        let twice = match word.to_string().as_str() {
+            "mass" => {
+                let position = if accept_word(input, "at")? { Some(expression(input)?) } else { None };
+                body.mass.replace((value, position)).is_some()
+            }
+            "inertia" => body.inertia.replace(value).is_some(),
+            "attitude" => body.attitude.replace(value).is_some(),
+            _ => body.angle.replace(value).is_some(),
+        };
+        if twice {
+            return Err(syn::Error::new(word.span(), format!("body `{}` has its {word} twice", body.name)));
+        }
+        if input.parse::<Option<Token![,]>>()?.is_none() {
+            return Ok(body);
+        }
+    }
+}
+
+pub(super) fn initial(input: ParseStream) -> Result<Initial> {
+    const FORM: &str = "a start value: `alpha = 0;`, `dot(alpha) = 75 [rpm];` or `guess gamma = 2.6;`";
+    docs(input)?;
+    let first = name(input, FORM)?;
+    let (kind, coordinate) = if first == "dot" && input.peek(syn::token::Paren) {
+        let content;
+        syn::parenthesized!(content in input);
+        let coordinate = name(&content, "a coordinate: `dot(alpha) = ..;`")?;
+        if !content.is_empty() {
+            return Err(here(&content, "the speed of a coordinate is given, `dot(alpha) = ..;`, not of an expression"));
+        }
+        (InitialKind::Speed, coordinate)
+    } else if first == "guess" && input.peek(Ident::peek_any) {
+        let coordinate = name(input, FORM)?;
+        if coordinate == "dot" && input.peek(syn::token::Paren) {
+            return Err(syn::Error::new(coordinate.span(), "speeds need no guess: they follow from linear equations"));
+        }
+        (InitialKind::Guess, coordinate)
+    } else {
+        (InitialKind::Position, first)
+    };
+    equals(input, FORM)?;
+    Ok(Initial { coordinate, kind, value: expression(input)? })
+}
+
+/// One output and its `;`, or a named group of outputs in braces.
+pub(super) fn output_group(input: ParseStream) -> Result<OutputGroup> {
+    let (docs, name) = output_name(input)?;
+    if !input.peek(LitStr) && !input.peek(syn::token::Brace) {
+        let output = ended(|line| output_after_name(line, docs.clone(), name.clone()))(input)?;
+        return Ok(OutputGroup { name: None, title: None, outputs: vec![output] });
+    }
+    let title = if input.peek(LitStr) { Some(input.parse::<LitStr>()?.value()) } else { None };
+    if !input.peek(syn::token::Brace) {
+        return Err(here(input, format!("a group of outputs is written `{name} \"Title\" {{ .. }}`")));
+    }
+    let content;
+    syn::braced!(content in input);
+    let line = |line: ParseStream| {
+        let (docs, name) = output_name(line)?;
+        output_after_name(line, docs, name)
+    };
+    let outputs = lines(&content, ended(line))?;
+    input.parse::<Option<Token![;]>>()?;
+    Ok(OutputGroup { name: Some(name), title, outputs })
+}
+
+fn output_name(input: ParseStream) -> Result<(String, Ident)> {
+    Ok((docs(input)?, name(input, "an output: `speed [m/s] = dot(C.x);`")?))
+}
+
+fn output_after_name(input: ParseStream, docs: String, name: Ident) -> Result<Output> {
+    let unit = declared_unit(input, &name)?;
+    equals(input, "an output is written `name [unit] = expression;`")?;
+    Ok(Output { docs, name, unit, value: expression(input)? })
+}
+
+pub(super) fn shape(input: ParseStream) -> Result<Shape> {
+    docs(input)?;
+    let word = keyword(input, &["line", "slider", "ground", "point", "circle", "curve", "spring", "damper"])?;
+    let first = expression(input)?;
+    match word.to_string().as_str() {
+        "slider" => {
+            expect_word(input, "along", "slider A along beta;")?;
+            Ok(Shape::Slider { at: first, along: expression(input)? })
+        }
+        "circle" => {
+            expect_word(input, "radius", "circle O radius r;")?;
+            let radius = expression(input)?;
+            let normal = if accept_word(input, "normal")? { Some(expression(input)?) } else { None };
+            Ok(Shape::Circle { at: first, radius, normal })
+        }
+        name => {
+            let mut points = vec![first];
+            while input.parse::<Option<Token![,]>>()?.is_some() {
+                points.push(expression(input)?);
+            }
+            let mark = mark(name);
+            if matches!(mark, Mark::Spring | Mark::Damper) && points.len() != 2 {
+                return Err(syn::Error::new(word.span(), format!("a drawn {name} has two ends: `{name} A, B;`")));
+            }
+            Ok(Shape::Points { mark, points })
+        }
+    }
+}
+
+fn mark(name: &str) -> Mark {
+    match name {
+        "line" => Mark::Line,
+        "curve" => Mark::Curve,
+        "spring" => Mark::Spring,
+        "damper" => Mark::Damper,
+        "ground" => Mark::Ground,
+        _ => Mark::Point,
+    }
+}
+
+pub(super) fn kernel(input: ParseStream) -> Result<OptionalKernel> {
+    let name = keyword(input, &["dynamics_jacobian", "dynamics_sensitivity", "inverse_dynamics"])?;
+    Ok(match name.to_string().as_str() {
+        "dynamics_jacobian" => OptionalKernel::DynamicsJacobian,
+        "dynamics_sensitivity" => OptionalKernel::DynamicsSensitivity,
+        _ => OptionalKernel::InverseDynamics,
+    })
+}

@@ -1,0 +1,113 @@
+//! The lines of `loads`.
+
+use super::expression::expression;
+use super::words::{accept_word, docs, expect_word, keyword};
+use crate::dsl::region::here;
+use crate::dsl::{Element, Expression, Extent, Kind, Law, Load, Region};
+use syn::parse::{ParseStream, Result};
+use syn::{Ident, Token};
+
+const WORDS: [&str; 8] = ["force", "torque", "gravity", "potential", "dissipation", "spring", "damper", "friction"];
+
+const SPRING: &str = "spring k, length l0 from A to B;` or `spring k, rest phi0 between alpha and beta;";
+
+pub(super) fn load(input: ParseStream) -> Result<Load> {
+    docs(input)?;
+    let word = keyword(input, &WORDS)?;
+    match word.to_string().as_str() {
+        "force" => force(input, &word),
+        "torque" => torque(input, &word),
+        "gravity" => Ok(Load::Gravity { keyword: (&word).into(), acceleration: expression(input)? }),
+        "potential" => Ok(Load::Potential(expression(input)?)),
+        "dissipation" => Ok(Load::Dissipation(expression(input)?)),
+        "spring" => spring(input, &word),
+        "friction" => friction(input, &word),
+        _ => {
+            let law = Law::Damper(expression(input)?);
+            element(input, &word, law, "damper c from A to B;")
+        }
+    }
+}
+
+fn force(input: ParseStream, word: &Ident) -> Result<Load> {
+    let force = expression(input)?;
+    if accept_word(input, "at")? {
+        return Ok(Load::Force { force, point: expression(input)? });
+    }
+    match extent(input)? {
+        Some(extent) => Ok(made(word, Law::Force(force), extent)),
+        None => Err(here(input, "expected `at`: `force [F, 0] at P;`")),
+    }
+}
+
+fn torque(input: ParseStream, word: &Ident) -> Result<Load> {
+    let moment = expression(input)?;
+    match extent(input)? {
+        Some(Extent::Quantity(Expression { kind: Kind::Name(body), .. })) => Ok(Load::Torque { moment, body }),
+        Some(extent) => Ok(made(word, Law::Force(moment), extent)),
+        None => Err(here(input, "expected `on`: `torque T on body;`")),
+    }
+}
+
+fn spring(input: ParseStream, word: &Ident) -> Result<Load> {
+    let law = expression(input)?;
+    if input.parse::<Option<Token![,]>>()?.is_none() {
+        return Err(here(input, format!("a spring states where it is without force: `{SPRING}`")));
+    }
+    let measure = keyword(input, &["length", "rest"])?;
+    let rest = expression(input)?;
+    let load = element(input, word, Law::Spring(law, rest), SPRING)?;
+    let between_points = matches!(&load, Load::Element(e) if matches!(e.extent, Extent::Distance(..)));
+    match (between_points, measure == "length") {
+        (true, false) => {
+            Err(syn::Error::new(measure.span(), format!("between points a spring has a `length`: `{SPRING}`")))
+        }
+        (false, true) => Err(syn::Error::new(
+            measure.span(),
+            format!("a `length` is one between points; here write `rest`: `{SPRING}`"),
+        )),
+        _ => Ok(load),
+    }
+}
+
+fn friction(input: ParseStream, word: &Ident) -> Result<Load> {
+    const FORM: &str = "friction F, smooth v0 on x;";
+    let force = expression(input)?;
+    if input.parse::<Option<Token![,]>>()?.is_none() {
+        let message =
+            format!("dry friction states the speed v0 within which it is smoothed, as F*tanh(x'/v0): `{FORM}`");
+        return Err(here(input, message));
+    }
+    expect_word(input, "smooth", FORM)?;
+    let law = Law::Friction(force, expression(input)?);
+    element(input, word, law, FORM)
+}
+
+fn element(input: ParseStream, word: &Ident, law: Law, form: &str) -> Result<Load> {
+    match extent(input)? {
+        Some(extent) => Ok(made(word, law, extent)),
+        None => Err(here(input, format!("expected `from`, `between` or `on`: `{form}`"))),
+    }
+}
+
+fn made(word: &Ident, law: Law, extent: Extent) -> Load {
+    Load::Element(Box::new(Element { keyword: Region::from(word), law, extent }))
+}
+
+/// `from A to B`, `between alpha and beta`, `on x`, or nothing of these.
+fn extent(input: ParseStream) -> Result<Option<Extent>> {
+    if accept_word(input, "from")? {
+        let from = expression(input)?;
+        expect_word(input, "to", "from A to B")?;
+        return Ok(Some(Extent::Distance(from, expression(input)?)));
+    }
+    if accept_word(input, "between")? {
+        let from = expression(input)?;
+        expect_word(input, "and", "between alpha and beta")?;
+        return Ok(Some(Extent::Difference(from, expression(input)?)));
+    }
+    match accept_word(input, "on")? {
+        true => Ok(Some(Extent::Quantity(expression(input)?))),
+        false => Ok(None),
+    }
+}

@@ -1,0 +1,120 @@
+//! The blocks of a declaration. A mistake in one line does not hide the next.
+
+mod block;
+mod blocks;
+mod equation;
+mod event;
+mod expression;
+mod head;
+mod joint;
+mod lines;
+mod load;
+mod spatial_joint;
+mod table;
+mod unit;
+mod words;
+
+pub use head::parse_head;
+pub use unit::parse_unit;
+
+use super::Declaration;
+use super::region::here;
+use crate::mistakes::Mistakes;
+use blocks::BLOCKS;
+use head::head;
+use lines::{ended, lines, skip_line};
+use proc_macro2::TokenStream;
+use syn::ext::IdentExt;
+use syn::parse::{ParseStream, Parser, Result};
+use syn::{Ident, Token};
+
+/// Reads a declaration in which nothing is repeated or used.
+pub(super) fn declaration(tokens: TokenStream) -> Result<Declaration> {
+    read.parse2(tokens)
+}
+
+fn read(input: ParseStream) -> Result<Declaration> {
+    let mut declaration = Declaration {
+        head: head(input)?,
+        coordinates: vec![],
+        parameters: vec![],
+        lets: vec![],
+        bodies: vec![],
+        loads: vec![],
+        constraints: vec![],
+        initial: vec![],
+        events: vec![],
+        outputs: vec![],
+        drawing: vec![],
+        kernels: None,
+        auxiliary: vec![],
+        inputs: vec![],
+        joints: vec![],
+        tables: vec![],
+        speeds: vec![],
+    };
+    let mut mistakes = Mistakes::default();
+    while !input.is_empty() {
+        if let Err(mistake) = item(input, &mut declaration, &mut mistakes) {
+            mistakes.add(mistake);
+            skip_line(input)?;
+        }
+    }
+    mistakes.or(declaration)
+}
+
+/// One `let` or one block.
+fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistakes) -> Result<()> {
+    words::docs(input)?;
+    if input.peek(Token![let]) {
+        declaration.lets.push(ended(block::definition)(input)?);
+        return Ok(());
+    }
+    let list = || BLOCKS.map(|word| format!("`{word}`")).join(", ");
+    let word = Ident::parse_any(input)
+        .map_err(|e| syn::Error::new(e.span(), format!("expected `let` or a block: {}", list())))?;
+    if !BLOCKS.iter().any(|block| word == block) {
+        let near = crate::nearest::block(&word.to_string(), &BLOCKS);
+        return Err(syn::Error::new(word.span(), format!("`{word}` is not a block{near}; blocks are {}", list())));
+    }
+    if !input.peek(syn::token::Brace) {
+        return Err(here(input, format!("expected `{{`: `{word} {{ .. }}`")));
+    }
+    let content;
+    syn::braced!(content in input);
+    let d = declaration;
+    match word.to_string().as_str() {
+        "coordinates" => {
+            d.coordinates.extend(mistakes.note(lines(&content, ended(block::coordinate))).into_iter().flatten())
+        }
+        "parameters" => {
+            d.parameters.extend(mistakes.note(lines(&content, ended(block::parameter))).into_iter().flatten())
+        }
+        "bodies" => d.bodies.extend(mistakes.note(lines(&content, ended(block::body))).into_iter().flatten()),
+        "loads" => d.loads.extend(mistakes.note(lines(&content, ended(load::load))).into_iter().flatten()),
+        "constraints" => {
+            d.constraints.extend(mistakes.note(lines(&content, ended(equation::constraint))).into_iter().flatten())
+        }
+        "initial" => d.initial.extend(mistakes.note(lines(&content, ended(block::initial))).into_iter().flatten()),
+        "events" => d.events.extend(mistakes.note(lines(&content, event::event)).into_iter().flatten()),
+        "outputs" => d.outputs.extend(mistakes.note(lines(&content, block::output_group)).into_iter().flatten()),
+        "inputs" => d.inputs.extend(mistakes.note(lines(&content, ended(block::input))).into_iter().flatten()),
+        "kernels" => {
+            let kernels = mistakes.note(lines(&content, ended(block::kernel))).into_iter().flatten();
+            d.kernels.get_or_insert_default().extend(kernels);
+        }
+        "tables" => d.tables.extend(mistakes.note(lines(&content, table::table)).into_iter().flatten()),
+        "joints" => d.joints.extend(mistakes.note(lines(&content, ended(joint::joint))).into_iter().flatten()),
+        "auxiliary" => {
+            d.auxiliary.extend(mistakes.note(lines(&content, ended(block::auxiliary))).into_iter().flatten())
+        }
+        "speeds" => {
+            for (speed, definition) in mistakes.note(lines(&content, ended(block::speed))).into_iter().flatten() {
+                d.speeds.push(speed);
+                d.lets.push(definition);
+            }
+        }
+        _ => d.drawing.extend(mistakes.note(lines(&content, ended(block::shape))).into_iter().flatten()),
+    }
+    Ok(())
+}

@@ -1,0 +1,97 @@
+//! Lines of the `tables` block: functions given by rows.
+
+use super::expression::expression;
+use super::lines::{ended, lines};
+use super::unit::optional_unit;
+use super::words::{accept_word, docs, equals, expect_word, keyword, name};
+use crate::dsl::region::here;
+use crate::dsl::{Between, Ends, Expression, Outside, Region, Table};
+use syn::ext::IdentExt;
+use syn::parse::{ParseStream, Result};
+use syn::{Ident, Token};
+
+const FORM: &str = "a table is written `lift [mm] over [deg] = cubic, periodic { 0, 0; 90, 10; 360, 0; }`";
+const ROW: &str = "a row is an argument and a value: `90, 10;`";
+const WORDS: [&str; 8] = ["linear", "cubic", "monotone", "natural", "clamped", "held", "continued", "periodic"];
+
+/// Reads a table.
+pub(super) fn table(input: ParseStream) -> Result<Table> {
+    let docs = docs(input)?;
+    let name = name(input, "a table: `lift [mm] over [deg] = linear { 0, 0; 90, 10; }`")?;
+    let unit = optional_unit(input)?;
+    let over = match input.peek(Ident::peek_any) {
+        true => {
+            expect_word(input, "over", "lift [mm] over [deg] = ..")?;
+            match optional_unit(input)? {
+                Some(over) => Some(over),
+                None => return Err(here(input, "after `over` stands the unit of the arguments: `over [deg]`")),
+            }
+        }
+        false => None,
+    };
+    equals(input, FORM)?;
+    let mut words = Words::default();
+    words.read(input)?;
+    let Some(between) = words.between else {
+        return Err(syn::Error::new(name.span(), format!("table `{name}` is `linear`, `cubic` or `monotone`; {FORM}")));
+    };
+    if accept_word(input, "from")? {
+        let message = "a file of rows is named in quotes: `from \"lift.csv\"`";
+        return Err(here(input, message));
+    }
+    if !input.peek(syn::token::Brace) {
+        return Err(here(input, format!("expected `,`, the rows in braces or `from` a file; {FORM}")));
+    }
+    let content;
+    syn::braced!(content in input);
+    let rows = lines(&content, ended(row))?;
+    input.parse::<Option<Token![;]>>()?;
+    let outside = words.outside.unwrap_or(Outside::Held);
+    Ok(Table { docs, name, unit, over, between, ends: words.ends, outside, rows })
+}
+
+fn row(input: ParseStream) -> Result<[Expression; 2]> {
+    let argument = expression(input)?;
+    if input.parse::<Option<Token![,]>>()?.is_none() {
+        return Err(here(input, ROW));
+    }
+    let value = expression(input)?;
+    match input.peek(Token![,]) {
+        true => Err(here(input, format!("{ROW}, and no more"))),
+        false => Ok([argument, value]),
+    }
+}
+
+/// What the words before the rows say.
+#[derive(Default)]
+struct Words {
+    between: Option<Between>,
+    ends: Option<(Ends, Region)>,
+    outside: Option<Outside>,
+}
+
+impl Words {
+    fn read(&mut self, input: ParseStream) -> Result<()> {
+        loop {
+            let word = keyword(input, &WORDS)?;
+            let at = Region::from(&word);
+            let twice = match word.to_string().as_str() {
+                "linear" => self.between.replace(Between::Linear).is_some(),
+                "cubic" => self.between.replace(Between::Cubic).is_some(),
+                "monotone" => self.between.replace(Between::Monotone).is_some(),
+                "natural" => self.ends.replace((Ends::Natural, at)).is_some(),
+                "clamped" => self.ends.replace((Ends::Clamped, at)).is_some(),
+                "held" => self.outside.replace(Outside::Held).is_some(),
+                "continued" => self.outside.replace(Outside::Continued).is_some(),
+                _ => self.outside.replace(Outside::Periodic).is_some(),
+            };
+            if twice {
+                let message = format!("what `{word}` says has been said before; a table is one of each kind");
+                return Err(at.error(message));
+            }
+            if input.parse::<Option<Token![,]>>()?.is_none() {
+                return Ok(());
+            }
+        }
+    }
+}

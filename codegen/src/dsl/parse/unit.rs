@@ -1,0 +1,112 @@
+//! Units in brackets: `[kg*m^2]`, `[m/s^2]`, `[1/s]`, `[W/(m*K)]`.
+
+use crate::dsl::region::here;
+use crate::dsl::{Region, Unit};
+use proc_macro2::TokenStream;
+use syn::ext::IdentExt;
+use syn::parse::{ParseStream, Parser, Result};
+use syn::{Ident, LitInt, Token};
+
+/// Reads the unit that may stand in brackets next.
+pub(super) fn optional_unit(input: ParseStream) -> Result<Option<Unit>> {
+    if !input.peek(syn::token::Bracket) {
+        return Ok(None);
+    }
+    let content;
+    let bracket = syn::bracketed!(content in input);
+    let region = Region::from(bracket.span.open()).to(bracket.span.close().into());
+    if content.is_empty() {
+        return Err(region.error("an empty unit; write `[m]`, or `[1]` for a pure number"));
+    }
+    unit(&content, region).map(Some)
+}
+
+/// Reads the unit that may follow a declared name.
+pub(super) fn declared_unit(input: ParseStream, name: &Ident) -> Result<Option<Unit>> {
+    if input.peek(Ident::peek_any) {
+        let unit = unbracketed_unit(&input.fork()).unwrap_or_default();
+        return Err(here(input, format!("a unit stands in brackets: `{name} [{unit}]`")));
+    }
+    optional_unit(input)
+}
+
+/// Reads a unit without brackets from text, such as `mm` or `kg*m^2`.
+pub fn parse_unit(text: &str) -> Result<Unit> {
+    let tokens: TokenStream = text.parse().map_err(|_| {
+        Region::from(proc_macro2::Span::call_site()).error(format!("`{text}` is not a unit; write it like `m/s^2`"))
+    })?;
+    let whole = Region::from(proc_macro2::Span::call_site());
+    (|input: ParseStream| unit(input, whole)).parse2(tokens)
+}
+
+/// The text of a unit that stands without its brackets.
+pub(super) fn unbracketed_unit(input: ParseStream) -> Option<String> {
+    let mut unit = Unit { region: input.span().into(), factors: Vec::new(), text: String::new() };
+    product(input, 1, &mut unit).ok().map(|()| unit.text)
+}
+
+fn unit(input: ParseStream, region: Region) -> Result<Unit> {
+    let mut unit = Unit { region, factors: Vec::new(), text: String::new() };
+    product(input, 1, &mut unit)?;
+    if !input.is_empty() {
+        return Err(mistake(input));
+    }
+    Ok(unit)
+}
+
+fn mistake(input: ParseStream) -> syn::Error {
+    here(input, "this is not a unit; units are written like `[kg*m^2]`, `[m/s^2]` or `[1/s]`")
+}
+
+/// `m`, `m*s`, `m/s/s`, each raised to `sign` times its own exponent.
+fn product(input: ParseStream, sign: i32, unit: &mut Unit) -> Result<()> {
+    factor(input, sign, unit)?;
+    loop {
+        if input.parse::<Option<Token![*]>>()?.is_some() {
+            unit.text.push('*');
+            factor(input, sign, unit)?;
+        } else if input.parse::<Option<Token![/]>>()?.is_some() {
+            unit.text.push('/');
+            factor(input, -sign, unit)?;
+        } else {
+            return Ok(());
+        }
+    }
+}
+
+fn factor(input: ParseStream, sign: i32, unit: &mut Unit) -> Result<()> {
+    if input.peek(syn::token::Paren) {
+        let content;
+        syn::parenthesized!(content in input);
+        unit.text.push('(');
+        product(&content, sign, unit)?;
+        unit.text.push(')');
+        return if content.is_empty() { Ok(()) } else { Err(mistake(&content)) };
+    }
+    if input.peek(LitInt) {
+        let one: LitInt = input.parse()?;
+        if one.to_string() != "1" {
+            return Err(syn::Error::new(one.span(), "the only number in a unit is 1, as in `[1/s]`"));
+        }
+        unit.text.push('1');
+        return Ok(());
+    }
+    if !input.peek(syn::Ident) {
+        return Err(mistake(input));
+    }
+    let name: Ident = input.parse()?;
+    unit.text += &name.to_string();
+    let exponent = if input.parse::<Option<Token![^]>>()?.is_some() { exponent(input, unit)? } else { 1 };
+    unit.factors.push((name, sign * exponent));
+    Ok(())
+}
+
+fn exponent(input: ParseStream, unit: &mut Unit) -> Result<i32> {
+    let negative = input.parse::<Option<Token![-]>>()?.is_some();
+    let literal: LitInt = input.parse().map_err(|e| syn::Error::new(e.span(), "a unit's exponent is an integer"))?;
+    let size = literal.base10_parse::<i32>().ok().filter(|size| (1..=99).contains(size));
+    let size = size.ok_or_else(|| syn::Error::new(literal.span(), "a unit's exponent is an integer from -99 to 99"))?;
+    let exponent = if negative { -size } else { size };
+    unit.text += &format!("^{exponent}");
+    Ok(exponent)
+}

@@ -1,0 +1,27 @@
+//! Equations by name.
+
+use crate::dsl::Expression;
+use syn::Ident;
+
+/// `slot: left = right;`
+pub struct Equation {
+    /// Its name.
+    pub name: Ident,
+    /// What stands left.
+    pub left: Expression,
+    /// What stands right.
+    pub right: Expression,
+    /// `initially released`, on a constraint that events switch.
+    pub initially: Option<Activity>,
+    /// Whether a joint gave it: then none of its rows can be left out by whoever wrote the joint.
+    pub is_of_joint: bool,
+}
+
+/// Whether a constraint holds.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Activity {
+    /// It holds.
+    Active,
+    /// It does not, and its reaction is 0.
+    Released,
+}

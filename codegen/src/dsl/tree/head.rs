@@ -1,0 +1,14 @@
+//! The head of a declaration.
+
+use syn::{Ident, Visibility};
+
+/// Documentation, visibility and name: all that is needed to stand in for a mechanism that has mistakes.
+#[derive(Clone)]
+pub struct Head {
+    /// Documentation, one line each.
+    pub docs: String,
+    /// `pub` and its like.
+    pub visibility: Visibility,
+    /// The type's name.
+    pub name: Ident,
+}

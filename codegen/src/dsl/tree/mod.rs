@@ -1,0 +1,170 @@
+//! The parsed declaration: what the user wrote, and where.
+
+mod equation;
+mod event;
+mod head;
+mod joint;
+mod load;
+mod output;
+mod shape;
+mod table;
+
+pub use equation::{Activity, Equation};
+pub use event::{Action, Direction, Event};
+pub use head::Head;
+pub use joint::{Guide, Joint, JointKind, Rolling, Side, SpatialJoint, SpatialKind};
+pub use load::{Element, Extent, Law, Load};
+pub use output::{Output, OutputGroup};
+pub use shape::{Mark, Shape};
+pub use table::{Between, Ends, Outside, Table};
+
+use super::{Expression, Region, Unit};
+use syn::Ident;
+
+/// A whole `mechanism! { .. }`.
+pub struct Declaration {
+    /// Documentation, visibility and name.
+    pub head: Head,
+    /// `coordinates { .. }`
+    pub coordinates: Vec<Coordinate>,
+    /// `parameters { .. }`
+    pub parameters: Vec<Parameter>,
+    /// `tables { .. }`: functions given by rows.
+    pub tables: Vec<Table>,
+    /// `inputs { .. }`: each with its declared course.
+    pub inputs: Vec<Parameter>,
+    /// `speeds { .. }`: generalised speeds; the definition of each is among the `let`s.
+    pub speeds: Vec<GeneralizedSpeed>,
+    /// `let name = expression;`, in order.
+    pub lets: Vec<Let>,
+    /// `bodies { .. }`
+    pub bodies: Vec<Body>,
+    /// `loads { .. }`
+    pub loads: Vec<Load>,
+    /// `constraints { .. }`: each holds throughout the motion, or while events leave it active.
+    pub constraints: Vec<Equation>,
+    /// `initial { .. }`
+    pub initial: Vec<Initial>,
+    /// `events { .. }`: each marks the times at which it comes to hold.
+    pub events: Vec<Event>,
+    /// `outputs { .. }`; outputs that stand alone form a group of their own.
+    pub outputs: Vec<OutputGroup>,
+    /// `drawing { .. }`
+    pub drawing: Vec<Shape>,
+    /// `kernels { .. }`: which of those that not everyone needs are made; `None` leaves that to the program.
+    pub kernels: Option<Vec<OptionalKernel>>,
+    /// `auxiliary { .. }`: displacements that are zero, whose conjugate forces are wanted.
+    pub auxiliary: Vec<Auxiliary>,
+    /// `joints { .. }`; none once they are written out as coordinates or constraints.
+    pub joints: Vec<Joint>,
+}
+
+impl Declaration {
+    /// Whether anything is declared with a unit. A declaration without any is not checked for them.
+    pub fn has_units(&self) -> bool {
+        let outputs = self.outputs.iter().flat_map(|group| &group.outputs);
+        self.coordinates.iter().any(|c| c.unit.is_some())
+            || self.inputs.iter().any(|input| input.unit.is_some())
+            || self.tables.iter().any(|table| table.unit.is_some() || table.over.is_some())
+            || self.auxiliary.iter().any(|a| a.unit.is_some())
+            || self.parameters.iter().any(|p| p.unit.is_some())
+            || self.speeds.iter().any(|speed| speed.unit.is_some())
+            || outputs.into_iter().any(|output| output.unit.is_some())
+    }
+}
+
+/// A kernel that not everyone needs.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum OptionalKernel {
+    /// `dynamics_jacobian;`
+    DynamicsJacobian,
+    /// `dynamics_sensitivity;`
+    DynamicsSensitivity,
+    /// `inverse_dynamics;`
+    InverseDynamics,
+}
+
+/// `alpha [rad];`
+pub struct Coordinate {
+    /// Documentation, one line each.
+    pub docs: String,
+    /// Its name.
+    pub name: Ident,
+    /// Its unit.
+    pub unit: Option<Unit>,
+}
+
+/// `bx [m];` in `auxiliary`.
+pub struct Auxiliary {
+    /// Its name.
+    pub name: Ident,
+    /// Its unit.
+    pub unit: Option<Unit>,
+}
+
+/// `v [m/s] = dot(x)*cos(phi) + dot(y)*sin(phi);` in `speeds`.
+pub struct GeneralizedSpeed {
+    /// Documentation.
+    pub docs: String,
+    /// Its name, which a `let` defines.
+    pub name: Ident,
+    /// Its unit.
+    pub unit: Option<Unit>,
+}
+
+/// `m3 [kg] = 0.5;`: a parameter, or an input.
+pub struct Parameter {
+    /// Documentation.
+    pub docs: String,
+    /// Its name.
+    pub name: Ident,
+    /// Its unit, in which a plain number is read.
+    pub unit: Option<Unit>,
+    /// Its default, or the declared course of an input.
+    pub value: Expression,
+}
+
+/// `let A = O2 + O2A*[cos(alpha), sin(alpha)];`
+pub struct Let {
+    /// The name it gives.
+    pub name: Ident,
+    /// What it names.
+    pub value: Expression,
+}
+
+/// `rocker4: mass m4 at G4, inertia J4, angle beta;`
+pub struct Body {
+    /// Its name.
+    pub name: Ident,
+    /// `mass m at P`, the position absent only by mistake.
+    pub mass: Option<(Expression, Option<Expression>)>,
+    /// `inertia J`
+    pub inertia: Option<Expression>,
+    /// `angle phi`
+    pub angle: Option<Expression>,
+    /// `attitude R`, a rotation, in space.
+    pub attitude: Option<Expression>,
+    /// The word `free`: it has a place and an angle of its own.
+    pub free: Option<Region>,
+}
+
+/// One line of `initial`.
+pub struct Initial {
+    /// The coordinate it speaks of.
+    pub coordinate: Ident,
+    /// What it says of it.
+    pub kind: InitialKind,
+    /// The value.
+    pub value: Expression,
+}
+
+/// What a line of `initial` fixes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum InitialKind {
+    /// `alpha = 0;` the coordinate itself.
+    Position,
+    /// `dot(alpha) = 75 [rpm];` its speed.
+    Speed,
+    /// `guess gamma = 2.6;` where assembly starts to look.
+    Guess,
+}

@@ -1,0 +1,36 @@
+//! Which parts of long sums get variables of their own.
+//!
+//! In a chain the position of each body is that of the one before and a little more. Written in coordinates alone each
+//! row of T depends on all coordinates before it, and T_q' M T_q costs the cube of their number. With the positions
+//! in between as variables y = phi(y, q, t), each row depends on a few variables, and elimination from the tip costs
+//! as much as there are bodies. Which sums are worth it is counted, not declared.
+
+use super::formulation::Formulation;
+use super::parts::Candidates;
+use super::rows::LoadRow;
+use crate::model::Model;
+
+/// With fewer coordinates the equations are short whatever is done.
+const FEWEST_COORDINATES: usize = 5;
+
+/// Of how many coordinates an intermediate must be made to be tried.
+const DEPTHS: [usize; 4] = [2, 3, 4, 6];
+
+/// The cheapest way to write rows and constraints.
+pub(super) fn cheapest(model: &mut Model, rows: Vec<LoadRow>) -> Formulation {
+    let plain = Formulation::without(model, rows);
+    // Along chains of bodies in space velocities are carried from frame to frame, which is as short.
+    if model.coordinates.len() < FEWEST_COORDINATES || model.dimension == 3 {
+        return plain;
+    }
+    let mut best = (plain.cost(model), None);
+    let candidates = Candidates::of(model, &plain);
+    for depth in DEPTHS {
+        let Some(formulation) = candidates.formulation(model, &plain, depth) else { continue };
+        let cost = formulation.cost(model);
+        if cost < best.0 {
+            best = (cost, Some(formulation));
+        }
+    }
+    best.1.unwrap_or(plain)
+}

@@ -1,0 +1,23 @@
+//! What generated types are called.
+
+use super::ident;
+use crate::model::Model;
+use proc_macro2::Ident;
+use quote::format_ident;
+
+pub(super) fn outputs_name(model: &Model) -> Ident {
+    format_ident!("{}Outputs", ident(&model.name))
+}
+
+pub(super) fn output_rates_name(model: &Model) -> Ident {
+    format_ident!("{}OutputRates", ident(&model.name))
+}
+
+pub(super) fn prepared_name(model: &Model) -> Ident {
+    format_ident!("{}Prepared", ident(&model.name))
+}
+
+/// What the scalar that a mechanism is converted to is called.
+pub(super) fn other_scalar(mechanism: &str) -> Ident {
+    ident(if mechanism == "T" { "U" } else { "T" })
+}

@@ -1,0 +1,42 @@
+//! Stage 2: joints, free bodies and points on bodies, written out as coordinates, equations and ordinary expressions. Later
+//! stages know none of them.
+
+mod axes;
+mod coordinates;
+mod equations;
+mod expressions;
+mod frames;
+mod free;
+mod given;
+mod made;
+mod marks;
+mod no_constraint;
+mod points;
+mod spanning_tree;
+mod spatial;
+
+use crate::dsl::Declaration;
+use crate::mistakes::Mistakes;
+use expressions::expressions;
+
+/// Writes out all joints, free bodies and points on bodies.
+///
+/// # Errors
+/// Bodies that are not there or that nothing places, or that have no position or no angle; axes that are none; names that
+/// coordinates would take from others.
+pub fn write_out(mut declaration: Declaration) -> syn::Result<Declaration> {
+    axes::write_out(&mut declaration);
+    free::give_coordinates(&mut declaration)?;
+    spanning_tree::place_bodies(&mut declaration)?;
+    let frames = points::frames(&declaration)?;
+    let mut mistakes = Mistakes::default();
+    for joint in std::mem::take(&mut declaration.joints) {
+        if let Some(equations) = mistakes.note(equations::equations(&frames, joint)) {
+            declaration.constraints.extend(equations);
+        }
+    }
+    for expression in expressions(&mut declaration) {
+        mistakes.note(points::write_out(&frames, expression));
+    }
+    mistakes.or(declaration)
+}

@@ -1,0 +1,12 @@
+//! Functions given by rows, by their names.
+
+use super::{Dimension, Unit};
+use crate::symbolic::TableId;
+
+/// What a table's name stands for.
+#[derive(Clone)]
+pub(super) struct Function {
+    pub(super) table: TableId,
+    pub(super) argument: Unit,
+    pub(super) value: Dimension,
+}
