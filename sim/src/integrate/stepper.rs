@@ -314,14 +314,7 @@ impl Adaptive {
                     steps.accepted += 1;
                     // These steps may be so long that nothing foretells what they pass.
                     steps.note(motion, method, [from, to], 1)?;
-                    self.headway.comes(time - now);
-                    let next = (time - now) * self.controller.accepted(error);
-                    // A step that was cut short says little of how long they may be.
-                    let is_cut = time < wanted || time < now + self.h;
-                    self.h = if is_cut { next.max(self.h) } else { next };
-                    if time == course.end {
-                        self.headway.is_asked_to_stop(time);
-                    }
+                    self.accepted([now, time, wanted], error, course.end);
                     return Ok(Some(Made::Normally));
                 }
                 refused => {
@@ -332,6 +325,18 @@ impl Adaptive {
                     }
                 }
             }
+        }
+    }
+
+    /// Takes note of a step from a time to another that was wanted to be as long, with this error, on the way to an end.
+    fn accepted(&mut self, [now, time, wanted]: [f64; 3], error: f64, end: f64) {
+        self.headway.comes(time - now);
+        let next = (time - now) * self.controller.accepted(error);
+        // A step that was cut short says little of how long they may be.
+        let is_cut = time < wanted || time < now + self.h;
+        self.h = if is_cut { next.max(self.h) } else { next };
+        if time == end {
+            self.headway.is_asked_to_stop(time);
         }
     }
 }

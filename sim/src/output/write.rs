@@ -80,6 +80,7 @@ pub(crate) fn summary_of(run: &Outcome, table: &Table) -> Value {
         "method": method_object(run),
         "end": { "asked": run.settings.end, "reached": run.reached, "samples": run.samples },
         "failure": run.failure.as_ref().map(ToString::to_string),
+        "failure_code": run.failure.as_ref().map(|failure| failure.what.code()),
         "degrees_of_freedom": run.mobility.degrees_of_freedom,
         "configuration_freedom": run.mobility.configuration_freedom,
         "redundant_constraints": run.mobility.dependent,

@@ -6,3 +6,4 @@ pub(crate) mod interpolate;
 pub(crate) mod saved;
 pub(crate) mod settings;
 pub(crate) mod trajectory;
+pub(crate) mod what;

@@ -19,7 +19,7 @@ pub const CRATES: &[Crate] = &[
     Crate {
         folder: "codegen/src",
         stages: &[
-            "nearest", "mistakes", "symbolic", "dsl", "model", "dynamics", "program", "notation", "emit", "oracle",
+            "nearest", "mistakes", "symbolic", "dsl", "joints", "model", "dynamics", "program", "notation", "emit", "oracle",
             "command",
         ],
         apart: &[("symbolic", &[]), ("oracle", &["dsl"])],

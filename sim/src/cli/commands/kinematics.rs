@@ -246,6 +246,7 @@ fn summary(found: &Found) -> Value {
             "samples": found.values.len(),
         },
         "failure": found.failure.map(ToString::to_string),
+        "failure_code": found.failure.map(|failure| failure.what.code()),
         "degrees_of_freedom": found.mobility.degrees_of_freedom,
         "redundant_constraints": found.mobility.dependent,
         "cycle": found.is_cycle,

@@ -54,6 +54,7 @@ fn tell(
         "period": period.map(|period| json!({ "seconds": period.seconds, "crossings": period.crossings })),
         "times": times,
         "failure": failure.map(ToString::to_string),
+        "failure_code": failure.map(|failure| failure.what.code()),
     });
     files.add_table(table, &arguments.written.format);
     Files::name_run(table, &mut [&mut said]);

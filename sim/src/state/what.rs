@@ -1,0 +1,367 @@
+//! What can go wrong, in words and by codes.
+
+use crate::numerics::eigen::NoEigenvalues;
+
+/// What went wrong.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum What {
+    /// No configuration near the guesses satisfies the constraints.
+    #[error(
+        "the mechanism cannot be assembled: constraint `{constraint}` stays open by {residual:.3e}{others}. \
+             The state shown is the closest one found. Give better guesses, free a given coordinate, or check the lengths"
+    )]
+    NotAssembled {
+        /// The constraint with the largest residual.
+        constraint: &'static str,
+        /// That residual.
+        residual: f64,
+        /// The other constraints that stay open, with their residuals.
+        others: String,
+    },
+    /// The given speeds contradict the constraints.
+    #[error(
+        "the given speeds contradict constraint `{constraint}`: it would open at a rate of {residual:.3e}. Give fewer speeds"
+    )]
+    SpeedsContradict {
+        /// The constraint.
+        constraint: &'static str,
+        /// C_q q' + C_t.
+        residual: f64,
+    },
+    /// The position projection did not reach its tolerance.
+    #[error(
+        "the constraints could not be met: `{constraint}` is open by {residual:.3e} after {iterations} corrections. \
+             Take smaller steps; if that does not help the mechanism has reached a position that it cannot leave this way"
+    )]
+    NotProjected {
+        /// The constraint with the largest residual.
+        constraint: &'static str,
+        /// That residual.
+        residual: f64,
+        /// Corrections made.
+        iterations: usize,
+    },
+    /// Constraints are not independent here.
+    #[error(
+        "constraint `{constraint}` is not independent of the others here: it is redundant, or the mechanism is in a \
+             singular position. Leave the constraint out if it says what others say already"
+    )]
+    DependentConstraint {
+        /// The constraint.
+        constraint: &'static str,
+    },
+    /// Constraints that are independent elsewhere depend on each other here.
+    #[error(
+        "the mechanism has reached a singular position: constraint `{constraint}` is not independent of the others here. It \
+             comes to rest or turns back here, or more than one way leads on, and the equations do not say which. Change a length \
+             or the start a little"
+    )]
+    SingularPosition {
+        /// The constraint.
+        constraint: &'static str,
+    },
+    /// The same where a motion should start.
+    #[error(
+        "the mechanism cannot start in a singular position: constraint `{constraint}` is not independent of the others here, \
+             though it is nearby. More than one motion may lead on, and the equations do not say which. Start beside it: change \
+             a given coordinate or a guess a little"
+    )]
+    SingularStart {
+        /// The constraint.
+        constraint: &'static str,
+    },
+    /// The same where small motions, or the reactions at rest, are asked for.
+    #[error(
+        "the position is singular: constraint `{constraint}` is not independent of the others here, though it is nearby. Branches of \
+             the motion cross here: small motions have no linear equations, and the reactions are not determined. Ask beside it"
+    )]
+    SingularState {
+        /// The constraint.
+        constraint: &'static str,
+    },
+    /// The linearised motion has no eigenvalues that could be found.
+    #[error("the eigenvalues of the small motions about this state were not found: {why}")]
+    NoEigenvalues {
+        /// Why.
+        why: NoEigenvalues,
+    },
+    /// The equations of motion do not determine the accelerations.
+    #[error(
+        "the equations of motion are singular: {unknown} is not determined. A coordinate needs a mass or inertia that it \
+             moves, and constraints must be independent"
+    )]
+    Singular {
+        /// The unknown that no equation determines: an acceleration or a reaction.
+        unknown: String,
+    },
+    /// Generalised speeds do not determine the rates of the coordinates here.
+    #[error(
+        "the generalised speeds do not determine the speeds of the coordinates here. Declare others, or leave them out: \
+             coordinates and their speeds are then what is integrated"
+    )]
+    SpeedsUndetermined,
+    /// The angles of an attitude do not determine its motion here.
+    #[error(
+        "gimbal lock: {angles} turn about the same axis here, and together they turn nothing, so their accelerations are not \
+             determined. Write the attitude as a quaternion, which has no such position (`body: free, ..` does), or with a \
+             sequence of axes whose middle angle stays away from it"
+    )]
+    GimbalLock {
+        /// The angles.
+        angles: String,
+    },
+    /// Some motion has no or negative kinetic energy.
+    #[error(
+        "the mass matrix is not positive: moving `{coordinate}` would have negative kinetic energy. Masses and inertias \
+             must not be negative{suspects}"
+    )]
+    NegativeMass {
+        /// The coordinate that moves most.
+        coordinate: &'static str,
+        /// Negative parameters, as a part of a sentence.
+        suspects: String,
+    },
+    /// A tensor of inertia that no body has.
+    #[error("the inertia of body `{body}` cannot be, with these parameters: {why}")]
+    ImpossibleInertia {
+        /// The body.
+        body: String,
+        /// What is wrong with it.
+        why: String,
+    },
+    /// No equilibrium was found.
+    #[error(
+        "no equilibrium was found: at the nearest position at rest an acceleration of {acceleration:.3e} is left. Start nearer to \
+             one, or hold what nothing holds"
+    )]
+    NoEquilibrium {
+        /// The largest acceleration, in SI units.
+        acceleration: f64,
+    },
+    /// The driven quantity cannot be moved further.
+    #[error(
+        "`{driven}` cannot go beyond {value}: the mechanism is in a limit position (dead point) there. End the range before it, \
+             or drive another quantity through it"
+    )]
+    LimitPosition {
+        /// What is driven.
+        driven: &'static str,
+        /// Where it has to turn back, with its unit.
+        value: String,
+    },
+    /// The drive does not determine the motion.
+    #[error(
+        "driving `{driven}` does not determine the motion here: the mechanism is in a dead point of it, or branches of its motion \
+             cross. Begin elsewhere, or drive another quantity"
+    )]
+    DriveSingular {
+        /// What is driven.
+        driven: &'static str,
+    },
+    /// A degree of freedom without a drive, or a drive without one.
+    #[error(
+        "each degree of freedom needs a drive or a hold, and one only: there are {freedoms} of them here, and {driven} quantities \
+             driven or held. Hold what is free, or drive less"
+    )]
+    NotDriven {
+        /// Degrees of freedom.
+        freedoms: usize,
+        /// Driven and held quantities.
+        driven: usize,
+    },
+    /// An output that is no function of positions cannot be driven.
+    #[error(
+        "output `{output}` depends on speeds, accelerations or reactions and cannot be driven; only a function of positions can"
+    )]
+    NotOfPositions {
+        /// Its name.
+        output: &'static str,
+    },
+    /// Constraints between speeds do not tell where a drive leads.
+    #[error(
+        "constraint `{constraint}` holds between speeds: where the mechanism comes to depends on its way, and no sweep can follow it. \
+             Use `run`, with a load that drives it"
+    )]
+    NotHolonomic {
+        /// The constraint.
+        constraint: &'static str,
+    },
+    /// A parameter that constraints depend on cannot be an input.
+    #[error(
+        "constraints depend on `{parameter}`: it cannot be an input, which may change without moving the mechanism at once"
+    )]
+    NotAnInput {
+        /// Its name.
+        parameter: &'static str,
+    },
+    /// The branch of the motion could not be followed.
+    #[error(
+        "the motion could not be followed further while `{driven}` was driven: steps have become too small. A constraint may leave its \
+             domain here, or several branches of the motion meet"
+    )]
+    NotFollowed {
+        /// What is driven.
+        driven: &'static str,
+    },
+    /// The samples would not fit in memory.
+    #[error("{rows} rows do not fit in memory; record fewer")]
+    TooManyRows {
+        /// The rows asked for.
+        rows: usize,
+    },
+    /// The method cannot choose its steps.
+    #[error("this method makes no estimate of its error and cannot choose its steps: give their number")]
+    NoErrorEstimate,
+    /// The tolerance cannot be met by any step.
+    #[error(
+        "the tolerance cannot be met: the step has shrunk to {step:.1e} s. Allow a larger tolerance, or use `--method radau5` \
+             if the mechanism is stiff; at a jump of a load no step is small enough"
+    )]
+    StepTooSmall {
+        /// The step that was refused, in seconds.
+        step: f64,
+    },
+    /// The implicit method's equations were not solved.
+    #[error("the equations of an implicit step were not solved: Newton's method does not converge. Take smaller steps")]
+    NoConvergence,
+    /// An event happens without end.
+    #[error(
+        "event `{event}` chatters: it happened {count} times within one step. Its condition changes faster than the motion; \
+             make it smooth"
+    )]
+    Chattering {
+        /// Its name.
+        event: &'static str,
+        /// How often it happened.
+        count: usize,
+    },
+    /// Events happen again and again, at times that accumulate.
+    #[error(
+        "event `{event}` chatters: what it does makes it happen again at once, for the {count}. time. The times of its \
+             occurrences accumulate here, and no motion goes on beyond this point. Let it stop the run (`stop`), hold what it \
+             hits (`activate`), or change the condition"
+    )]
+    Accumulating {
+        /// Its name.
+        event: &'static str,
+        /// How often it has happened.
+        count: usize,
+    },
+    /// An event lets a constraint hold, or moves coordinates, where the constraint is open.
+    #[error(
+        "event `{event}` leaves constraint `{constraint}` open by {residual:.3e}: where a constraint comes to hold the positions \
+             must satisfy it already, and so must coordinates that are set"
+    )]
+    EventOpens {
+        /// The event.
+        event: &'static str,
+        /// The constraint.
+        constraint: &'static str,
+        /// C there.
+        residual: f64,
+    },
+    /// Parameters that are set on the way open a constraint.
+    #[error(
+        "with these parameters constraint `{constraint}` is open by {residual:.3e}, and the mechanism cannot be moved there on \
+             this branch of its motion. Change them less, or start anew with them"
+    )]
+    ParametersOpen {
+        /// The constraint with the largest residual.
+        constraint: &'static str,
+        /// That residual.
+        residual: f64,
+    },
+    /// A setting that no motion can be made with.
+    #[error("{setting}")]
+    Unusable {
+        /// Which, why, and what would be right.
+        setting: String,
+    },
+    /// A name that the mechanism does not have.
+    #[error("there is no {kind} `{name}`; there are: {known}")]
+    Unknown {
+        /// What is asked for.
+        kind: &'static str,
+        /// Its name.
+        name: String,
+        /// All that there are.
+        known: String,
+    },
+    /// A coefficient of restitution that is none.
+    #[error(
+        "event `{event}`: the coefficient of restitution with `{constraint}` is {coefficient}, and must be a number that is not \
+             negative"
+    )]
+    Restitution {
+        /// The event.
+        event: &'static str,
+        /// The constraint that is hit.
+        constraint: &'static str,
+        /// The coefficient.
+        coefficient: f64,
+    },
+    /// Something failed where an event was looked for.
+    #[error("while event `{event}` was looked for: {what}")]
+    InEvent {
+        /// The event.
+        event: &'static str,
+        /// What failed.
+        what: Box<What>,
+    },
+    /// Somebody asked it to end.
+    #[error("interrupted; what was computed until then is kept")]
+    Interrupted,
+    /// A number that is not finite.
+    #[error(
+        "{quantity} is not finite. A load or an expression leaves its domain (division by zero, root of a negative number), \
+             or the step is too large"
+    )]
+    NotFinite {
+        /// Which.
+        quantity: String,
+    },
+}
+
+impl What {
+    /// A short name that stays the same from version to version, for programs: `E-SINGULAR-POSITION`. Of what failed while an
+    /// event was looked for it is that of the cause.
+    pub fn code(&self) -> &'static str {
+        match self {
+            What::NotAssembled { .. } => "E-NOT-ASSEMBLED",
+            What::SpeedsContradict { .. } => "E-SPEEDS-CONTRADICT",
+            What::NotProjected { .. } => "E-NOT-PROJECTED",
+            What::DependentConstraint { .. } => "E-DEPENDENT-CONSTRAINT",
+            What::SingularPosition { .. } => "E-SINGULAR-POSITION",
+            What::SingularStart { .. } => "E-SINGULAR-START",
+            What::SingularState { .. } => "E-SINGULAR-STATE",
+            What::NoEigenvalues { .. } => "E-NO-EIGENVALUES",
+            What::Singular { .. } => "E-SINGULAR",
+            What::SpeedsUndetermined => "E-SPEEDS-UNDETERMINED",
+            What::GimbalLock { .. } => "E-GIMBAL-LOCK",
+            What::NegativeMass { .. } => "E-NEGATIVE-MASS",
+            What::ImpossibleInertia { .. } => "E-IMPOSSIBLE-INERTIA",
+            What::NoEquilibrium { .. } => "E-NO-EQUILIBRIUM",
+            What::LimitPosition { .. } => "E-LIMIT-POSITION",
+            What::DriveSingular { .. } => "E-DRIVE-SINGULAR",
+            What::NotDriven { .. } => "E-NOT-DRIVEN",
+            What::NotOfPositions { .. } => "E-NOT-OF-POSITIONS",
+            What::NotHolonomic { .. } => "E-NOT-HOLONOMIC",
+            What::NotAnInput { .. } => "E-NOT-AN-INPUT",
+            What::NotFollowed { .. } => "E-NOT-FOLLOWED",
+            What::TooManyRows { .. } => "E-TOO-MANY-ROWS",
+            What::NoErrorEstimate => "E-NO-ERROR-ESTIMATE",
+            What::StepTooSmall { .. } => "E-STEP-TOO-SMALL",
+            What::NoConvergence => "E-NO-CONVERGENCE",
+            What::Chattering { .. } => "E-CHATTERING",
+            What::Accumulating { .. } => "E-ACCUMULATING",
+            What::EventOpens { .. } => "E-EVENT-OPENS",
+            What::ParametersOpen { .. } => "E-PARAMETERS-OPEN",
+            What::Unusable { .. } => "E-UNUSABLE",
+            What::Unknown { .. } => "E-UNKNOWN",
+            What::Restitution { .. } => "E-RESTITUTION",
+            What::InEvent { what, .. } => what.code(),
+            What::Interrupted => "E-INTERRUPTED",
+            What::NotFinite { .. } => "E-NOT-FINITE",
+        }
+    }
+}
