@@ -12,8 +12,6 @@ mod source;
 mod syntax;
 mod tree;
 
-// What a declaration says once its joints are written out, for readers outside of this crate.
-pub use crate::parse;
 pub use declarations::declarations;
 pub use file::read_files;
 pub use parse::{parse_head, parse_unit};

@@ -45,7 +45,7 @@ mod declared {
             return Ok(());
         }
         let tokens = description.declaration.parse().ok();
-        let Some(declaration) = tokens.and_then(|tokens| dsl::parse(tokens).ok()) else { return Ok(()) };
+        let Some(declaration) = tokens.and_then(|tokens| codegen::parse(tokens).ok()) else { return Ok(()) };
         for (body, tensor) in tensors(declaration, mechanism, time, q) {
             if let Some(why) = impossible_inertia(tensor) {
                 return Err(mechanism.failure(What::ImpossibleInertia { body, why }, time, q));

@@ -19,8 +19,8 @@ pub const CRATES: &[Crate] = &[
     Crate {
         folder: "codegen/src",
         stages: &[
-            "nearest", "mistakes", "symbolic", "dsl", "joints", "model", "dynamics", "program", "notation", "emit", "oracle",
-            "command",
+            "nearest", "mistakes", "symbolic", "dsl", "joints", "model", "dynamics", "program", "notation", "emit",
+            "oracle", "command",
         ],
         apart: &[("symbolic", &[]), ("oracle", &["dsl"])],
     },

@@ -27,7 +27,7 @@ impl Declared {
     fn read(description: &Description) -> Result<Declared, VerifyError> {
         let fail = |e: &dyn std::fmt::Display| VerifyError::Declaration(e.to_string());
         let tokens = description.declaration.parse().map_err(|_| fail(&"its text is no list of tokens"))?;
-        let declaration = dsl::parse(tokens).map_err(|e| fail(&e))?;
+        let declaration = codegen::parse(tokens).map_err(|e| fail(&e))?;
         let mut model = model::resolve(&declaration).map_err(|e| fail(&e))?;
         let lagrange = lagrange(&mut model);
         Ok(Declared { declaration, model, lagrange })

@@ -208,7 +208,7 @@ fn section(heading: &str, rows: Vec<[String; 4]>) -> String {
 
 /// The constraints as they were declared.
 fn equations(description: &Description) -> Vec<(String, String)> {
-    let parsed = description.declaration.parse().ok().and_then(|tokens| codegen::dsl::parse(tokens).ok());
+    let parsed = description.declaration.parse().ok().and_then(|tokens| codegen::parse(tokens).ok());
     let constraints = parsed.map_or(Vec::new(), |declaration| declaration.constraints);
     let switched = |activity: Option<Activity>| match activity {
         None => "",

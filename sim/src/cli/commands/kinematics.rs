@@ -229,22 +229,22 @@ fn summary(found: &Found) -> Value {
     let multipliers = description.constraints.iter().zip(&extremes.multipliers);
     let multipliers =
         multipliers.filter_map(|(c, found)| Some((c.name.to_owned(), range(found.as_ref()?, c.factor, c.unit))));
-    let without_bounds = without_bounds(found);
     let drives = found.drives().filter_map(|(driven, found)| {
         let unit = driven.force_unit(description);
         Some((driven.quantity(description).name.to_owned(), range(found.as_ref()?, 1.0, unit)))
     });
+    let drive = json!({
+        "name": driven.name,
+        "unit": driven.unit,
+        "from": value(found.sweep.from),
+        "to": value(found.sweep.to),
+        "speed": value(found.sweep.rate()),
+        "reached": found.values.last().copied().map(value),
+        "samples": found.values.len(),
+    });
     json!({
         "model": description.name,
-        "drive": {
-            "name": driven.name,
-            "unit": driven.unit,
-            "from": value(found.sweep.from),
-            "to": value(found.sweep.to),
-            "speed": value(found.sweep.rate()),
-            "reached": found.values.last().copied().map(value),
-            "samples": found.values.len(),
-        },
+        "drive": drive,
         "failure": found.failure.map(ToString::to_string),
         "failure_code": found.failure.map(|failure| failure.what.code()),
         "degrees_of_freedom": found.mobility.degrees_of_freedom,
@@ -256,7 +256,7 @@ fn summary(found: &Found) -> Value {
         "transmission_index": extremes.transmission.as_ref().map(|found| range(found, 1.0, "1")),
         "outputs": outputs.collect::<Map<_, _>>(),
         "multipliers": multipliers.collect::<Map<_, _>>(),
-        "without_bounds": without_bounds,
+        "without_bounds": without_bounds(found),
     })
 }
 

@@ -27,7 +27,7 @@ fn declared(_: &Description) -> Option<Vec<Vec<String>>> {
 #[cfg(feature = "analysis")]
 fn declared(description: &Description) -> Option<Vec<Vec<String>>> {
     use codegen::dsl;
-    let declaration = dsl::parse(description.declaration.parse().ok()?).ok()?;
+    let declaration = codegen::parse(description.declaration.parse().ok()?).ok()?;
     let names = |points: &[dsl::Expression]| points.iter().map(ToString::to_string).collect();
     let shape = |shape: &dsl::Shape| match shape {
         dsl::Shape::Points { points, .. } => names(points),

@@ -16,7 +16,7 @@ pub(in crate::output::show) fn vectors(
     samples: &[usize],
 ) -> Vec<(Vector, Vec<f64>)> {
     let tokens = description.declaration.parse().ok();
-    let Some(mut declaration) = tokens.and_then(|tokens| dsl::parse(tokens).ok()) else { return Vec::new() };
+    let Some(mut declaration) = tokens.and_then(|tokens| codegen::parse(tokens).ok()) else { return Vec::new() };
     let mut outputs = Vec::new();
     let sources = arrows(&declaration, description, &mut outputs);
     declaration.outputs = vec![OutputGroup { name: None, title: None, outputs }];
