@@ -9,16 +9,23 @@ pub(super) const SUBJECTS: &[Subject] = &[("imports", imports_of_crates), ("leng
 /// The longest that functions and files are to be.
 const MOST: [usize; 2] = [60, 400];
 
-fn source(of: &Crate) -> Source {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(of.folder);
-    Source::read(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()))
+/// The source of each crate; one that cannot be read is a line that is missed.
+fn sources(table: &mut Table) -> Vec<(&'static Crate, Source)> {
+    let mut found = Vec::new();
+    for of in CRATES {
+        match Source::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(of.folder)) {
+            Ok(source) => found.push((of, source)),
+            Err(error) => table.line(of.folder, error, "read", false),
+        }
+    }
+    found
 }
 
 /// Rings between modules, but for child and parent, and imports against the order of stages.
 fn imports_of_crates(table: &mut Table) {
     table.heading("Imports inside each crate");
-    for of in CRATES {
-        let found = imports(&source(of));
+    for (of, source) in sources(table) {
+        let found = imports(&source);
         let (rings, against) = (rings(&found), out_of_order(of, &found));
         rings.iter().for_each(|ring| println!("  ring: {}", ring.join(", ")));
         against.iter().for_each(|import| println!("  against the order: {import}"));
@@ -29,8 +36,7 @@ fn imports_of_crates(table: &mut Table) {
 
 fn lengths(table: &mut Table) {
     table.heading("Lengths of functions and files, in lines");
-    for of in CRATES {
-        let source = source(of);
+    for (of, source) in sources(table) {
         let [functions, files] = [long_functions(&source, 0), long_files(&source, 0)];
         for (name, all, most) in [("functions", functions, MOST[0]), ("files", files, MOST[1])] {
             all.iter().filter(|long| long.lines > most).for_each(|long| println!("  {}: {}", long.what, long.lines));
