@@ -36,7 +36,8 @@ fn check_advances<M: Mechanism>(mechanism: M, settings: &Settings, pieces: u32, 
             let mut other = simulation(mechanism, settings);
             other.restore(&advanced.save()).unwrap();
             let (mut one, next) = (advanced.clone(), settings.end * (f64::from(piece) + 0.7) / f64::from(pieces));
-            (one.advance_to(next).unwrap(), other.advance_to(next).unwrap());
+            one.advance_to(next).unwrap();
+            other.advance_to(next).unwrap();
             assert_eq!(one.save(), other.save());
         }
     }

@@ -197,6 +197,21 @@ fn tell(
     files.check(found.failure.iter().map(ToString::to_string).collect(), is_interrupted)
 }
 
+/// What was driven, from where to where.
+fn drive(found: &Found) -> Value {
+    let driven = found.driven();
+    let value = |si: f64| si / driven.factor;
+    json!({
+        "name": driven.name,
+        "unit": driven.unit,
+        "from": value(found.sweep.from),
+        "to": value(found.sweep.to),
+        "speed": value(found.sweep.rate()),
+        "reached": found.values.last().copied().map(value),
+        "samples": found.values.len(),
+    })
+}
+
 /// What was found, in declared units.
 fn summary(found: &Found) -> Value {
     let (description, driven) = (found.description, found.driven());
@@ -233,18 +248,9 @@ fn summary(found: &Found) -> Value {
         let unit = driven.force_unit(description);
         Some((driven.quantity(description).name.to_owned(), range(found.as_ref()?, 1.0, unit)))
     });
-    let drive = json!({
-        "name": driven.name,
-        "unit": driven.unit,
-        "from": value(found.sweep.from),
-        "to": value(found.sweep.to),
-        "speed": value(found.sweep.rate()),
-        "reached": found.values.last().copied().map(value),
-        "samples": found.values.len(),
-    });
     json!({
         "model": description.name,
-        "drive": drive,
+        "drive": drive(found),
         "failure": found.failure.map(ToString::to_string),
         "failure_code": found.failure.map(|failure| failure.what.code()),
         "degrees_of_freedom": found.mobility.degrees_of_freedom,
