@@ -1,12 +1,20 @@
-//! What is generated from each shipped mechanism, a chain, and a wheel in generalised speeds stands here as files, so that a
-//! change is seen. Whether it is right is shown elsewhere. `cargo golden` accepts all changes.
+//! What is generated from each shipped mechanism, a chain, and a wheel in generalised speeds stands here, so that a change is
+//! seen: six of them whole, to be read, and of all others a line for each kernel in `kernels.txt`. Whether it is right is shown
+//! elsewhere. `cargo golden` accepts all changes.
 
-#![allow(missing_docs, clippy::unwrap_used)]
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+
+/// Those whose kernels stand here whole: one coordinate, loops in the plane with a slot and with a slider, a body in space,
+/// constraints between speeds, events.
+const WHOLE: [&str; 6] = ["pendulum", "quick_return", "slider_crank", "top", "skate", "bouncing_ball"];
+
+/// Where a line for each kernel of all others stands.
+const LINES: &str = "tests/golden/kernels.txt";
 
 /// A text that declares mechanisms, the view of it, and the file where that view stands.
 struct Golden {
@@ -24,24 +32,93 @@ fn codegen(arguments: &[&str], declaration: &Path) -> Output {
     Command::new(env!("CARGO_BIN_EXE_codegen")).args(arguments).arg(declaration).current_dir(root()).output().unwrap()
 }
 
-/// The kernels of every model, of the chain and of the wheel; the equations of one model in every notation.
-fn all() -> Vec<Golden> {
+/// The files with declarations: every model, the chain and the wheel.
+fn declarations() -> Vec<PathBuf> {
     let files = |folder: &str| {
         let entries = fs::read_dir(root().join(folder)).unwrap();
         entries.map(|entry| Path::new(folder).join(entry.unwrap().file_name())).collect::<BTreeSet<PathBuf>>()
     };
     let is_model = |file: &PathBuf| file.file_name().unwrap() != "lib.rs";
-    let declarations = files("models/src").into_iter().filter(is_model).chain(files("tests/golden/declarations"));
+    files("models/src").into_iter().filter(is_model).chain(files("tests/golden/declarations")).collect()
+}
+
+fn is_whole(declaration: &Path) -> bool {
+    WHOLE.iter().any(|name| declaration.file_stem().unwrap() == *name)
+}
+
+/// The kernels of six models; the equations of one in every notation.
+fn all() -> Vec<Golden> {
     let golden = |declaration: &Path, view, extension: &str| {
         let folder = if extension == "rs" { "tests/golden/kernels" } else { "tests/golden/equations" };
         let name = Path::new(declaration.file_stem().unwrap()).with_extension(extension);
         Golden { declaration: declaration.to_owned(), view, file: Path::new(folder).join(name) }
     };
-    let kernels = declarations.map(|declaration| golden(&declaration, &[], "rs"));
+    let whole = declarations().into_iter().filter(|declaration| is_whole(declaration));
+    let kernels = whole.map(|declaration| golden(&declaration, &[], "rs"));
     let model = Path::new("models/src/quick_return.rs");
     let views: [(&[&str], &str); 3] =
         [(&["--equations=infix"], "txt"), (&["--equations=latex"], "tex"), (&["--equations=mathml"], "html")];
     kernels.chain(views.map(|(view, extension)| golden(model, view, extension))).collect()
+}
+
+/// A line for each kernel of the models that do not stand here whole: its operations, statements and a hash of its code; and one
+/// for all that is generated from them.
+fn lines() -> Vec<String> {
+    let mut lines = vec![format!("{:<22} {:<28} {:>10} {:>10}  hash", "model", "kernel", "operations", "statements")];
+    for declaration in declarations().into_iter().filter(|declaration| !is_whole(declaration)) {
+        let model = declaration.file_stem().unwrap().to_str().unwrap();
+        let said = |arguments: &[&str]| String::from_utf8(codegen(arguments, &declaration).stdout).unwrap();
+        let (code, statistics) = (said(&[]), said(&["--statistics"]));
+        let mut line = |kernel: &str, [operations, statements]: [&str; 2], code: &str| {
+            lines.push(format!("{model:<22} {kernel:<28} {operations:>10} {statements:>10}  {:016x}", fnv(code)));
+        };
+        let rows = statistics.lines().skip_while(|line| !line.starts_with("kernel ")).skip(1);
+        for row in rows.take_while(|line| !line.is_empty()) {
+            let words: Vec<&str> = row.split_whitespace().collect();
+            let [kernel, .., operations, _, statements] = words[..] else { panic!("{row}") };
+            line(kernel, [operations, statements], &functions(&code, kernel));
+        }
+        line("all", ["-", "-"], &code);
+    }
+    lines
+}
+
+/// The functions that a kernel is, as text.
+fn functions(code: &str, kernel: &str) -> String {
+    let is_kernel = |line: &str| {
+        let after = line.trim_start().trim_start_matches("pub ").strip_prefix("fn ");
+        let name = after.map(|rest| rest.split(['(', '<']).next().unwrap());
+        name.is_some_and(|name| name.strip_prefix("prepared_").unwrap_or(name) == kernel)
+    };
+    let mut found = String::new();
+    let mut rest = code.lines();
+    while let Some(first) = rest.by_ref().find(|line| is_kernel(line)) {
+        let indent = first.len() - first.trim_start().len();
+        found += first;
+        for line in rest.by_ref() {
+            found += line;
+            found.push('\n');
+            if line.trim() == "}" && line.len() - line.trim_start().len() == indent {
+                break;
+            }
+        }
+    }
+    found
+}
+
+/// Fowler, Noll and Vo's hash, FNV-1a.
+fn fnv(text: &str) -> u64 {
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
+}
+
+#[test]
+fn kernels_of_all_others_are_what_they_were() {
+    let (expected, found) = (fs::read_to_string(root().join(LINES)).unwrap(), lines());
+    let expected: Vec<&str> = expected.lines().collect();
+    let gone = expected.iter().filter(|line| !found.iter().any(|other| other == *line)).map(|line| format!("- {line}"));
+    let new = found.iter().filter(|line| !expected.contains(&line.as_str())).map(|line| format!("+ {line}"));
+    let differences: Vec<String> = gone.chain(new).collect();
+    assert!(differences.is_empty(), "{}\n`cargo golden` accepts the changes", differences.join("\n"));
 }
 
 #[test]
@@ -78,4 +155,5 @@ fn accept() {
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         fs::write(root().join(golden.file), output.stdout).unwrap();
     }
+    fs::write(root().join(LINES), lines().join("\n") + "\n").unwrap();
 }
