@@ -49,3 +49,19 @@ fn rows_that_something_moves_stay_as_they_are() {
     let rows = rows(&cardan("[-l, 0, 0]", "[l*cos(beta), l*sin(beta), 0]", beside));
     assert!(rows.iter().all(|(is_zero, is_moved)| !is_zero && *is_moved), "{rows:?}");
 }
+
+/// Far from rounding, beside products on the way that are 1e12 times as large and are scaled down before they count.
+#[test]
+fn rows_with_large_numbers_on_the_way_stay_as_they_are() {
+    let text = "pub Tied; parameters { p = 0.833; }
+        bodies { loose: free, mass 0.9, inertia [0.458, 0.526, 0.559]; }
+        bodies { upper: mass 1.1, inertia [0.474, 0.608, 0.684]; lower: mass 1.1, inertia [0.710, 0.714, 0.809]; }
+        joints {
+            hinge: universal ground at [-0.52, 0, 0] axis [0, -1, 0] to upper at [0.24, 0, 0] axis [0.48, -0.6, 0.64];
+            screw: screw upper at [0, -0.29, -0.30] axis [0, 0, 1] to lower at [-0.04, p/4, -0.53] axis [0.48, -0.6, 0.64] pitch 0.1;
+            tie: link on(loose, [0, p/4, 0.03]) to on(lower, [-0.25, 0, 0]) + [9, 7, 0], length 5;
+        }
+        loads { gravity [0, 0, -9.81]; }";
+    let rows = rows(text);
+    assert!(rows.iter().all(|(is_zero, is_moved)| !is_zero && *is_moved), "{rows:?}");
+}

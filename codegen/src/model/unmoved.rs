@@ -5,13 +5,11 @@
 //! them, to rounding, is so everywhere but for a chance that is none (Schwartz, Journal of the ACM 27, 1980).
 
 use super::{Dependence, Dependences};
-use crate::symbolic::{Expr, Graph, Symbol, evaluate, substitute};
+use crate::symbolic::{Expr, Graph, Rounded, Symbol, evaluate, evaluate_with_rounding, substitute};
 
 /// Values of all parameters, each with this many positions.
 const PLACES: usize = 4;
 const POSITIONS: usize = 4;
-/// A difference this small beside the largest value on the way to it is rounding.
-const ROUNDING: f64 = 1e-13;
 
 /// The row without coordinates, if none moves it.
 pub(super) fn without_coordinates(graph: &mut Graph, dependences: &mut Dependences, row: Expr) -> Option<Expr> {
@@ -23,7 +21,6 @@ pub(super) fn without_coordinates(graph: &mut Graph, dependences: &mut Dependenc
             coordinates.push(*symbol);
         }
     }
-    let on_the_way = graph.reachable(&[row]);
     let drawn = |symbol: Symbol, place: usize, position: usize| {
         let position = if coordinates.contains(&symbol) { position } else { 0 };
         drawn(symbols.binary_search(&symbol).unwrap_or_default(), place * POSITIONS + position)
@@ -32,14 +29,12 @@ pub(super) fn without_coordinates(graph: &mut Graph, dependences: &mut Dependenc
     for place in 0..PLACES {
         let mut first = None;
         for position in 0..POSITIONS {
-            let values = evaluate(graph, &on_the_way, |symbol| drawn(symbol, place, position));
-            let largest = values.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
-            let value = *values.last()?;
-            let start = *first.get_or_insert(value);
-            if !((value - start).abs() <= ROUNDING * largest) {
+            let Rounded { value, error } = evaluate_with_rounding(graph, row, |symbol| drawn(symbol, place, position));
+            let start: Rounded = *first.get_or_insert(Rounded { value, error });
+            if !((value - start.value).abs() <= error + start.error) {
                 return None;
             }
-            is_zero &= value.abs() <= ROUNDING * largest;
+            is_zero &= value.abs() <= error;
         }
     }
     let zero = graph.zero();

@@ -34,7 +34,7 @@ pub fn evaluate(graph: &Graph, roots: &[Expr], value: impl Fn(Symbol) -> f64) ->
     roots.iter().map(|root| done[root]).collect()
 }
 
-fn integer_power(base: f64, exponent: i64) -> f64 {
+pub(super) fn integer_power(base: f64, exponent: i64) -> f64 {
     match i32::try_from(exponent) {
         Ok(exponent) => base.powi(exponent),
         Err(_) => base.powf(exponent as f64),

@@ -54,7 +54,8 @@ impl Known {
 
     /// Events, and what happens at them.
     pub(crate) fn events(&mut self, switched: &[String]) -> String {
-        let mut text = format!("events {{ crossing: {} + q_1 = {};\n", self.rate(2), self.scalar(1));
+        // The coefficient is one that no random expression cancels: a condition that never changes is a mistake.
+        let mut text = format!("events {{ crossing: {} + 2.7*q_1 = {};\n", self.rate(2), self.scalar(1));
         let (value, speed) = (self.scalar(2), self.rate(1));
         text += &format!(
             "jump: q_1 + {} = 0.3 rising {{ set q_1 = {value}; set dot(q_1) = {speed}; set p2 = p2/2; }}\n",

@@ -1,0 +1,95 @@
+//! Numeric evaluation with a bound of what rounding makes of it.
+
+use super::evaluate::{apply_function, integer_power};
+use super::{Expr, Graph, Node, Symbol};
+use rustc_hash::FxHashMap;
+
+/// What an operation may be off by, relative to its result: functions of a system's library err by less.
+const UNIT: f64 = 2.0 * f64::EPSILON;
+
+/// A value, and what it may be off by.
+#[derive(Clone, Copy, Debug)]
+pub struct Rounded {
+    /// The value, as [`evaluate`](super::evaluate()) has it.
+    pub value: f64,
+    /// A bound of its rounding, to first order: running error analysis (Higham, Accuracy and Stability of Numerical Algorithms,
+    /// 2002, section 3.3). Infinite or NaN where nothing is known.
+    pub error: f64,
+}
+
+impl Rounded {
+    /// A result whose arguments are exact.
+    fn new(value: f64) -> Rounded {
+        Rounded { value, error: UNIT * value.abs() }
+    }
+
+    /// A function of a number that is known so well.
+    fn through(self, f: impl Fn(f64) -> f64) -> Rounded {
+        let value = f(self.value);
+        let moved = |by: f64| (f(self.value + by) - value).abs();
+        Rounded { value, error: moved(self.error).max(moved(-self.error)) + UNIT * value.abs() }
+    }
+
+    /// A function of two.
+    fn through_both(self, other: Rounded, f: impl Fn(f64, f64) -> f64) -> Rounded {
+        let by_first = self.through(|x| f(x, other.value));
+        let by_second = other.through(|y| f(self.value, y));
+        Rounded { error: by_first.error + by_second.error, ..by_first }
+    }
+}
+
+/// The value of an expression where `value` gives each symbol's.
+pub fn evaluate_with_rounding(graph: &Graph, root: Expr, value: impl Fn(Symbol) -> f64) -> Rounded {
+    let mut done: FxHashMap<Expr, Rounded> = FxHashMap::default();
+    for expr in graph.reachable(&[root]) {
+        let result = match graph.node(expr) {
+            Node::Number(number) => Rounded::new(number.to_f64()),
+            Node::Constant(constant) => Rounded::new(constant.to_f64()),
+            Node::Symbol(symbol) => Rounded { value: value(*symbol), error: 0.0 },
+            Node::Sum { constant, terms } => {
+                sum(constant.to_f64(), terms.iter().map(|(term, c)| (c.to_f64(), done[term])))
+            }
+            Node::Product { coefficient, factors } => {
+                product(coefficient.to_f64(), factors.iter().map(|(base, e)| (done[base], *e)))
+            }
+            Node::Power { base, exponent } => done[base].through_both(done[exponent], f64::powf),
+            Node::Call(function, argument) => done[argument].through(|x| apply_function(*function, x)),
+            Node::Table(table, order, argument) => {
+                done[argument].through(|x| graph.table(*table).derivative(*order, x))
+            }
+            Node::Atan2(y, x) => done[y].through_both(done[x], f64::atan2),
+            Node::Choice(difference, above, otherwise) => chosen(done[difference], done[above], done[otherwise]),
+        };
+        done.insert(expr, result);
+    }
+    done[&root]
+}
+
+fn sum(constant: f64, terms: impl Iterator<Item = (f64, Rounded)>) -> Rounded {
+    terms.fold(Rounded::new(constant), |sum, (coefficient, term)| {
+        let value = sum.value + coefficient * term.value;
+        let size = (coefficient * term.value).abs() + value.abs();
+        Rounded { value, error: sum.error + (coefficient * term.error).abs() + UNIT * size }
+    })
+}
+
+fn product(coefficient: f64, factors: impl Iterator<Item = (Rounded, i64)>) -> Rounded {
+    let mut value = coefficient;
+    // The largest that it may be.
+    let mut most = coefficient.abs() * (1.0 + UNIT);
+    for (base, exponent) in factors {
+        let by = if exponent > 0 { base.error } else { -base.error };
+        value *= integer_power(base.value, exponent);
+        let farthest = (base.value.abs() + by).max(0.0);
+        most *= integer_power(farthest, exponent) * (1.0 + UNIT * exponent.unsigned_abs() as f64);
+    }
+    Rounded { value, error: most - value.abs() + UNIT * value.abs() }
+}
+
+fn chosen(difference: Rounded, above: Rounded, otherwise: Rounded) -> Rounded {
+    match difference.value {
+        value if !(value.abs() > difference.error) => Rounded { value: f64::NAN, error: f64::NAN },
+        value if value > 0.0 => above,
+        _ => otherwise,
+    }
+}
