@@ -29,12 +29,12 @@ pub(super) fn without_coordinates(graph: &mut Graph, dependences: &mut Dependenc
     for place in 0..PLACES {
         let mut first = None;
         for position in 0..POSITIONS {
-            let Rounded { value, error } = evaluate_with_rounding(graph, row, |symbol| drawn(symbol, place, position));
-            let start: Rounded = *first.get_or_insert(Rounded { value, error });
-            if !((value - start.value).abs() <= error + start.error) {
+            let found = evaluate_with_rounding(graph, row, |symbol| drawn(symbol, place, position));
+            let start: Rounded = *first.get_or_insert(found);
+            if !found.is_known() || !((found.value - start.value).abs() <= found.error + start.error) {
                 return None;
             }
-            is_zero &= value.abs() <= error;
+            is_zero &= found.value.abs() <= found.error;
         }
     }
     let zero = graph.zero();

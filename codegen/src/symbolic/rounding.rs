@@ -7,6 +7,9 @@ use rustc_hash::FxHashMap;
 /// What an operation may be off by, relative to its result: functions of a system's library err by less.
 const UNIT: f64 = 2.0 * f64::EPSILON;
 
+/// A bound of rounding above this part of the size says nothing: the value is made of what rounding has left.
+const KNOWN: f64 = 1e-6;
+
 /// A value, and what it may be off by.
 #[derive(Clone, Copy, Debug)]
 pub struct Rounded {
@@ -15,19 +18,26 @@ pub struct Rounded {
     /// A bound of its rounding, to first order: running error analysis (Higham, Accuracy and Stability of Numerical Algorithms,
     /// 2002, section 3.3). Infinite or NaN where nothing is known.
     pub error: f64,
+    /// What its sums and products would be if nothing in them cancelled.
+    size: f64,
 }
 
 impl Rounded {
     /// A result whose arguments are exact.
     fn new(value: f64) -> Rounded {
-        Rounded { value, error: UNIT * value.abs() }
+        Rounded { value, error: UNIT * value.abs(), size: value.abs() }
+    }
+
+    /// Whether rounding is small beside what the value is made of.
+    pub fn is_known(&self) -> bool {
+        self.error <= KNOWN * self.size && self.size.is_finite()
     }
 
     /// A function of a number that is known so well.
     fn through(self, f: impl Fn(f64) -> f64) -> Rounded {
         let value = f(self.value);
         let moved = |by: f64| (f(self.value + by) - value).abs();
-        Rounded { value, error: moved(self.error).max(moved(-self.error)) + UNIT * value.abs() }
+        Rounded { error: moved(self.error).max(moved(-self.error)) + UNIT * value.abs(), ..Rounded::new(value) }
     }
 
     /// A function of two.
@@ -45,7 +55,7 @@ pub fn evaluate_with_rounding(graph: &Graph, root: Expr, value: impl Fn(Symbol) 
         let result = match graph.node(expr) {
             Node::Number(number) => Rounded::new(number.to_f64()),
             Node::Constant(constant) => Rounded::new(constant.to_f64()),
-            Node::Symbol(symbol) => Rounded { value: value(*symbol), error: 0.0 },
+            Node::Symbol(symbol) => Rounded { error: 0.0, ..Rounded::new(value(*symbol)) },
             Node::Sum { constant, terms } => {
                 sum(constant.to_f64(), terms.iter().map(|(term, c)| (c.to_f64(), done[term])))
             }
@@ -68,27 +78,33 @@ pub fn evaluate_with_rounding(graph: &Graph, root: Expr, value: impl Fn(Symbol) 
 fn sum(constant: f64, terms: impl Iterator<Item = (f64, Rounded)>) -> Rounded {
     terms.fold(Rounded::new(constant), |sum, (coefficient, term)| {
         let value = sum.value + coefficient * term.value;
-        let size = (coefficient * term.value).abs() + value.abs();
-        Rounded { value, error: sum.error + (coefficient * term.error).abs() + UNIT * size }
+        let rounded = UNIT * ((coefficient * term.value).abs() + value.abs());
+        Rounded {
+            value,
+            error: sum.error + (coefficient * term.error).abs() + rounded,
+            size: sum.size + coefficient.abs() * term.size,
+        }
     })
 }
 
 fn product(coefficient: f64, factors: impl Iterator<Item = (Rounded, i64)>) -> Rounded {
-    let mut value = coefficient;
+    let (mut value, mut size) = (coefficient, coefficient.abs());
     // The largest that it may be.
     let mut most = coefficient.abs() * (1.0 + UNIT);
     for (base, exponent) in factors {
         let by = if exponent > 0 { base.error } else { -base.error };
         value *= integer_power(base.value, exponent);
+        // What is divided by counts as it is.
+        size *= integer_power(if exponent > 0 { base.size } else { base.value.abs() }, exponent);
         let farthest = (base.value.abs() + by).max(0.0);
         most *= integer_power(farthest, exponent) * (1.0 + UNIT * exponent.unsigned_abs() as f64);
     }
-    Rounded { value, error: most - value.abs() + UNIT * value.abs() }
+    Rounded { value, error: most - value.abs() + UNIT * value.abs(), size }
 }
 
 fn chosen(difference: Rounded, above: Rounded, otherwise: Rounded) -> Rounded {
     match difference.value {
-        value if !(value.abs() > difference.error) => Rounded { value: f64::NAN, error: f64::NAN },
+        value if !(value.abs() > difference.error) => Rounded::new(f64::NAN),
         value if value > 0.0 => above,
         _ => otherwise,
     }

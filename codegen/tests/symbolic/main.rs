@@ -8,6 +8,7 @@ mod directed;
 mod harness;
 mod numbers;
 mod reader;
+mod rounding;
 mod rules;
 mod tracked;
 mod tree;
