@@ -10,13 +10,13 @@ use sim::{Array, Failure, Measures, Mechanism, State, accelerate, assemble, decl
 /// One step of size h.
 fn verlet<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &mut State<M>, h: f64) -> Result<(), Failure> {
     let before = accelerate(mechanism, state.time, &state.positions, &state.speeds)?.accelerations;
-    for i in 0..M::Q::LEN {
+    for i in 0..before.len() {
         state.positions[i] += h * state.speeds[i] + h * h / 2.0 * before[i];
         state.speeds[i] += h * before[i];
     }
     state.time += h;
     let after = accelerate(mechanism, state.time, &state.positions, &state.speeds)?.accelerations;
-    for i in 0..M::Q::LEN {
+    for i in 0..before.len() {
         state.speeds[i] += h / 2.0 * (after[i] - before[i]);
     }
     // Back onto C(q, t) = 0 and C_q q' + C_t = 0.

@@ -4,7 +4,7 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use models::{Andrews, QuickReturn, QuickReturnRatio};
-use sim::{Array, Dynamics, Lanes, Mechanism, Scalar, State, Vectors, Work, accelerate_each_with};
+use sim::{Dynamics, FixedArray, Lanes, Mechanism, Scalar, State, Vectors, Work, accelerate_each_with};
 use std::hint::black_box;
 use tests::{run, shortest};
 

@@ -5,8 +5,8 @@
 use crate::mechanisms::{Cart, Functions};
 use models::QuickReturn;
 use sim::{
-    Advance, Array, Course, Dop853, EventSearch, ExplicitRungeKutta, Measures, Mechanism, Motion, RK4, Radau5,
-    Stabilisation, State, Stepping, Steps, Tolerance, assemble, declared_start, integrate,
+    Advance, Array, Course, Dop853, EventSearch, ExplicitRungeKutta, FixedArray, Measures, Mechanism, Motion, RK4,
+    Radau5, Stabilisation, State, Stepping, Steps, Tolerance, assemble, declared_start, integrate,
 };
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -78,13 +78,13 @@ fn ten_thousand_steps_do_not_allocate() {
     let start = assemble(&mechanism, &declared_start(&mechanism)).unwrap();
     for stabilisation in [Stabilisation::Projection, Stabilisation::MassProjection, Stabilisation::Partitioning] {
         let equal = Stepping::Equal(10_000);
-        ten_thousand_steps(&mechanism, ExplicitRungeKutta::new(&RK4), stabilisation, equal, 2.0, start);
-        ten_thousand_steps(&mechanism, Dop853::new(), stabilisation, equal, 20.0, start);
+        ten_thousand_steps(&mechanism, ExplicitRungeKutta::new(&mechanism, &RK4), stabilisation, equal, 2.0, start);
+        ten_thousand_steps(&mechanism, Dop853::new(&mechanism), stabilisation, equal, 20.0, start);
     }
     let equal = Stepping::Equal(10_000);
-    ten_thousand_steps(&mechanism, Radau5::new(), Stabilisation::Projection, equal, 20.0, start);
+    ten_thousand_steps(&mechanism, Radau5::new(&mechanism), Stabilisation::Projection, equal, 20.0, start);
     let adaptive = Stepping::Adaptive(Tolerance::new(1e-12));
-    ten_thousand_steps(&mechanism, Dop853::new(), Stabilisation::Projection, adaptive, 400.0, start);
+    ten_thousand_steps(&mechanism, Dop853::new(&mechanism), Stabilisation::Projection, adaptive, 400.0, start);
 }
 
 fn ten_thousand_steps<A: Advance<QuickReturn>>(
@@ -99,7 +99,7 @@ fn ten_thousand_steps<A: Advance<QuickReturn>>(
     let motion = Motion::new(*mechanism, stabilisation, measures);
     motion.start(&start);
     let first = motion.sample(start).unwrap();
-    let mut events = EventSearch::new(0.0);
+    let mut events = EventSearch::new(mechanism, 0.0);
     let mut steps = Steps::default();
     let course = Course { begin: 0.0, end, stepping };
     let counted = allocations(|| {

@@ -4,7 +4,7 @@
 
 use crate::mechanisms::all_mechanisms;
 use nalgebra::DMatrix;
-use sim::{Array, Dual, Mechanism};
+use sim::{Array, Dual, FixedArray, Mechanism};
 use tests::Random;
 
 const STATES: usize = 100;

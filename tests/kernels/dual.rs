@@ -1,7 +1,7 @@
 //! Kernels on dual numbers give the derivatives that other kernels are.
 
 use crate::mechanisms::all_mechanisms;
-use sim::{Array, Dual, Lanes, Mechanism, Scalar};
+use sim::{Dual, FixedArray, Lanes, Mechanism, Scalar};
 use tests::Random;
 
 type OnDual<M> = <M as Mechanism>::On<Dual>;

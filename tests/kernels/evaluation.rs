@@ -4,7 +4,7 @@ use crate::mechanisms::all_mechanisms;
 use codegen::dynamics::EquationsOfMotion;
 use codegen::model::{Shape, Start};
 use codegen::symbolic::{Expr, Symbol, evaluate};
-use sim::{Array, Mechanism};
+use sim::{Array, FixedArray, Mechanism};
 use std::collections::HashMap;
 use tests::Random;
 

@@ -3,7 +3,7 @@
 
 use crate::mechanisms::all_mechanisms;
 use crate::oracle::OVERCONSTRAINED;
-use sim::{Array, Dynamics, Lanes, Mechanism, Scalar, State, Vectors, accelerate, accelerate_each_with};
+use sim::{Array, Dynamics, FixedArray, Lanes, Mechanism, Scalar, State, Vectors, accelerate, accelerate_each_with};
 use tests::Random;
 
 /// Not a multiple of the number of lanes.

@@ -11,7 +11,7 @@ use codegen::dsl::{self, Declaration};
 use codegen::model::Unit;
 use codegen::oracle::{Comparison, Measured, Oracle, Solution, State, residual};
 use sim::verify::{computed, observed};
-use sim::{Array, Input, Measures, Mechanism, accelerate, project_positions, project_velocities};
+use sim::{Array, FixedArray, Input, Measures, Mechanism, accelerate, project_positions, project_velocities};
 use tests::Random;
 
 const STATES: usize = 1000;
@@ -86,7 +86,7 @@ fn put_on_constraints<M: Mechanism>(mechanism: &M, t: f64, q: &mut M::Q, qd: &mu
     let projected = (0..5).find_map(|_| project_positions(mechanism, &measures, t, &mut nearer).ok());
     let Some(linear) = projected else { return false };
     *q = nearer;
-    project_velocities(&measures, &linear, t, q, qd).is_ok()
+    project_velocities(mechanism, &measures, &linear, t, q, qd).is_ok()
 }
 
 /// In space kernels take components in the frames of bodies, where what is zero in the world is a difference of what is not:

@@ -1,7 +1,7 @@
 //! A mechanism one of whose kernels is spoiled, for tests of what verification sees.
 
 use sim::sim_kernel::{ConstraintLinearization, DynamicsJacobian, Initial};
-use sim::{Array, Description, Dynamics, Mechanism, Scalar};
+use sim::{Description, Dynamics, FixedArray, Mechanism, Scalar};
 
 /// What is wrong.
 #[derive(Clone, Copy, Debug, PartialEq)]

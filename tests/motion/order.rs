@@ -122,9 +122,10 @@ fn error_inside<A: Advance<QuickReturn>>(mut method: A, h: f64) -> Pair {
 /// less.
 #[test]
 fn dense_output_shows_its_order() {
-    let dop853 = |h| error_inside(Dop853::new(), h);
-    let radau = |h| error_inside(Radau5::new(), h);
-    let explicit = |tableau, h| error_inside(ExplicitRungeKutta::new(tableau), h);
+    let mechanism = &QuickReturn::defaults();
+    let dop853 = |h| error_inside(Dop853::new(mechanism), h);
+    let radau = |h| error_inside(Radau5::new(mechanism), h);
+    let explicit = |tableau, h| error_inside(ExplicitRungeKutta::new(mechanism, tableau), h);
     let rows: [(&str, [Pair; 2], Pair); 5] = [
         ("dop853", [0.025, 0.0125].map(dop853), [7.0, 7.0]),
         ("radau5", [0.004, 0.002].map(radau), [3.0, 3.0]),

@@ -1,6 +1,8 @@
 //! Chains of free bodies, whose rows of C_q are stored by the entries that need not be 0.
 
-use sim::{Array, Measures, Mechanism, Method, Rows, Settings, project, project_positions, project_velocities};
+use sim::{
+    Array, FixedArray, Measures, Mechanism, Method, Rows, Settings, project, project_positions, project_velocities,
+};
 use tests::{Random, run_with};
 
 sim::mechanism! {
@@ -147,7 +149,7 @@ fn sparse_projection_is_the_dense_one<M: Mechanism>(mechanism: M) {
         let mut dense = sparse;
         project(&mechanism, &measures, &mut sparse).unwrap();
         let linear = project_positions(&mechanism, &measures, 0.0, &mut dense.positions).unwrap();
-        project_velocities(&measures, &linear, 0.0, &dense.positions, &mut dense.speeds).unwrap();
+        project_velocities(&mechanism, &measures, &linear, 0.0, &dense.positions, &mut dense.speeds).unwrap();
         let lengths = measures.coordinates();
         for j in 0..M::Q::LEN {
             // Positions meet 1e-12 of the constraints' terms, and the rows' products have a condition of some 1e3. One

@@ -147,8 +147,9 @@ fn a_wrong_tableau_fails_the_order() {
     const WRONG: Tableau =
         Tableau { a: &[&[], &[(0, 0.5)], &[(1, 0.51)], &[(2, 1.0)]], error: ErrorEstimate::None, ..RK4 };
     let mechanism = QuickReturn::default();
-    let order =
-        |tableau| order_of_convergence(&mechanism, start(), 0.5, || ExplicitRungeKutta::new(tableau), 4.0).unwrap();
+    let order = |tableau| {
+        order_of_convergence(&mechanism, start(), 0.5, || ExplicitRungeKutta::new(&mechanism, tableau), 4.0).unwrap()
+    };
     assert!(order(&RK4).passes());
     sees(order(&WRONG), ORDER);
 }
@@ -166,7 +167,7 @@ fn a_wrong_method_fails_beside_another() {
     let course = Course { begin: 0.0, end: 0.5, stepping: Stepping::Equal(1024) };
     let (mut spoiled, first) = (good.clone(), motion.sample(start()).unwrap());
     spoiled.trajectory.samples = vec![first];
-    let mut method = ExplicitRungeKutta::new(Box::leak(Box::new(wrong)));
+    let mut method = ExplicitRungeKutta::new(&mechanism, Box::leak(Box::new(wrong)));
     integrate(&motion, &mut method, &course, first, &mut Steps::default(), |step| {
         spoiled.trajectory.samples.push(*step.to);
         Ok(ControlFlow::Continue(()))

@@ -168,7 +168,7 @@ fn check<M: Mechanism>(kind: Kind) {
         let mut order = M::DESCRIPTION.coordinates.iter().map(|c| c.position.name);
         assert!(["a_x", "a_y", "a_z", "a_q0", "a_q1", "a_q2", "a_q3", "b_x"].into_iter().eq(order.by_ref().take(8)));
         let (positions, speeds) = ([qa, qb].concat(), [ua, ub].concat());
-        let fill = |values: &[f64]| <M::Q as sim::Array<f64>>::from_fn(|i| values[i]);
+        let fill = |values: &[f64]| <M::Q as sim::FixedArray<f64>>::from_fn(|i| values[i]);
         let solved = accelerate(&mechanism, 0.0, &fill(&positions), &fill(&speeds)).unwrap();
         let found = solved.accelerations.as_ref();
         for (body, at) in [(&mut a, 0), (&mut b, 7)] {

@@ -3,7 +3,7 @@
 
 use codegen::program::{Kernel, plan};
 use sim::sim_kernel::{GeneralizedSpeeds, Kinematics, SpeedDynamics};
-use sim::{Array, Dual, Mechanism, mechanism};
+use sim::{Array, Dual, FixedArray, Mechanism, mechanism};
 use tests::Random;
 
 mechanism! {

@@ -22,29 +22,69 @@ impl<T: Element, const N: usize> Element for [T; N] {
     const BLANK: [T; N] = [T::BLANK; N];
 }
 
-/// A fixed-size array, named by an associated type because `[S; Self::N]` cannot be.
+/// An array as long as its mechanism has it, named by an associated type because `[S; Self::N]` cannot be.
 pub trait Array<T: Element>: Element + AsRef<[T]> + AsMut<[T]> + Index<usize, Output = T> + IndexMut<usize> {
+    /// The array of `f(0), f(1), ..`, of this length. Where the type has a length of its own, it is that.
+    fn with_len(len: usize, f: impl FnMut(usize) -> T) -> Self;
+
+    /// The array of equal elements, likewise.
+    #[inline(always)]
+    fn repeat(len: usize, value: T) -> Self {
+        Self::with_len(len, |_| value)
+    }
+
+    /// The array of `f(0), f(1), ..`, as long as this one.
+    #[inline(always)]
+    fn like(&self, f: impl FnMut(usize) -> T) -> Self {
+        Self::with_len(self.len(), f)
+    }
+
     /// How many elements it has.
-    const LEN: usize;
+    #[inline(always)]
+    fn len(&self) -> usize {
+        self.as_ref().len()
+    }
 
-    /// The array of `f(0), f(1), ..`
-    fn from_fn(f: impl FnMut(usize) -> T) -> Self;
-
-    /// The array of equal elements.
-    fn filled(value: T) -> Self;
+    /// Whether it has none.
+    #[inline(always)]
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
 
     /// Element by element.
+    #[inline(always)]
     fn iter(&self) -> core::slice::Iter<'_, T> {
         self.as_ref().iter()
     }
 }
 
-impl<T: Element, const N: usize> Array<T> for [T; N] {
-    const LEN: usize = N;
+/// An array whose length is that of its type.
+pub trait FixedArray<T: Element>: Array<T> {
+    /// How many elements it has.
+    const LEN: usize;
 
+    /// The array of `f(0), f(1), ..`
+    #[inline(always)]
+    fn from_fn(f: impl FnMut(usize) -> T) -> Self {
+        Self::with_len(Self::LEN, f)
+    }
+
+    /// The array of equal elements.
+    #[inline(always)]
+    fn filled(value: T) -> Self {
+        Self::repeat(Self::LEN, value)
+    }
+}
+
+impl<T: Element, const N: usize> FixedArray<T> for [T; N] {
+    const LEN: usize = N;
+}
+
+impl<T: Element, const N: usize> Array<T> for [T; N] {
     /// As `core::array::from_fn`, which takes the compiler several times as long.
     #[inline(always)]
-    fn from_fn(mut f: impl FnMut(usize) -> T) -> Self {
+    fn with_len(len: usize, mut f: impl FnMut(usize) -> T) -> Self {
+        debug_assert_eq!(len, N, "an array of another length");
         let mut array = [T::BLANK; N];
         let mut i = 0;
         while i < N {
@@ -55,7 +95,13 @@ impl<T: Element, const N: usize> Array<T> for [T; N] {
     }
 
     #[inline(always)]
-    fn filled(value: T) -> Self {
+    fn repeat(len: usize, value: T) -> Self {
+        debug_assert_eq!(len, N, "an array of another length");
         [value; N]
+    }
+
+    #[inline(always)]
+    fn len(&self) -> usize {
+        N
     }
 }

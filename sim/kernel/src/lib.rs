@@ -17,7 +17,7 @@ pub mod speeds;
 mod table;
 mod wave;
 
-pub use array::{Array, Element};
+pub use array::{Array, Element, FixedArray};
 pub use description::{Coordinate, Description, Figure, Quantity, Shape, SparseRow, Start};
 pub use dual::Dual;
 pub use input::Input;

@@ -1,6 +1,6 @@
 //! Motion in generalised speeds, for mechanisms that declare some.
 
-use crate::{Array, Kinematics, Mechanism, Quantity, Scalar};
+use crate::{Array, FixedArray, Kinematics, Mechanism, Quantity, Scalar};
 
 /// A mechanism whose declaration names generalised speeds u = W q' + w: its state is (q, u), which q' = N u + n and
 /// Kane's equations for u' move. Norms of quaternions and constraints between speeds hold for every u.
@@ -8,9 +8,9 @@ use crate::{Array, Kinematics, Mechanism, Quantity, Scalar};
 /// k is the number of generalised speeds, r that of the constraints that are left. All quantities are in SI units.
 pub trait GeneralizedSpeeds<S: Scalar = f64>: Mechanism<S> {
     /// Generalised speeds or their rates: k.
-    type U: Array<S>;
+    type U: FixedArray<S>;
     /// Multipliers of the constraints that are left: r.
-    type R: Array<S>;
+    type R: FixedArray<S>;
 
     /// The generalised speeds.
     const SPEEDS: &'static [Quantity];
@@ -44,7 +44,7 @@ pub trait GeneralizedSpeeds<S: Scalar = f64>: Mechanism<S> {
 #[inline(always)]
 pub fn velocity_variables<S: Scalar, M: GeneralizedSpeeds<S>>(mechanism: &M, t: S, q: &M::Q, qd: &M::Q) -> M::Q {
     let speeds = mechanism.generalized_speeds(t, q, qd);
-    M::Q::from_fn(|i| if i < M::U::LEN { speeds[i] } else { S::ZERO })
+    qd.like(|i| if i < speeds.len() { speeds[i] } else { S::ZERO })
 }
 
 /// [`Mechanism::prepared_velocities`] where generalised speeds are declared.
@@ -55,7 +55,7 @@ pub fn prepared_velocities<S: Scalar, M: GeneralizedSpeeds<S>>(
     q: &M::Q,
     v: &M::Q,
 ) -> Kinematics<S, M::Q> {
-    M::prepared_kinematics(prepared, t, q, &M::U::from_fn(|i| v[i]))
+    M::prepared_kinematics(prepared, t, q, &M::U::with_len(M::SPEEDS.len(), |i| v[i]))
 }
 
 /// The equations of motion in generalised speeds, solved at one state.

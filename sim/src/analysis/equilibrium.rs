@@ -61,15 +61,16 @@ pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equi
         },
     };
     let multipliers = any.accelerate(At::moving(0.0, &found.q, &[]))?;
-    let state = State { positions: array(&found.q), speeds: M::Q::filled(0.0), ..assembled };
+    let state =
+        State { positions: array(mechanism.n(), &found.q), speeds: M::Q::repeat(mechanism.n(), 0.0), ..assembled };
     let eigenvalues = linearize(mechanism, &state, &[])?.eigenvalues;
-    Ok(Equilibrium { state, multipliers: array(&multipliers.as_slice()[M::Q::LEN..]), eigenvalues })
+    Ok(Equilibrium { state, multipliers: array(mechanism.m(), &multipliers.as_slice()[mechanism.n()..]), eigenvalues })
 }
 
 /// The same start with all coordinates free and no speeds.
 fn at_rest<M: Mechanism>(start: &Start<M>) -> Start<M> {
-    let none = vec![false; M::Q::LEN];
-    Start { speeds: M::Q::filled(0.0), position_given: none.clone(), speed_given: none, ..start.clone() }
+    let none = vec![false; start.positions.len()];
+    Start { speeds: start.speeds.like(|_| 0.0), position_given: none.clone(), speed_given: none, ..start.clone() }
 }
 
 /// How a search ended.

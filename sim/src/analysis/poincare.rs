@@ -81,7 +81,7 @@ pub fn poincare<M: Mechanism>(
     let states: Vec<At<f64>> = samples.iter().map(At::sample).collect();
     Ok(Section {
         mechanism,
-        period: period(const { &M::DESCRIPTION }, &states),
+        period: period(mechanism.description(), &states),
         trajectory: Trajectory { samples, phases, failure: found.trajectory.failure },
     })
 }

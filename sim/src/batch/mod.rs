@@ -46,12 +46,13 @@ pub fn accelerate_each_with<M: Mechanism>(
     states: &[State<M>],
     found: &mut Vec<Solution<M>>,
 ) -> Vec<(usize, Failure)> {
-    found.resize(states.len(), unsolved::<M>());
+    found.resize(states.len(), unsolved(mechanism));
     vectors.run(Batch { mechanism, states, found })
 }
 
-fn unsolved<M: Mechanism>() -> Solution<M> {
-    Dynamics { accelerations: M::Q::filled(0.0), multipliers: M::L::filled(0.0), power: 0.0, refused: true }
+fn unsolved<M: Mechanism>(mechanism: &M) -> Solution<M> {
+    let (accelerations, multipliers) = (M::Q::repeat(mechanism.n(), 0.0), M::L::repeat(mechanism.m(), 0.0));
+    Dynamics { accelerations, multipliers, power: 0.0, refused: true }
 }
 
 struct Batch<'a, M: Mechanism> {
@@ -85,7 +86,7 @@ impl<M: Mechanism> Work for Batch<'_, M> {
             } else if let Some(found) = found.first_chunk_mut() {
                 scatter::<M>(&solved, found);
             } else {
-                let mut all = [unsolved::<M>(); LANES];
+                let mut all = [unsolved(self.mechanism); LANES];
                 scatter::<M>(&solved, &mut all);
                 found.copy_from_slice(&all[..found.len()]);
             }
@@ -104,8 +105,10 @@ fn fill<M: Mechanism>(states: &[State<M>]) -> [State<M>; LANES] {
 /// The kernel at as many states as there are lanes.
 #[inline(always)]
 fn dynamics<M: Mechanism>(prepared: &Prepared<M>, states: &[State<M>; LANES]) -> Solutions<M> {
-    let (mut positions, mut speeds) = (Q::<M>::filled(Lanes::from_f64(0.0)), Q::<M>::filled(Lanes::from_f64(0.0)));
-    for i in 0..M::Q::LEN {
+    let n = states[0].positions.len();
+    let zero = Q::<M>::repeat(n, Lanes::from_f64(0.0));
+    let (mut positions, mut speeds) = (zero, zero);
+    for i in 0..n {
         positions[i] = column(states, |state| state.positions[i]);
         speeds[i] = column(states, |state| state.speeds[i]);
     }
@@ -124,10 +127,10 @@ fn is_not_finite<M: Mechanism>(solved: &Solutions<M>) -> LaneMask<LANES> {
     // 0 x is 0 unless x is infinite or NaN, and so is the sum of such.
     let zero = Lanes::from_f64(0.0);
     let mut sum = zero * solved.power;
-    for i in 0..M::Q::LEN {
+    for i in 0..solved.accelerations.len() {
         sum = sum + zero * solved.accelerations[i];
     }
-    for i in 0..M::L::LEN {
+    for i in 0..solved.multipliers.len() {
         sum = sum + zero * solved.multipliers[i];
     }
     Lanes::not(Lanes::from_f64(1.0).greater(sum))
@@ -136,10 +139,10 @@ fn is_not_finite<M: Mechanism>(solved: &Solutions<M>) -> LaneMask<LANES> {
 #[inline(always)]
 fn scatter<M: Mechanism>(solved: &Solutions<M>, found: &mut [Solution<M>; LANES]) {
     for lane in 0..LANES {
-        for i in 0..M::Q::LEN {
+        for i in 0..solved.accelerations.len() {
             found[lane].accelerations[i] = solved.accelerations[i].lane(lane);
         }
-        for i in 0..M::L::LEN {
+        for i in 0..solved.multipliers.len() {
             found[lane].multipliers[i] = solved.multipliers[i].lane(lane);
         }
         found[lane].power = solved.power.lane(lane);
@@ -161,7 +164,7 @@ fn one_by_one<M: Mechanism>(
         match accelerate(mechanism, state.time, &state.positions, &state.speeds) {
             Ok(solution) => *found = solution,
             Err(failure) => {
-                *found = unsolved::<M>();
+                *found = unsolved(mechanism);
                 failures.push((first + lane, failure));
             }
         }

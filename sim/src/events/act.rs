@@ -68,7 +68,7 @@ fn kinetic_energy<M: Mechanism>(mechanism: &M, state: &State<M>) -> f64 {
 impl<M: Mechanism> Change<M> {
     /// None.
     pub(crate) fn none(mechanism: M, state: State<M>) -> Change<M> {
-        Change { mechanism, state, impulses: M::L::filled(0.0), energy_taken: 0.0, ends: false }
+        Change { mechanism, state, impulses: M::L::repeat(mechanism.m(), 0.0), energy_taken: 0.0, ends: false }
     }
 
     /// All of it as bytes, or from them.
@@ -81,7 +81,7 @@ impl<M: Mechanism> Change<M> {
     }
 
     fn fail<T>(&self, what: What) -> Result<T, Failure> {
-        Err(Failure::at::<M>(what, self.state.time, &self.state.positions))
+        Err(Failure::at(&self.mechanism, what, self.state.time, &self.state.positions))
     }
 
     fn values(&self) -> M::EventValues {
@@ -120,10 +120,10 @@ impl<M: Mechanism> Change<M> {
     fn hit(&mut self, hits: &[Hit], event: &'static Event) -> Result<(), Failure> {
         let values = self.values();
         let mut activities = self.mechanism.activities();
-        let mut restitution = M::L::filled(0.0);
+        let mut restitution = self.impulses.like(|_| 0.0);
         for Hit { conditional, restitution: value } in hits {
             activities[*conditional] = 1.0;
-            let (described, coefficient) = (&M::DESCRIPTION.conditionals[*conditional], values[*value]);
+            let (described, coefficient) = (&self.mechanism.description().conditionals[*conditional], values[*value]);
             if !(coefficient >= 0.0 && coefficient.is_finite()) {
                 return self.fail(What::Restitution { event: event.name, constraint: described.name, coefficient });
             }
@@ -142,12 +142,12 @@ impl<M: Mechanism> Change<M> {
         let measures = Measures::at(&mechanism, self.state.time, &self.state.positions);
         project_positions(&mechanism, &measures, self.state.time, &mut self.state.positions)?;
         let linear = mechanism.constraint_linearization(self.state.time, &self.state.positions);
-        let open = rates::<M>(&linear, &self.state.speeds);
+        let open = rates(&mechanism, &linear, &self.state.speeds);
         let size = |row: usize| {
             let terms = linear.jacobian[row].iter().zip(self.state.speeds.iter());
             terms.map(|(c, v)| (c * v).abs()).sum::<f64>() + linear.time_derivative[row].abs()
         };
-        match (0..M::L::LEN).any(|row| !(open[row].abs() <= ROUNDING * size(row) + f64::EPSILON)) {
+        match (0..mechanism.m()).any(|row| !(open[row].abs() <= ROUNDING * size(row) + f64::EPSILON)) {
             true => self.push(&mechanism, |_, rate| rate),
             false => Ok(()),
         }
@@ -157,11 +157,11 @@ impl<M: Mechanism> Change<M> {
     fn push(&mut self, mechanism: &M, fall: impl Fn(usize, f64) -> f64) -> Result<(), Failure> {
         let (time, q) = (self.state.time, &self.state.positions);
         let linear = mechanism.constraint_linearization(time, q);
-        let open = rates::<M>(&linear, &self.state.speeds);
-        let fall = M::L::from_fn(|row| fall(row, open[row]));
+        let open = rates(mechanism, &linear, &self.state.speeds);
+        let fall = M::L::with_len(mechanism.m(), |row| fall(row, open[row]));
         let (speeds, impulses) = impulse(mechanism, time, q, &linear.jacobian, &fall)?;
-        self.state.speeds = M::Q::from_fn(|j| self.state.speeds[j] - speeds[j]);
-        self.impulses = M::L::from_fn(|row| self.impulses[row] - impulses[row]);
+        self.state.speeds = self.state.speeds.like(|j| self.state.speeds[j] - speeds[j]);
+        self.impulses = self.impulses.like(|row| self.impulses[row] - impulses[row]);
         Ok(())
     }
 
@@ -170,10 +170,10 @@ impl<M: Mechanism> Change<M> {
         let (time, q) = (self.state.time, &self.state.positions);
         let (values, magnitudes) = (mechanism.constraints(time, q), mechanism.constraint_magnitudes(time, q));
         let open = |row: &usize| !(values[*row].abs() <= LOCATED * magnitudes[*row] + 1e-9);
-        match (0..M::L::LEN).filter(|row| is_active(mechanism, *row)).find(open) {
+        match (0..mechanism.m()).filter(|row| is_active(mechanism, *row)).find(open) {
             None => Ok(()),
             Some(row) => {
-                let (constraint, residual) = (constraint_name::<M>(row), values[row]);
+                let (constraint, residual) = (constraint_name(mechanism, row), values[row]);
                 self.fail(What::EventOpens { event: event.name, constraint, residual })
             }
         }

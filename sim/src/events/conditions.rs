@@ -24,25 +24,19 @@ pub(super) fn value<M: Mechanism>(step: &mut Step<M>, time: f64, event: usize) -
 }
 
 /// Whether any condition depends on accelerations or multipliers.
-const fn any_on_forces(events: &[Event]) -> bool {
-    let mut i = 0;
-    while i < events.len() {
-        if events[i].on_forces {
-            return true;
-        }
-        i += 1;
-    }
-    false
+#[inline(always)]
+fn any_on_forces(events: &[Event]) -> bool {
+    events.iter().any(|event| event.on_forces)
 }
 
 /// left - right of each event at a state; the equations of motion are solved only where one needs it.
 pub(crate) fn conditions<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<M::Events, Failure> {
-    let (qdd, lambda) = match const { any_on_forces(M::DESCRIPTION.events) } {
+    let (qdd, lambda) = match any_on_forces(motion.mechanism().description().events) {
         true => {
             let sample = motion.sample(*state)?;
             (sample.accelerations, sample.multipliers)
         }
-        false => (M::Q::filled(0.0), M::L::filled(0.0)),
+        false => (state.positions.like(|_| 0.0), M::L::repeat(motion.mechanism().m(), 0.0)),
     };
     Ok(motion.mechanism().events(state.time, &state.positions, &state.speeds, &qdd, &lambda))
 }
@@ -52,16 +46,18 @@ pub(crate) fn moved<M: Mechanism>(sample: &Sample<M>, d: f64) -> State<M> {
     let state = &sample.state;
     State {
         time: state.time + d,
-        positions: M::Q::from_fn(|i| state.positions[i] + d * (state.speeds[i] + d / 2.0 * sample.accelerations[i])),
-        speeds: M::Q::from_fn(|i| state.speeds[i] + d * sample.accelerations[i]),
+        positions: state
+            .positions
+            .like(|i| state.positions[i] + d * (state.speeds[i] + d / 2.0 * sample.accelerations[i])),
+        speeds: state.speeds.like(|i| state.speeds[i] + d * sample.accelerations[i]),
         work: state.work,
     }
 }
 
 impl<M: Mechanism> Point<M> {
     /// None known yet.
-    pub(super) fn blank() -> Point<M> {
-        Point { time: 0.0, values: M::Events::filled(0.0), rates: M::Events::filled(0.0) }
+    pub(super) fn blank(none: &M::Events) -> Point<M> {
+        Point { time: 0.0, values: *none, rates: *none }
     }
 
     /// All of it as bytes, or from them.
@@ -79,7 +75,7 @@ impl<M: Mechanism> Point<M> {
         Ok(Point {
             time: state.time,
             values: motion.mechanism().events(state.time, &state.positions, &state.speeds, qdd, lambda),
-            rates: M::Events::from_fn(|i| (ahead[i] - behind[i]) / (2.0 * d)),
+            rates: ahead.like(|i| (ahead[i] - behind[i]) / (2.0 * d)),
         })
     }
 }

@@ -45,27 +45,22 @@ pub(crate) struct EventHandler<M: Mechanism> {
 }
 
 /// Whether any event does something.
-const fn any_acts(events: &[Event]) -> bool {
-    let mut i = 0;
-    while i < events.len() {
-        if !events[i].steps.is_empty() {
-            return true;
-        }
-        i += 1;
-    }
-    false
+#[inline(always)]
+fn any_acts(events: &[Event]) -> bool {
+    events.iter().any(|event| !event.steps.is_empty())
 }
 
 impl<M: Mechanism> EventHandler<M> {
     /// For a motion that begins then.
-    pub(crate) fn new(settings: &Settings, begin: f64) -> EventHandler<M> {
+    pub(crate) fn new(mechanism: &M, settings: &Settings, begin: f64) -> EventHandler<M> {
+        let events = mechanism.description().events.len();
         EventHandler {
-            search: EventSearch::new(begin),
+            search: EventSearch::new(mechanism, begin),
             stop: settings.stop,
             span: settings.end - begin,
             end: settings.end,
-            counts: vec![0; M::Events::LEN],
-            last: vec![f64::NEG_INFINITY; M::Events::LEN],
+            counts: vec![0; events],
+            last: vec![f64::NEG_INFINITY; events],
             acted: VecDeque::new(),
             energy_taken: 0.0,
             acting: None,
@@ -130,7 +125,7 @@ impl<M: Mechanism> EventHandler<M> {
     /// # Errors
     /// As what events do.
     pub(crate) fn resume(&mut self, motion: &Motion<M>, sample: &Sample<M>) -> Result<(), Failure> {
-        let Some(before) = self.search.before().filter(|_| M::Events::LEN > 0) else { return Ok(()) };
+        let Some(before) = self.search.before().filter(|before| !before.is_empty()) else { return Ok(()) };
         let now = motion.mechanism().events(
             sample.state.time,
             &sample.state.positions,
@@ -145,7 +140,7 @@ impl<M: Mechanism> EventHandler<M> {
 
     /// How conditions go on from a sample, if any event does something.
     fn onset(&self, motion: &Motion<M>, sample: &Sample<M>) -> Result<Option<Onset<M>>, Failure> {
-        match const { any_acts(M::DESCRIPTION.events) } {
+        match any_acts(motion.mechanism().description().events) {
             true => Onset::of(motion, sample, self.span).map(Some),
             false => Ok(None),
         }
@@ -160,9 +155,9 @@ impl<M: Mechanism> EventHandler<M> {
         counts: impl Fn(usize) -> bool,
     ) -> Result<(), Failure> {
         let at = self.search.found.len();
-        for event in (0..M::Events::LEN).filter(|event| counts(*event)) {
-            if onset.is_some_and(|onset| self.is_due(&onset, event, sample.state.time)) {
-                self.happen_at_start(event, sample)?;
+        for event in (0..self.counts.len()).filter(|event| counts(*event)) {
+            if onset.is_some_and(|onset| self.is_due(motion.mechanism(), &onset, event, sample.state.time)) {
+                self.happen_at_start(motion.mechanism(), event, sample)?;
             }
         }
         if self.search.found.len() > at { self.act_from(motion.mechanism(), at) } else { Ok(()) }
@@ -179,7 +174,7 @@ impl<M: Mechanism> EventHandler<M> {
         if self.search.found.len() == first && self.stop.is_none() {
             return Ok(None);
         }
-        self.acting = self.first_acting(first);
+        self.acting = self.first_acting(step.motion.mechanism(), first);
         let stop = self.stopping();
         let ending = stop.or(self.acting);
         self.acting = self.acting.filter(|_| stop.is_none());
@@ -210,8 +205,8 @@ impl<M: Mechanism> EventHandler<M> {
     /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and goes on
     /// through zero. Where the event has just happened that is only so if it was an impact, which should have turned it
     /// back, or if the condition returns to zero within an instant.
-    fn is_due(&self, onset: &Onset<M>, index: usize, time: f64) -> bool {
-        let described = &const { &M::DESCRIPTION }.events[index];
+    fn is_due(&self, mechanism: &M, onset: &Onset<M>, index: usize, time: f64) -> bool {
+        let described = &mechanism.description().events[index];
         let through = match described.direction {
             Direction::Rising => 1.0,
             Direction::Falling => -1.0,
@@ -227,12 +222,12 @@ impl<M: Mechanism> EventHandler<M> {
         !described.steps.is_empty() && onset.holds(index) && goes_on
     }
 
-    fn happen_at_start(&mut self, event: usize, sample: &Sample<M>) -> Result<(), Failure> {
-        let described = &const { &M::DESCRIPTION }.events[event];
+    fn happen_at_start(&mut self, mechanism: &M, event: usize, sample: &Sample<M>) -> Result<(), Failure> {
+        let described = &mechanism.description().events[event];
         let (name, state) = (described.name, sample.state);
         if state.time - self.last[event] < self.instant() {
             let what = What::Accumulating { event: name, count: self.counts[event] + 1 };
-            return Err(Failure::at::<M>(what, state.time, &state.positions));
+            return Err(Failure::at(mechanism, what, state.time, &state.positions));
         }
         let crossing = if described.direction == Direction::Rising { Crossing::Rising } else { Crossing::Falling };
         self.search.found.push(Occurrence { event, name, crossing, state, change: None });
@@ -246,9 +241,9 @@ impl<M: Mechanism> EventHandler<M> {
 
     /// The first occurrence in a step that does something. What happens after it is forgotten, but for what happens at
     /// the same time.
-    fn first_acting(&mut self, first: usize) -> Option<usize> {
+    fn first_acting(&mut self, mechanism: &M, first: usize) -> Option<usize> {
         let found = &mut self.search.found;
-        let does_something = |event: &Occurrence<M>| !M::DESCRIPTION.events[event.event].steps.is_empty();
+        let does_something = |event: &Occurrence<M>| !mechanism.description().events[event.event].steps.is_empty();
         let at = first + found[first..].iter().position(does_something)?;
         let time = found[at].state.time;
         let same = found[at..].iter().take_while(|event| event.state.time - time <= 2.0 * tolerance(time)).count();
@@ -264,13 +259,13 @@ impl<M: Mechanism> EventHandler<M> {
         let mut changes = false;
         for index in at..self.search.found.len() {
             let (event, name) = (self.search.found[index].event, self.search.found[index].name);
-            let described = &M::DESCRIPTION.events[event];
+            let described = &mechanism.description().events[event];
             if described.steps.is_empty() {
                 continue;
             }
             self.counts[event] += 1;
             self.last[event] = state.time;
-            self.note_time(&state, name, self.counts[event])?;
+            self.note_time(&mechanism, &state, name, self.counts[event])?;
             let change = act(&mechanism, &state, described, self.counts[event])?;
             (mechanism, state) = (change.mechanism, change.state);
             self.has_ended |= change.ends;
@@ -284,14 +279,14 @@ impl<M: Mechanism> EventHandler<M> {
     }
 
     /// Refuses events that happen again and again within an instant.
-    fn note_time(&mut self, state: &State<M>, event: &'static str, count: usize) -> Result<(), Failure> {
+    fn note_time(&mut self, mechanism: &M, state: &State<M>, event: &'static str, count: usize) -> Result<(), Failure> {
         self.acted.push_back(state.time);
         if self.acted.len() <= MOST_AT_ONCE {
             return Ok(());
         }
         let first = self.acted.pop_front().unwrap_or(f64::NEG_INFINITY);
         match state.time - first < self.instant() {
-            true => Err(Failure::at::<M>(What::Accumulating { event, count }, state.time, &state.positions)),
+            true => Err(Failure::at(mechanism, What::Accumulating { event, count }, state.time, &state.positions)),
             false => Ok(()),
         }
     }

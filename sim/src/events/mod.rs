@@ -54,8 +54,9 @@ pub struct Occurrence<M: Mechanism> {
 impl<M: Mechanism> Occurrence<M> {
     fn transfer(&mut self, bytes: &mut Bytes, blank: &Change<M>) -> Result<(), Damaged> {
         const CROSSINGS: [Crossing; 3] = [Crossing::Rising, Crossing::Falling, Crossing::Touching];
-        bytes.index(&mut self.event, M::Events::LEN)?;
-        self.name = M::DESCRIPTION.events[self.event].name;
+        let events = blank.mechanism.description().events;
+        bytes.index(&mut self.event, events.len())?;
+        self.name = events[self.event].name;
         let mut crossing = CROSSINGS.iter().position(|crossing| *crossing == self.crossing).unwrap_or(0);
         bytes.index(&mut crossing, CROSSINGS.len())?;
         self.crossing = CROSSINGS[crossing];
@@ -92,20 +93,21 @@ pub struct EventSearch<M: Mechanism> {
 
 impl<M: Mechanism> EventSearch<M> {
     /// A search from a time on.
-    pub fn new(begin: f64) -> EventSearch<M> {
+    pub fn new(mechanism: &M, begin: f64) -> EventSearch<M> {
+        let events = mechanism.description().events.len();
         EventSearch {
             found: Vec::with_capacity(1024),
-            begin: M::Events::filled(begin),
+            begin: M::Events::repeat(events, begin),
             last: None,
             before: None,
-            largest: M::Events::filled(0.0),
+            largest: M::Events::repeat(events, 0.0),
             onset: None,
         }
     }
 
     /// Goes on from a time at which the motion has changed.
     pub(crate) fn restart(&mut self, begin: f64, onset: Option<Onset<M>>) {
-        (self.begin, self.last, self.before, self.onset) = (M::Events::filled(begin), None, None, onset);
+        (self.begin, self.last, self.before, self.onset) = (self.begin.like(|_| begin), None, None, onset);
     }
 
     /// Goes on from where the mechanism has been changed: conditions that this leaves as they were are watched on, and others from
@@ -122,7 +124,7 @@ impl<M: Mechanism> EventSearch<M> {
 
     /// The point that a step is searched from where there was none before it.
     fn first_point(&mut self, mut point: Point<M>) -> Point<M> {
-        for event in 0..M::Events::LEN {
+        for event in 0..self.begin.len() {
             match self.before {
                 Some(before) if before[event] == point.values[event] => {}
                 before => {
@@ -141,12 +143,13 @@ impl<M: Mechanism> EventSearch<M> {
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes, blank: &Change<M>) -> Result<(), Damaged> {
         let EventSearch { found, begin, last, before, largest, onset } = self;
         let none = || Occurrence { event: 0, name: "", crossing: Crossing::Rising, state: blank.state, change: None };
+        let zeros = begin.like(|_| 0.0);
         bytes.list(found, none, |bytes, occurrence| occurrence.transfer(bytes, blank))?;
         bytes.numbers(begin.as_mut())?;
-        bytes.option(last, Point::blank, |bytes, last| last.transfer(bytes))?;
-        bytes.option(before, || M::Events::filled(0.0), |bytes, before| bytes.numbers(before.as_mut()))?;
+        bytes.option(last, || Point::blank(&zeros), |bytes, last| last.transfer(bytes))?;
+        bytes.option(before, || zeros, |bytes, before| bytes.numbers(before.as_mut()))?;
         bytes.numbers(largest.as_mut())?;
-        bytes.option(onset, Onset::blank, |bytes, onset| onset.transfer(bytes))
+        bytes.option(onset, || Onset::blank(&zeros), |bytes, onset| onset.transfer(bytes))
     }
 
     /// Searches a step.
@@ -154,23 +157,24 @@ impl<M: Mechanism> EventSearch<M> {
     /// # Errors
     /// [`What::InEvent`] with the cause, [`What::Chattering`].
     pub fn search(&mut self, step: &mut Step<M>) -> Result<(), Failure> {
-        if M::Events::LEN == 0 {
+        if self.begin.is_empty() {
             return Ok(());
         }
         let (motion, h) = (step.motion, step.length());
+        let mechanism = motion.mechanism();
         let from = match self.last {
             Some(last) => last,
             None => self.first_point(Point::of(motion, step.from, h)?),
         };
         let mut to = Point::of(motion, step.to, h)?;
         let first = self.found.len();
-        for event in 0..M::Events::LEN {
+        for event in 0..self.begin.len() {
             if self.is_noise(step, event, &from, &to)? {
                 to.values[event] = from.values[event];
                 continue;
             }
             self.largest[event] = to.values[event].abs().max(from.values[event].abs()).max(self.largest[event]);
-            let name = M::DESCRIPTION.events[event].name;
+            let name = mechanism.description().events[event].name;
             if !may_reach_zero(event, &from, &to) {
                 continue;
             }
@@ -178,7 +182,7 @@ impl<M: Mechanism> EventSearch<M> {
             if self.found.len() - first > MOST_IN_A_STEP {
                 let what = What::Chattering { event: name, count: self.found.len() - first };
                 let begins = &self.found[first].state;
-                return Err(Failure::at::<M>(what, begins.time, &begins.positions));
+                return Err(Failure::at(mechanism, what, begins.time, &begins.positions));
             }
         }
         sort_few(&mut self.found[first..], |a, b| a.state.time.total_cmp(&b.state.time));
@@ -260,7 +264,7 @@ impl<M: Mechanism> EventSearch<M> {
         }
         if least.abs() <= TOUCH * self.largest[event] {
             let state = step.at(turn)?;
-            self.push(event, Crossing::Touching, state);
+            self.push(step.motion.mechanism(), event, Crossing::Touching, state);
         }
         Ok(())
     }
@@ -283,13 +287,13 @@ impl<M: Mechanism> EventSearch<M> {
         let state = step.at(time)?;
         let crossing = if values[0] < 0.0 { Crossing::Rising } else { Crossing::Falling };
         if is_root(conditions(step.motion, &state)?[event], values) {
-            self.push(event, crossing, state);
+            self.push(step.motion.mechanism(), event, crossing, state);
         }
         Ok(())
     }
 
-    fn push(&mut self, event: usize, crossing: Crossing, state: State<M>) {
-        let described = &const { &M::DESCRIPTION }.events[event];
+    fn push(&mut self, mechanism: &M, event: usize, crossing: Crossing, state: State<M>) {
+        let described = &mechanism.description().events[event];
         let counts = match described.direction {
             Direction::Both => true,
             Direction::Rising => crossing == Crossing::Rising,

@@ -33,25 +33,25 @@ impl<M: Mechanism> Onset<M> {
     /// By differences over 1e-5 of the time in which the motion goes a long way, or of the span of the run: third derivatives
     /// then make less of a rate than rounding.
     pub(crate) fn of(motion: &Motion<M>, sample: &Sample<M>, span: f64) -> Result<Onset<M>, Failure> {
-        let [fast, sharp] = [&sample.state.speeds, &sample.accelerations].map(|change| motion.measures().size(change));
+        let [fast, sharp] = [&sample.state.speeds, &sample.accelerations].map(|change| motion.size(change));
         let d = 1e-5 * span.min(1.0 / fast.max(sharp.sqrt()));
         let values = conditions(motion, &sample.state)?;
         let (ahead, behind) = (conditions(motion, &moved(sample, d))?, conditions(motion, &moved(sample, -d))?);
         let terms = terms(motion, &sample.state, &values)?;
         Ok(Onset {
             values,
-            rates: M::Events::from_fn(|i| (ahead[i] - behind[i]) / (2.0 * d)),
-            seconds: M::Events::from_fn(|i| (ahead[i] - 2.0 * values[i] + behind[i]) / (d * d)),
-            noise: M::Events::from_fn(|i| OFFSET * terms[i].max(1.0)),
-            significant: M::Events::from_fn(|i| ROUNDING * terms[i]),
+            rates: values.like(|i| (ahead[i] - behind[i]) / (2.0 * d)),
+            seconds: values.like(|i| (ahead[i] - 2.0 * values[i] + behind[i]) / (d * d)),
+            noise: values.like(|i| OFFSET * terms[i].max(1.0)),
+            significant: values.like(|i| ROUNDING * terms[i]),
             d,
             tolerance: tolerance(sample.state.time),
         })
     }
 
     /// None known yet.
-    pub(crate) fn blank() -> Onset<M> {
-        let [values, rates, seconds, noise, significant] = [M::Events::filled(0.0); 5];
+    pub(crate) fn blank(none: &M::Events) -> Onset<M> {
+        let [values, rates, seconds, noise, significant] = [*none; 5];
         Onset { values, rates, seconds, noise, significant, d: 0.0, tolerance: 0.0 }
     }
 
@@ -89,13 +89,13 @@ impl<M: Mechanism> Onset<M> {
 
 /// The size of the terms of each condition: the sum of |its derivative by a coordinate times the coordinate|.
 fn terms<M: Mechanism>(motion: &Motion<M>, state: &State<M>, values: &M::Events) -> Result<M::Events, Failure> {
-    let mut terms = M::Events::from_fn(|i| values[i].abs());
-    for (j, coordinate) in M::DESCRIPTION.coordinates.iter().enumerate() {
+    let mut terms = values.like(|i| values[i].abs());
+    for (j, coordinate) in motion.mechanism().description().coordinates.iter().enumerate() {
         let size = state.positions[j].abs().max(coordinate.position.factor);
         let mut nearby = *state;
         nearby.positions[j] += 1e-6 * size;
         let changed = conditions(motion, &nearby)?;
-        terms = M::Events::from_fn(|i| terms[i] + 1e6 * (changed[i] - values[i]).abs());
+        terms = terms.like(|i| terms[i] + 1e6 * (changed[i] - values[i]).abs());
     }
     Ok(terms)
 }

@@ -17,7 +17,7 @@ const MOST_MOVED_THERE: f64 = 1.0;
 
 /// The differences of positions and speeds.
 fn difference<M: Mechanism>(a: &State<M>, b: &State<M>) -> (M::Q, M::Q) {
-    (M::Q::from_fn(|i| a.positions[i] - b.positions[i]), M::Q::from_fn(|i| a.speeds[i] - b.speeds[i]))
+    (a.positions.like(|i| a.positions[i] - b.positions[i]), a.speeds.like(|i| a.speeds[i] - b.speeds[i]))
 }
 
 /// One step, with its end on the constraints; gives the estimate of its error.
@@ -31,7 +31,7 @@ pub(super) fn attempt<M: Mechanism>(
     to: &mut Sample<M>,
 ) -> Result<f64, Failure> {
     motion.prepare(from, time);
-    if has_generalized_speeds::<M>() {
+    if has_generalized_speeds(motion.mechanism()) {
         motion.choose_velocity_variables(from, time, method.is_explicit());
     }
     let Attempt { mut end, error } = match method.step(motion, from, time, tolerance) {
@@ -54,7 +54,8 @@ const NEARLY_SINGULAR: f64 = 1e-2;
 
 /// Why no step is small enough: a singular position, what the last attempt failed with, or the tolerance.
 pub(super) fn too_small<M: Mechanism>(motion: &Motion<M>, at: &State<M>, step: f64, cause: Option<Failure>) -> Failure {
-    let cause = cause.unwrap_or_else(|| Failure::at::<M>(What::StepTooSmall { step }, at.time, &at.positions));
+    let cause =
+        cause.unwrap_or_else(|| Failure::at(motion.mechanism(), What::StepTooSmall { step }, at.time, &at.positions));
     gimbal::explained(explained(motion, at, cause), motion.mechanism(), at.time, &at.positions)
 }
 
@@ -62,7 +63,9 @@ pub(super) fn too_small<M: Mechanism>(motion: &Motion<M>, at: &State<M>, step: f
 pub(super) fn explained<M: Mechanism>(motion: &Motion<M>, at: &State<M>, failure: Failure) -> Failure {
     let has_reason = matches!(failure.what, What::NotFinite { .. } | What::Interrupted);
     match weakest_constraint(motion, at).filter(|(_, sine)| !has_reason && *sine < NEARLY_SINGULAR) {
-        Some((constraint, _)) => Failure::at::<M>(What::SingularPosition { constraint }, at.time, &at.positions),
+        Some((constraint, _)) => {
+            Failure::at(motion.mechanism(), What::SingularPosition { constraint }, at.time, &at.positions)
+        }
         None => failure,
     }
 }

@@ -37,10 +37,10 @@ impl<'a, M: Mechanism> Around<'a, M> {
         let followed = Followed::at(motion, &state);
         let squares = |ahead: f64| {
             let parts = followed.parts(state.time + ahead, &foretold(&state, &accelerations, ahead));
-            M::L::from_fn(|row| inner(&parts[row], &parts[row]))
+            motion.longest().like(|row| inner(&parts[row], &parts[row]))
         };
         let [before, here, after] = [-reach, 0.0, reach].map(squares);
-        let longest = M::L::from_fn(|row| before[row].max(here[row]).max(after[row]));
+        let longest = before.like(|row| before[row].max(here[row]).max(after[row]));
         Around { motion, followed, state, accelerations, reach, longest }
     }
 
@@ -49,7 +49,7 @@ impl<'a, M: Mechanism> Around<'a, M> {
     fn least_sine(&self, state: &State<M>) -> f64 {
         let parts = self.followed.parts(state.time, &state.positions);
         let sine = |row: usize| (inner(&parts[row], &parts[row]) / self.longest[row]).sqrt();
-        (0..M::L::LEN).filter(|row| self.longest[*row] > 0.0).map(sine).fold(f64::INFINITY, f64::min)
+        (0..self.longest.len()).filter(|row| self.longest[*row] > 0.0).map(sine).fold(f64::INFINITY, f64::min)
     }
 
     /// The polynomial nearest to the accelerations in the neighbourhood: along the branch they are smooth, and known the better
@@ -64,10 +64,11 @@ impl<'a, M: Mechanism> Around<'a, M> {
             let fraction = ((node as f64 + 0.5) / MOST_KNOWN as f64 * PI).cos();
             let ahead = fraction * self.reach;
             let guess = foretold(state, &self.accelerations, ahead);
-            let speeds = M::Q::from_fn(|i| state.speeds[i] + ahead * self.accelerations[i]);
+            let speeds = state.speeds.like(|i| state.speeds[i] + ahead * self.accelerations[i]);
             let mut there = State { time: state.time + ahead, positions: guess, speeds, ..*state };
             let kept = project(self.motion.mechanism(), measures, &mut there);
-            if measures.size(&M::Q::from_fn(|i| there.positions[i] - guess[i])) > ASTRAY * REACH {
+            let astray = there.positions.like(|i| there.positions[i] - guess[i]);
+            if self.motion.size(&astray) > ASTRAY * REACH {
                 continue;
             }
             let Ok(sample) = kept.and_then(|()| self.motion.sample(there)) else { continue };
@@ -76,16 +77,18 @@ impl<'a, M: Mechanism> Around<'a, M> {
             known[count] = Known { fraction, weight, values: sample.accelerations };
             count += 1;
         }
-        nearest_polynomial(&known[..count], 0.0, |change: &M::Q| measures.size(change))
+        nearest_polynomial(&known[..count], 0.0, self.accelerations.like(|_| 0.0), |change: &M::Q| {
+            self.motion.size(change)
+        })
     }
 }
 
 /// How far smooth accelerations may be extrapolated, in seconds. `None` if nothing moves, or if states are not brought onto the
 /// constraints.
 fn natural_reach<M: Mechanism>(motion: &Motion<M>, state: &State<M>, accelerations: &M::Q) -> Option<f64> {
-    let [speed, acceleration] = [&state.speeds, accelerations].map(|rates| motion.measures().size(rates));
+    let [speed, acceleration] = [&state.speeds, accelerations].map(|rates| motion.size(rates));
     let reach = (REACH / speed).min((REACH / acceleration).sqrt());
-    (M::L::LEN > 0 && motion.keeps_constraints() && reach.is_finite()).then_some(reach)
+    (motion.mechanism().m() > 0 && motion.keeps_constraints() && reach.is_finite()).then_some(reach)
 }
 
 /// Accelerations at a state beside a singular position that are more accurate than those that the equations of motion give, if
@@ -98,7 +101,7 @@ pub(super) fn better_accelerations<M: Mechanism>(
     rough: M::Q,
     resolved: f64,
 ) -> Option<M::Q> {
-    let size = |rates: &M::Q| motion.measures().size(rates);
+    let size = |rates: &M::Q| motion.size(rates);
     let reach = natural_reach(motion, &state, &rough)?;
     let mut best = (rough, f64::INFINITY);
     let scale = size(&rough) + size(&state.speeds).powi(2);
@@ -113,7 +116,7 @@ pub(super) fn better_accelerations<M: Mechanism>(
     }
     let (found, known_to) = best;
     let is_better = |direct: M::Q| {
-        let off = size(&M::Q::from_fn(|i| direct[i] - found[i]));
+        let off = size(&direct.like(|i| direct[i] - found[i]));
         known_to <= SMOOTH * scale && known_to < off
     };
     (known_to.is_finite() && direct.is_none_or(is_better)).then_some(found)

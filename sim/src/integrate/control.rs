@@ -68,7 +68,7 @@ pub(super) fn initial_step<M: Mechanism>(
     let tiny = size < 1e-5 || slope < 1e-5;
     let first = if tiny { 1e-6 * span } else { (0.01 * size / slope).min(span) };
     let ahead = motion.sample(state.changed(state.time + first, first, &rates))?.rates();
-    let bend = |a: &M::Q, b: &M::Q| M::Q::from_fn(|i| a[i] - b[i]);
+    let bend = |a: &M::Q, b: &M::Q| a.like(|i| a[i] - b[i]);
     let curvature = norm(&bend(&ahead.positions, &rates.positions), &bend(&ahead.speeds, &rates.speeds)) / first;
     let steepest = slope.max(curvature);
     let second = if steepest <= 1e-15 { 1e-3 * first } else { (0.01 / steepest).powf(1.0 / order) };

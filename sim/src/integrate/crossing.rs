@@ -64,23 +64,29 @@ struct Over<M: Mechanism> {
 }
 
 impl<M: Mechanism> Crossing<M> {
-    pub(super) fn new() -> Crossing<M> {
-        Crossing { method: Dop853::new(), over: None, sines: [f64::INFINITY; 2] }
+    pub(super) fn new(mechanism: &M) -> Crossing<M> {
+        Crossing { method: Dop853::new(mechanism), over: None, sines: [f64::INFINITY; 2] }
     }
 
     /// What it remembers between steps as bytes, or from them, at a state.
-    pub(super) fn transfer(&mut self, bytes: &mut Bytes, at: &State<M>) -> Result<(), Damaged> {
+    pub(super) fn transfer(&mut self, bytes: &mut Bytes, mechanism: &M, at: &State<M>) -> Result<(), Damaged> {
         bytes.numbers(&mut self.sines)?;
         if self.over.as_ref().is_some_and(|over| over.reached.state.time <= at.time) {
             self.over = None;
         }
-        let blank =
-            || Box::new(Over { begun: blank_sample(at), reached: blank_sample(at), end_sine: 0.0, ahead: Vec::new() });
+        let blank = || {
+            Box::new(Over {
+                begun: blank_sample(mechanism, at),
+                reached: blank_sample(mechanism, at),
+                end_sine: 0.0,
+                ahead: Vec::new(),
+            })
+        };
         bytes.option(&mut self.over, blank, |bytes, over| {
             bytes.sample(&mut over.begun)?;
             bytes.sample(&mut over.reached)?;
             bytes.number(&mut over.end_sine)?;
-            transfer_singularities::<M>(&mut over.ahead, bytes)
+            transfer_singularities(mechanism, &mut over.ahead, bytes)
         })?;
         if self.over.is_some() { self.method.transfer(bytes) } else { Ok(()) }
     }
@@ -216,7 +222,7 @@ impl<M: Mechanism> Crossing<M> {
 /// The largest speed, in what its coordinate is measured by: near a singular position a speed that happens to be small is
 /// known no better than those beside it.
 fn rate<M: Mechanism>(motion: &Motion<M>, at: &Sample<M>) -> f64 {
-    motion.measures().size(&at.state.speeds)
+    motion.size(&at.state.speeds)
 }
 
 impl Steps {

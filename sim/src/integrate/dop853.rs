@@ -8,7 +8,7 @@ use crate::state::failure::Failure;
 use crate::state::saved::{Bytes, Damaged};
 use crate::state::settings::Tolerance;
 use crate::state::trajectory::{Rates, Sample, State};
-use sim_kernel::Mechanism;
+use sim_kernel::{Array, Mechanism};
 
 /// The method, with the interpolant of its last step once it has been asked for.
 ///
@@ -24,15 +24,16 @@ pub struct Dop853<M: Mechanism> {
 
 impl<M: Mechanism> Dop853<M> {
     /// The method.
-    pub fn new() -> Dop853<M> {
-        Dop853 { method: ExplicitRungeKutta::new(&DOP853), interpolant: None }
+    pub fn new(mechanism: &M) -> Dop853<M> {
+        Dop853 { method: ExplicitRungeKutta::new(mechanism, &DOP853), interpolant: None }
     }
 
     /// The interpolant as bytes, or from them.
     pub(super) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        let none = Rates::zero(self.method.stages[0].positions.len());
         bytes.option(
             &mut self.interpolant,
-            || [Rates::zero(); 7],
+            || [none; 7],
             |bytes, coefficients| {
                 coefficients.iter_mut().try_for_each(|rates| {
                     bytes.numbers(rates.positions.as_mut())?;
@@ -54,24 +55,18 @@ impl<M: Mechanism> Dop853<M> {
         for (k, (weights, node)) in DENSE_A.iter().zip(DENSE_C).enumerate() {
             self.method.evaluate(motion, &start, h, 13 + k, (weights, node))?;
         }
+        let none = Rates::zero(from.accelerations.len());
         let sum = |parts: [(f64, &Rates<M>); 3]| {
-            let mut sum = Rates::zero();
+            let mut sum = none;
             parts.into_iter().for_each(|(weight, part)| sum.add(weight, part));
             sum
         };
-        let none = Rates::zero();
         let difference = end.change_from(&start);
         let second = sum([(h, &rates[0]), (-1.0, &difference), (0.0, &none)]);
         let third = sum([(1.0, &difference), (-h, &rates[1]), (-1.0, &second)]);
         let higher = DENSE_D.map(|weights| sum([(h, &self.method.combined(weights)), (0.0, &none), (0.0, &none)]));
         let [a, b, c, d] = higher;
         Ok(*self.interpolant.insert([difference, second, third, a, b, c, d]))
-    }
-}
-
-impl<M: Mechanism> Default for Dop853<M> {
-    fn default() -> Dop853<M> {
-        Dop853::new()
     }
 }
 
@@ -105,10 +100,11 @@ impl<M: Mechanism> Advance<M> for Dop853<M> {
         let coefficients = self.interpolant(motion, from, to)?;
         // Nested alternately in s and 1 - s: y + s (c0 + r (c1 + s (c2 + r (c3 + ..)))).
         let factors = [fraction, 1.0 - fraction];
-        let mut sum = Rates::zero();
+        let none = Rates::zero(from.accelerations.len());
+        let mut sum = none;
         for (k, coefficient) in coefficients.iter().enumerate().rev() {
             sum.add(1.0, coefficient);
-            let mut scaled = Rates::zero();
+            let mut scaled = none;
             scaled.add(factors[k % 2], &sum);
             sum = scaled;
         }

@@ -19,8 +19,8 @@ pub struct ExplicitRungeKutta<M: Mechanism> {
 
 impl<M: Mechanism> ExplicitRungeKutta<M> {
     /// The method of a tableau.
-    pub fn new(tableau: &'static Tableau) -> ExplicitRungeKutta<M> {
-        ExplicitRungeKutta { tableau, is_rk4: *tableau == RK4, stages: [Rates::zero(); MOST_STAGES] }
+    pub fn new(mechanism: &M, tableau: &'static Tableau) -> ExplicitRungeKutta<M> {
+        ExplicitRungeKutta { tableau, is_rk4: *tableau == RK4, stages: [Rates::zero(mechanism.n()); MOST_STAGES] }
     }
 
     /// Evaluates a stage from those before it.
@@ -41,7 +41,7 @@ impl<M: Mechanism> ExplicitRungeKutta<M> {
     /// The sum of weight times stage.
     #[inline(always)]
     pub(super) fn combined(&self, weights: &[Weight]) -> Rates<M> {
-        let Some(((first, weight), others)) = weights.split_first() else { return Rates::zero() };
+        let Some(((first, weight), others)) = weights.split_first() else { return self.stages[0].scaled(0.0) };
         let mut sum = self.stages[*first].scaled(*weight);
         others.iter().for_each(|(stage, weight)| sum.add(*weight, &self.stages[*stage]));
         sum
@@ -72,7 +72,7 @@ impl<M: Mechanism> ExplicitRungeKutta<M> {
         let h = time - from.time;
         let end = motion.end(start.changed(time, h, &self.combined(tableau.b)))?;
         if !end.is_finite() {
-            return Err(not_finite(from));
+            return Err(not_finite(motion.mechanism(), from));
         }
         let error = tolerance.map_or(Ok(0.0), |tolerance| self.error(motion, [from, &end], h, tolerance))?;
         Ok(Attempt { end, error })
@@ -139,7 +139,7 @@ impl<M: Mechanism> Advance<M> for ExplicitRungeKutta<M> {
 }
 
 #[cold]
-fn not_finite<M: Mechanism>(start: &State<M>) -> Failure {
+fn not_finite<M: Mechanism>(mechanism: &M, start: &State<M>) -> Failure {
     let what = What::NotFinite { quantity: "the state after this step".into() };
-    Failure::at::<M>(what, start.time, &start.positions)
+    Failure::at(mechanism, what, start.time, &start.positions)
 }

@@ -14,16 +14,16 @@ pub(crate) enum Integrator<M: Mechanism> {
 }
 
 impl<M: Mechanism> Integrator<M> {
-    pub(crate) fn new(method: Method) -> Integrator<M> {
-        let explicit = |tableau| Integrator::Explicit(ExplicitRungeKutta::new(tableau));
+    pub(crate) fn new(mechanism: &M, method: Method) -> Integrator<M> {
+        let explicit = |tableau| Integrator::Explicit(ExplicitRungeKutta::new(mechanism, tableau));
         match method {
             Method::Euler => explicit(&EULER),
             Method::Heun => explicit(&HEUN),
             Method::Rk3 => explicit(&RK3),
             Method::Rk4 => explicit(&RK4),
             Method::Dopri5 => explicit(&DOPRI5),
-            Method::Dop853 => Integrator::Dop853(Dop853::new()),
-            Method::Radau5 => Integrator::Radau5(Radau5::new()),
+            Method::Dop853 => Integrator::Dop853(Dop853::new(mechanism)),
+            Method::Radau5 => Integrator::Radau5(Radau5::new(mechanism)),
         }
     }
 

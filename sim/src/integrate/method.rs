@@ -81,12 +81,13 @@ impl Tolerance {
         error: &(M::Q, M::Q),
     ) -> f64 {
         let mut sum = 0.0;
-        for i in 0..M::Q::LEN {
+        let n = measures.coordinates().len();
+        for i in 0..n {
             let absolute = self.absolute * measures.coordinates()[i];
             let scale = |a: f64, b: f64| absolute + self.relative * a.abs().max(b.abs());
             sum += (error.0[i] / scale(from.positions[i], to.positions[i])).powi(2);
             sum += (error.1[i] / scale(from.speeds[i], to.speeds[i])).powi(2);
         }
-        (sum / (2 * M::Q::LEN).max(1) as f64).sqrt()
+        (sum / (2 * n).max(1) as f64).sqrt()
     }
 }

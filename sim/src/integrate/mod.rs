@@ -50,18 +50,22 @@ pub struct Steps {
 
 impl Steps {
     /// All of it as bytes, or from them.
-    pub(crate) fn transfer<M: Mechanism>(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+    pub(crate) fn transfer<M: Mechanism>(&mut self, mechanism: &M, bytes: &mut Bytes) -> Result<(), Damaged> {
         bytes.tally(&mut self.accepted)?;
         bytes.tally(&mut self.rejected)?;
-        transfer_singularities::<M>(&mut self.singularities, bytes)
+        transfer_singularities(mechanism, &mut self.singularities, bytes)
     }
 }
 
 /// Singular positions as bytes, or from them.
-fn transfer_singularities<M: Mechanism>(list: &mut Vec<Singularity>, bytes: &mut Bytes) -> Result<(), Damaged> {
+fn transfer_singularities<M: Mechanism>(
+    mechanism: &M,
+    list: &mut Vec<Singularity>,
+    bytes: &mut Bytes,
+) -> Result<(), Damaged> {
     let none = || Singularity { constraint: "", time: 0.0, sine: 0.0 };
     bytes.list(list, none, |bytes, Singularity { constraint, time, sine }| {
-        bytes.constraint::<M>(constraint)?;
+        bytes.constraint(mechanism, constraint)?;
         bytes.number(time)?;
         bytes.number(sine)
     })

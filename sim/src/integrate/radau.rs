@@ -67,11 +67,12 @@ struct Blocks<M: Mechanism> {
 
 impl<M: Mechanism> Radau5<M> {
     /// The method.
-    pub fn new() -> Radau5<M> {
-        let (n, zero) = (M::Q::LEN, M::QQ::filled(M::Q::filled(0.0)));
+    pub fn new(mechanism: &M) -> Radau5<M> {
+        let n = mechanism.n();
+        let zero = M::QQ::repeat(n, M::Q::repeat(n, 0.0));
         let jacobian = Blocks { by_positions: zero, by_speeds: zero };
         Radau5 {
-            stages: [Rates::zero(); 3],
+            stages: [Rates::zero(n); 3],
             last: 0.0,
             reached: f64::NAN,
             jacobian,
@@ -107,8 +108,8 @@ impl<M: Mechanism> Radau5<M> {
         let solution = self.real.solve(&|i| {
             r.speeds[i] + c * r.positions[i] - b[i].iter().zip(r.positions.iter()).map(|(b, r)| b * r).sum::<f64>()
         });
-        let positions = M::Q::from_fn(|i| solution[i]);
-        Rates { positions, speeds: M::Q::from_fn(|i| c * positions[i] - r.positions[i]), work: 0.0 }
+        let positions = r.positions.like(|i| solution[i]);
+        Rates { positions, speeds: positions.like(|i| c * positions[i] - r.positions[i]), work: 0.0 }
     }
 
     /// The same for the complex eigenvalue; real and imaginary part of the right-hand side and of the solution.
@@ -117,12 +118,12 @@ impl<M: Mechanism> Radau5<M> {
         let position = |i: usize| Complex::new(r[0].positions[i], r[1].positions[i]);
         let speed = |i: usize| Complex::new(r[0].speeds[i], r[1].speeds[i]);
         let solution = self.complex.solve(&|i| {
-            let damped: Complex<f64> = (0..M::Q::LEN).map(|j| position(j) * b[i][j]).sum();
+            let damped: Complex<f64> = (0..b.len()).map(|j| position(j) * b[i][j]).sum();
             speed(i) + c * position(i) - damped
         });
         let part = |of: fn(Complex<f64>) -> f64| Rates {
-            positions: M::Q::from_fn(|i| of(solution[i])),
-            speeds: M::Q::from_fn(|i| of(c * solution[i] - position(i))),
+            positions: r[0].positions.like(|i| of(solution[i])),
+            speeds: r[0].speeds.like(|i| of(c * solution[i] - position(i))),
             work: 0.0,
         };
         [part(|z| z.re), part(|z| z.im)]
@@ -133,7 +134,7 @@ impl<M: Mechanism> Radau5<M> {
         let (last, stages) = (self.last, self.stages);
         // A step that was refused foretells nothing.
         if last == 0.0 || self.reached != from.state.time {
-            self.stages = [Rates::zero(); 3];
+            self.stages = [Rates::zero(from.accelerations.len()); 3];
             return;
         }
         let end = stages[2];
@@ -155,7 +156,7 @@ impl<M: Mechanism> Radau5<M> {
         let enough = (10.0 * f64::EPSILON / tolerance.relative).max(tolerance.relative.sqrt().min(0.03));
         let mut last_change = f64::NAN;
         for iteration in 0..MOST_ITERATIONS {
-            let mut rates = [Rates::zero(); 3];
+            let mut rates = self.stages;
             for i in 0..3 {
                 let stage = from.changed(from.time + C[i] * h, 1.0, &self.stages[i]);
                 if !stage.is_finite() {
@@ -204,7 +205,7 @@ impl<M: Mechanism> Radau5<M> {
         h: f64,
         tolerance: &Tolerance,
     ) -> Result<f64, Failure> {
-        let mut stages = Rates::zero();
+        let mut stages = Rates::zero(from.accelerations.len());
         self.stages.iter().zip(ESTIMATE).for_each(|(stage, weight)| stages.add(weight / h, stage));
         let mut rates = from.rates();
         rates.add(1.0, &stages);
@@ -218,12 +219,6 @@ impl<M: Mechanism> Radau5<M> {
         rates.add(1.0, &stages);
         let error = self.solve_real(REAL / h, &rates);
         Ok(norm(&error))
-    }
-}
-
-impl<M: Mechanism> Default for Radau5<M> {
-    fn default() -> Radau5<M> {
-        Radau5::new()
     }
 }
 
@@ -249,7 +244,7 @@ impl<M: Mechanism> Advance<M> for Radau5<M> {
         tolerance: Option<&Tolerance>,
     ) -> Result<Attempt<M>, Failure> {
         let h = time - from.state.time;
-        let fail = || Failure::at::<M>(What::NoConvergence, from.state.time, &from.state.positions);
+        let fail = || Failure::at(motion.mechanism(), What::NoConvergence, from.state.time, &from.state.positions);
         let (by_positions, by_speeds) = motion.jacobian(from)?;
         self.jacobian = Blocks { by_positions, by_speeds };
         self.foretell(from, h);
@@ -271,8 +266,8 @@ impl<M: Mechanism> Advance<M> for Radau5<M> {
     fn inside(&mut self, _: &Motion<M>, from: &Sample<M>, to: &Sample<M>, fraction: f64) -> Result<State<M>, Failure> {
         let (a, b) = (&from.state, &to.state);
         let difference = Rates {
-            positions: M::Q::from_fn(|i| b.positions[i] - a.positions[i]),
-            speeds: M::Q::from_fn(|i| b.speeds[i] - a.speeds[i]),
+            positions: b.positions.like(|i| b.positions[i] - a.positions[i]),
+            speeds: b.speeds.like(|i| b.speeds[i] - a.speeds[i]),
             work: 0.0,
         };
         let h = b.time - a.time;
@@ -286,7 +281,7 @@ impl<M: Mechanism> Advance<M> for Radau5<M> {
 /// Rows of a matrix times stages.
 fn combined<M: Mechanism>(matrix: &[[f64; 3]; 3], stages: &[Rates<M>; 3]) -> [Rates<M>; 3] {
     matrix.map(|row| {
-        let mut sum = Rates::zero();
+        let mut sum = Rates::zero(stages[0].positions.len());
         row.iter().zip(stages).for_each(|(weight, stage)| sum.add(*weight, stage));
         sum
     })
@@ -294,7 +289,7 @@ fn combined<M: Mechanism>(matrix: &[[f64; 3]; 3], stages: &[Rates<M>; 3]) -> [Ra
 
 /// The cubic through 0 at 0 and the stages at their nodes, at s.
 fn polynomial<M: Mechanism>(stages: &[Rates<M>; 3], s: f64) -> Rates<M> {
-    let mut sum = Rates::zero();
+    let mut sum = Rates::zero(stages[0].positions.len());
     for i in 0..3 {
         let others = (0..3).filter(|j| *j != i);
         let weight: f64 = others.map(|j| (s - C[j]) / (C[i] - C[j])).product();

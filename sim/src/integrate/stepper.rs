@@ -73,19 +73,20 @@ impl<M: Mechanism> Stepper<M> {
         let mut pace = Pace::new(course, method, *time);
         if let Pace::Adaptive(adaptive) = &mut pace {
             let order = method.control_order();
-            let order = order.ok_or_else(|| Failure::at::<M>(What::NoErrorEstimate, *time, positions))?;
+            let order =
+                order.ok_or_else(|| Failure::at(motion.mechanism(), What::NoErrorEstimate, *time, positions))?;
             motion.start(&start.state);
             let first = initial_step(motion, &start, course.end - time, order, &adaptive.tolerance)?;
             adaptive.h = first.max(shortest(*time));
             adaptive.first = adaptive.h;
         }
-        Ok(Stepper { pace, ..Stepper::blank(course, method, start) })
+        Ok(Stepper { pace, ..Stepper::blank(motion.mechanism(), course, method, start) })
     }
 
     /// One to be filled.
-    fn blank(course: &Course, method: &dyn Advance<M>, at: Sample<M>) -> Stepper<M> {
+    fn blank(mechanism: &M, course: &Course, method: &dyn Advance<M>, at: Sample<M>) -> Stepper<M> {
         let pace = Pace::new(course, method, at.state.time);
-        Stepper { course: *course, ends: [at; 2], from: 0, last: None, crossing: Crossing::new(), pace }
+        Stepper { course: *course, ends: [at; 2], from: 0, last: None, crossing: Crossing::new(mechanism), pace }
     }
 
     /// One that may not be there as bytes, or from them; those read are of this course and method.
@@ -93,9 +94,10 @@ impl<M: Mechanism> Stepper<M> {
         stepper: &mut Option<Stepper<M>>,
         bytes: &mut Bytes,
         (course, method): (&Course, &dyn Advance<M>),
+        mechanism: &M,
         at: &State<M>,
     ) -> Result<(), Damaged> {
-        let blank = || Stepper::blank(course, method, blank_sample(at));
+        let blank = || Stepper::blank(mechanism, course, method, blank_sample(mechanism, at));
         bytes.option(stepper, blank, |bytes, stepper| {
             let Stepper { ends, from, last, crossing, pace, .. } = stepper;
             ends.iter_mut().try_for_each(|end| bytes.sample(end))?;
@@ -104,7 +106,7 @@ impl<M: Mechanism> Stepper<M> {
             bytes.flag(&mut has_moved)?;
             // Of that step itself no more is needed.
             *last = has_moved.then_some(Made::Normally);
-            crossing.transfer(bytes, &ends[usize::from(has_moved) ^ *from].state)?;
+            crossing.transfer(bytes, mechanism, &ends[usize::from(has_moved) ^ *from].state)?;
             pace.transfer(bytes)
         })
     }

@@ -1,10 +1,10 @@
 //! Constraints that events switch.
 
-use sim_kernel::{Array, Description, Mechanism};
+use sim_kernel::{Description, Mechanism};
 
 /// Whether a row of the constraints holds: all do but those of released ones.
 pub fn is_active<M: Mechanism>(mechanism: &M, row: usize) -> bool {
-    is_row_active(const { &M::DESCRIPTION }, mechanism.activities().as_ref(), row)
+    is_row_active(mechanism.description(), mechanism.activities().as_ref(), row)
 }
 
 /// The same of a mechanism of any type.
@@ -15,5 +15,5 @@ pub(crate) fn is_row_active(description: &Description, activities: &[f64], row: 
 
 /// How many rows are released.
 pub(crate) fn released_rows<M: Mechanism>(mechanism: &M) -> usize {
-    (0..M::L::LEN).filter(|row| !is_active(mechanism, *row)).count()
+    (0..mechanism.m()).filter(|row| !is_active(mechanism, *row)).count()
 }

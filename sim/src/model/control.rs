@@ -13,8 +13,8 @@ pub enum Control {
 
 impl Control {
     /// Its name.
-    pub fn name<M: Mechanism>(self) -> &'static str {
-        self.name_in(const { &M::DESCRIPTION })
+    pub fn name<M: Mechanism>(self, mechanism: &M) -> &'static str {
+        self.name_in(mechanism.description())
     }
 
     /// Its name in a mechanism of this description.

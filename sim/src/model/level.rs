@@ -4,22 +4,21 @@ use sim_kernel::{Array, Mechanism};
 
 /// Whether any row holds between speeds alone.
 #[inline(always)]
-pub(crate) fn has_speed_rows<M: Mechanism>() -> bool {
-    !M::DESCRIPTION.speed_constraints.is_empty()
+pub(crate) fn has_speed_rows<M: Mechanism>(mechanism: &M) -> bool {
+    !mechanism.description().speed_constraints.is_empty()
 }
 
 /// Whether this row holds between speeds alone.
 #[inline(always)]
-pub(crate) fn is_speed_row<M: Mechanism>(row: usize) -> bool {
-    M::DESCRIPTION.speed_constraints.contains(&row)
+pub(crate) fn is_speed_row<M: Mechanism>(mechanism: &M, row: usize) -> bool {
+    mechanism.description().speed_constraints.contains(&row)
 }
 
 /// The constraint Jacobian with zeros in the rows between speeds: what positions are corrected by.
 #[inline(always)]
-pub(crate) fn between_positions<M: Mechanism>(jacobian: &M::LQ) -> M::LQ {
-    let zero = M::Q::filled(0.0);
-    match has_speed_rows::<M>() {
+pub(crate) fn between_positions<M: Mechanism>(mechanism: &M, jacobian: &M::LQ) -> M::LQ {
+    match has_speed_rows(mechanism) {
         false => *jacobian,
-        true => M::LQ::from_fn(|i| if is_speed_row::<M>(i) { zero } else { jacobian[i] }),
+        true => jacobian.like(|i| if is_speed_row(mechanism, i) { jacobian[i].like(|_| 0.0) } else { jacobian[i] }),
     }
 }

@@ -28,32 +28,39 @@ pub(crate) fn impulse<M: Mechanism>(
     jacobian: &M::LQ,
     residual: &M::L,
 ) -> Result<(M::Q, M::L), Failure> {
-    let matrix = saddle::<M>(&mechanism.mass_matrix(time, q), jacobian);
-    let n = M::Q::LEN;
-    let rhs = M::Z::from_fn(|i| if i < n { 0.0 } else { residual[i - n] });
-    let solution = solve_motion::<M>(matrix, rhs, time, q)?;
-    Ok((M::Q::from_fn(|i| solution.solution[i]), M::L::from_fn(|i| solution.solution[n + i])))
+    let matrix = saddle(mechanism, &mechanism.mass_matrix(time, q), jacobian);
+    let n = mechanism.n();
+    let rhs = M::Z::with_len(mechanism.n() + mechanism.m(), |i| if i < n { 0.0 } else { residual[i - n] });
+    let solution = solve_motion(mechanism, matrix, rhs, time, q)?;
+    Ok((q.like(|i| solution.solution[i]), residual.like(|i| solution.solution[n + i])))
 }
 
 /// [M C_q'; C_q 0].
-fn saddle<M: Mechanism>(mass: &M::QQ, jacobian: &M::LQ) -> M::ZZ {
-    let n = M::Q::LEN;
+fn saddle<M: Mechanism>(mechanism: &M, mass: &M::QQ, jacobian: &M::LQ) -> M::ZZ {
+    let (n, size) = (mechanism.n(), mechanism.n() + mechanism.m());
     let entry = |i: usize, j: usize| match (i < n, j < n) {
         (true, true) => mass[i][j],
         (true, false) => jacobian[j - n][i],
         (false, true) => jacobian[i - n][j],
         (false, false) => 0.0,
     };
-    M::ZZ::from_fn(|i| M::Z::from_fn(|j| entry(i, j)))
+    M::ZZ::with_len(size, |i| M::Z::with_len(size, |j| entry(i, j)))
 }
 
 /// Solves for accelerations and multipliers. Reactions that no equation determines, because their constraints say
 /// what others say already, are zero here.
-fn solve_motion<M: Mechanism>(matrix: M::ZZ, rhs: M::Z, time: f64, q: &M::Q) -> Result<Solved<M::Z>, Failure> {
-    let fail = |unknown: usize| Failure::at::<M>(What::Singular { unknown: unknown_name::<M>(unknown) }, time, q);
+fn solve_motion<M: Mechanism>(
+    mechanism: &M,
+    matrix: M::ZZ,
+    rhs: M::Z,
+    time: f64,
+    q: &M::Q,
+) -> Result<Solved<M::Z>, Failure> {
+    let fail =
+        |unknown: usize| Failure::at(mechanism, What::Singular { unknown: unknown_name(mechanism, unknown) }, time, q);
     let solved = solve(matrix, rhs);
     let undetermined = || solved.undetermined();
-    match undetermined().find(|unknown| *unknown < M::Q::LEN) {
+    match undetermined().find(|unknown| *unknown < mechanism.n()) {
         Some(acceleration) => Err(fail(acceleration)),
         None if !solved.is_consistent => Err(fail(undetermined().next().unwrap_or(0))),
         None => Ok(solved),
@@ -122,39 +129,40 @@ fn accelerate_by_pivoting<M: Mechanism>(
     qd: M::Q,
 ) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
     let (q, qd) = (&q, &qd);
-    let fail = |what| Failure::at::<M>(what, time, q);
-    let (n, m) = (M::Q::LEN, M::L::LEN);
+    let fail = |what| Failure::at(mechanism, what, time, q);
+    let (n, m) = (mechanism.n(), mechanism.m());
     let mass = mechanism.mass_matrix(time, q);
     let jacobian = mechanism.constraint_jacobian(time, q);
     let (force, convective) = (mechanism.generalized_forces(time, q, qd), mechanism.convective_forces(time, q, qd));
     let constraint_convective = mechanism.constraint_convective(time, q, qd);
     let system = |jacobian: &M::LQ, constraint_convective: &M::L| {
         let rhs = |i: usize| if i < n { force[i] - convective[i] } else { -constraint_convective[i - n] };
-        (saddle::<M>(&mass, jacobian), M::Z::from_fn(rhs))
+        (saddle(mechanism, &mass, jacobian), M::Z::with_len(mechanism.n() + mechanism.m(), rhs))
     };
     let (matrix, rhs) = system(&jacobian, &constraint_convective);
     // Constraints first: what is wrong with them spoils the equations of the coordinates too.
     let is_sound = |row: &usize| matrix[*row].iter().sum::<f64>().is_finite() && rhs[*row].is_finite();
     if let Some(row) = (n..n + m).chain(0..n).find(|row| !is_sound(row)) {
         let quantity = match row < n {
-            true => format!("the equation of {}", unknown_name::<M>(row)),
-            false => format!("constraint `{}`", constraint_name::<M>(row - n)),
+            true => format!("the equation of {}", unknown_name(mechanism, row)),
+            false => format!("constraint `{}`", constraint_name(mechanism, row - n)),
         };
         return Err(fail(What::NotFinite { quantity }));
     }
-    let reduction = redundant.map(|measures| (Reduction::new(&jacobian, measures, measures.rank()), measures));
+    let reduction =
+        redundant.map(|measures| (Reduction::new(mechanism, &jacobian, measures, measures.rank()), measures));
     let (matrix, rhs) = match &reduction {
         Some((reduction, _)) => system(&reduction.rows(&jacobian), &reduction.values(&constraint_convective)),
         None => (matrix, rhs),
     };
-    let solved = solve_motion::<M>(matrix, rhs, time, q);
+    let solved = solve_motion(mechanism, matrix, rhs, time, q);
     let solved = solved.map_err(|failure| gimbal::explained(failure, mechanism, time, q))?;
-    let accelerations = M::Q::from_fn(|i| solved.solution[i]);
-    let found = M::L::from_fn(|i| solved.solution[n + i]);
+    let accelerations = q.like(|i| solved.solution[i]);
+    let found = M::L::with_len(mechanism.m(), |i| solved.solution[n + i]);
     let multipliers = match (reduction, solved.undetermined().count()) {
         (Some((reduction, measures)), _) => reduction.multipliers(measures, &found),
         (None, 0) => found,
-        (None, undetermined) => least_norm::<M>(jacobian, &found, m - undetermined),
+        (None, undetermined) => least_norm(jacobian, &found, m - undetermined),
     };
     let power = mechanism.power(time, q, qd, &accelerations, &multipliers);
     if !power.is_finite() {
@@ -163,9 +171,9 @@ fn accelerate_by_pivoting<M: Mechanism>(
     Ok(Dynamics { accelerations, multipliers, power, refused: false })
 }
 
-fn unknown_name<M: Mechanism>(unknown: usize) -> String {
-    match M::DESCRIPTION.coordinates.get(unknown) {
+fn unknown_name<M: Mechanism>(mechanism: &M, unknown: usize) -> String {
+    match mechanism.description().coordinates.get(unknown) {
         Some(coordinate) => format!("the acceleration of `{}`", coordinate.position.name),
-        None => format!("the reaction of `{}`", constraint_name::<M>(unknown - M::Q::LEN)),
+        None => format!("the reaction of `{}`", constraint_name(mechanism, unknown - mechanism.n())),
     }
 }

@@ -7,7 +7,6 @@
 use crate::motion::measures::Measures;
 use crate::motion::project::project;
 use crate::numerics::arrays::inner;
-use crate::numerics::factors::Factors;
 use crate::numerics::solve::Definite;
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
@@ -19,8 +18,9 @@ use std::cell::Cell;
 const LEAST_PART: f64 = 0.95;
 
 /// Whether generalised speeds are declared.
-pub(crate) const fn has_generalized_speeds<M: Mechanism>() -> bool {
-    M::ROWS_LEFT.is_some()
+#[inline(always)]
+pub(crate) fn has_generalized_speeds<M: Mechanism>(mechanism: &M) -> bool {
+    mechanism.rows_left().is_some()
 }
 
 /// Whether generalised speeds determine the speeds well in a step from a sample to a time: at its start, and in its middle and
@@ -31,12 +31,12 @@ pub(crate) fn determine_speeds<M: Mechanism>(
     (from, time): (&Sample<M>, f64),
     farthest: &Cell<M::Q>,
 ) -> bool {
-    let Some(left) = M::ROWS_LEFT else { return false };
+    let Some(left) = mechanism.rows_left() else { return false };
     let state = &from.state;
     let distances_at = |positions, time| distances(mechanism, measures, &State { time, positions, ..*state }, left);
     let lengthen = |by: M::Q| {
         let longest = farthest.get();
-        farthest.set(M::Q::from_fn(|row| longest[row].max(by[row])));
+        farthest.set(longest.like(|row| longest[row].max(by[row])));
     };
     if farthest.get().iter().all(|square| *square == 0.0) {
         around(mechanism, measures, state).for_each(|beside| lengthen(distances_at(beside.positions, beside.time)));
@@ -44,11 +44,11 @@ pub(crate) fn determine_speeds<M: Mechanism>(
     let here = distances_at(state.positions, state.time);
     lengthen(here);
     let longest = farthest.get();
-    let are_apart = |found: M::Q| (0..M::Q::LEN).all(|row| found[row] > LEAST_PART * LEAST_PART * longest[row]);
+    let are_apart = |found: M::Q| (0..found.len()).all(|row| found[row] > LEAST_PART * LEAST_PART * longest[row]);
     let ahead = |fraction: f64| {
         let h = fraction * (time - state.time);
         let moved = |j: usize| state.positions[j] + h * (state.speeds[j] + h / 2.0 * from.accelerations[j]);
-        distances_at(M::Q::from_fn(moved), state.time + h)
+        distances_at(state.positions.like(moved), state.time + h)
     };
     are_apart(here) && [0.5, 1.0].into_iter().all(|fraction| are_apart(ahead(fraction)))
 }
@@ -56,7 +56,7 @@ pub(crate) fn determine_speeds<M: Mechanism>(
 /// States beside the first one, which may lie where generalised speeds hardly determine the speeds.
 fn around<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &State<M>) -> impl Iterator<Item = State<M>> {
     [-1.0, -0.5, 0.5, 1.0].into_iter().filter_map(|side| {
-        let positions = M::Q::from_fn(|j| state.positions[j] + side * measures.coordinates()[j]);
+        let positions = state.positions.like(|j| state.positions[j] + side * measures.coordinates()[j]);
         let mut beside = State { positions, ..*state };
         project(mechanism, measures, &mut beside).ok().map(|()| beside)
     })
@@ -65,9 +65,9 @@ fn around<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &State<M>)
 /// The squared distance of each row from those before it; 0 where it depends on them.
 fn distances<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &State<M>, left: &[usize]) -> M::Q {
     let rows = rows(mechanism, measures, state, left);
-    let products = M::QQ::from_fn(|i| M::Q::from_fn(|j| inner(&rows[i], &rows[j])));
-    let Ok(factors) = Definite::<M::QQ, M::Q>::new(products) else { return M::Q::filled(0.0) };
-    M::Q::from_fn(|row| match factors.row(row).1 {
+    let products = rows.like(|i| rows[i].like(|j| inner(&rows[i], &rows[j])));
+    let Ok(factors) = Definite::<M::QQ, M::Q>::new(products) else { return state.positions.like(|_| 0.0) };
+    state.positions.like(|row| match factors.row(row).1 {
         0.0 => 0.0,
         inverse => 1.0 / inverse,
     })
@@ -75,13 +75,13 @@ fn distances<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &State<
 
 /// W, and below it the rows of C_q that hold whatever generalised speeds are; n x n, for changes that count as 1.
 fn rows<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &State<M>, left: &[usize]) -> M::QQ {
-    let (time, q, none) = (state.time, &state.positions, M::Q::filled(0.0));
+    let (time, q, none) = (state.time, &state.positions, state.positions.like(|_| 0.0));
     let jacobian = mechanism.constraint_jacobian(time, q);
-    let held = (0..M::L::LEN).filter(|row| !left.contains(row));
-    let speeds = (M::Q::LEN + left.len()).saturating_sub(M::L::LEN);
+    let held = (0..mechanism.m()).filter(|row| !left.contains(row));
+    let speeds = (mechanism.n() + left.len()).saturating_sub(mechanism.m());
     let drift = mechanism.velocity_variables(time, q, &none);
-    let mut rows = M::QQ::filled(none);
-    for j in 0..M::Q::LEN {
+    let mut rows = M::QQ::repeat(mechanism.n(), none);
+    for j in 0..mechanism.n() {
         let size = measures.coordinates()[j];
         let mut alone = none;
         alone[j] = size;

@@ -2,7 +2,7 @@
 
 use crate::state::failure::{Failure, What};
 use nalgebra::DMatrix;
-use sim_kernel::{Array, Description, Mechanism};
+use sim_kernel::{Description, Mechanism};
 
 /// A motion of the coordinates with kinetic energy this small beside others of their size is none of the body.
 const STILL: f64 = 1e-9;
@@ -13,8 +13,8 @@ const NO_PART: f64 = 0.1;
 /// together without anything moving, and each of them alone moves something.
 pub(crate) fn explained<M: Mechanism>(failure: Failure, mechanism: &M, time: f64, q: &M::Q) -> Failure {
     let (mass, jacobian) = (mechanism.mass_matrix(time, q), mechanism.constraint_jacobian(time, q));
-    let mass = DMatrix::from_fn(M::Q::LEN, M::Q::LEN, |i, j| mass[i][j]);
-    let locked = locked(const { &M::DESCRIPTION }, &mass, &|row, j| jacobian[row][j]);
+    let mass = DMatrix::from_fn(mechanism.n(), mechanism.n(), |i, j| mass[i][j]);
+    let locked = locked(mechanism.description(), &mass, &|row, j| jacobian[row][j]);
     if locked.len() < 2 {
         return failure;
     }

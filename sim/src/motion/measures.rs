@@ -6,7 +6,7 @@ use crate::model::conditional::released_rows;
 use crate::motion::lengths::measure;
 use crate::numerics::arrays::array;
 use crate::state::saved::{Bytes, Damaged};
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::{Array, Description, Mechanism};
 
 /// What the coordinates and the constraints of a mechanism are measured by, and the ranks of its constraint Jacobian: found
 /// once, where a motion starts.
@@ -31,7 +31,7 @@ impl<M: Mechanism> Measures<M> {
         [configuration_freedom, degrees_of_freedom]: [usize; 2],
         is_redundant: bool,
     ) -> Measures<M> {
-        let n = M::Q::LEN;
+        let n = mechanism.n();
         let ranks = [n - configuration_freedom.min(n), n - degrees_of_freedom.min(n)];
         Measures { ranks, is_redundant, ..Measures::of_independent(mechanism, any, time, q) }
     }
@@ -39,11 +39,11 @@ impl<M: Mechanism> Measures<M> {
     /// The same where all constraints that hold are taken to be independent.
     pub(crate) fn of_independent(mechanism: &M, any: &dyn AnyMechanism, time: f64, q: &M::Q) -> Measures<M> {
         let (coordinates, constraints) = measure(any, time, q.as_ref());
-        let rank = M::L::LEN - released_rows(mechanism);
-        let between_positions = rank.saturating_sub(M::DESCRIPTION.speed_constraints.len());
+        let rank = mechanism.m() - released_rows(mechanism);
+        let between_positions = rank.saturating_sub(mechanism.description().speed_constraints.len());
         Measures {
-            coordinates: array(&coordinates),
-            constraints: array(&constraints),
+            coordinates: array(mechanism.n(), &coordinates),
+            constraints: array(mechanism.m(), &constraints),
             ranks: [between_positions, rank],
             is_redundant: false,
         }
@@ -53,7 +53,8 @@ impl<M: Mechanism> Measures<M> {
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
         bytes.numbers(self.coordinates.as_mut())?;
         bytes.numbers(self.constraints.as_mut())?;
-        self.ranks.iter_mut().try_for_each(|rank| bytes.index(rank, M::Q::LEN.max(M::L::LEN) + 1))?;
+        let most = self.coordinates.len().max(self.constraints.len());
+        self.ranks.iter_mut().try_for_each(|rank| bytes.index(rank, most + 1))?;
         bytes.flag(&mut self.is_redundant)
     }
 
@@ -85,27 +86,27 @@ impl<M: Mechanism> Measures<M> {
 
     /// C_q with its columns times the changes that count as 1, m x n.
     #[inline(always)]
-    pub(crate) fn columns(&self, jacobian: &M::LQ) -> M::LQ {
-        match const { mixes_lengths::<M>() } {
+    pub(crate) fn columns(&self, mechanism: &M, jacobian: &M::LQ) -> M::LQ {
+        match mixes_lengths(mechanism) {
             false => *jacobian,
-            true => M::LQ::from_fn(|i| M::Q::from_fn(|j| jacobian[i][j] * self.coordinates[j])),
+            true => jacobian.like(|i| jacobian[i].like(|j| jacobian[i][j] * self.coordinates[j])),
         }
     }
 
     /// A change of coordinates in SI units from one in the changes that count as 1, n.
     #[inline(always)]
-    pub(crate) fn change(&self, change: M::Q) -> M::Q {
-        match const { mixes_lengths::<M>() } {
+    pub(crate) fn change(&self, mechanism: &M, change: M::Q) -> M::Q {
+        match mixes_lengths(mechanism) {
             false => change,
-            true => M::Q::from_fn(|j| change[j] * self.coordinates[j]),
+            true => change.like(|j| change[j] * self.coordinates[j]),
         }
     }
 
     /// The largest part of a change of coordinates, beside those that count as 1.
     #[inline(always)]
-    pub(crate) fn size(&self, change: &M::Q) -> f64 {
-        let largest = |part: &dyn Fn(usize) -> f64| (0..M::Q::LEN).fold(0.0f64, |size, j| size.max(part(j).abs()));
-        match const { mixes_lengths::<M>() } {
+    pub(crate) fn size(&self, mechanism: &M, change: &M::Q) -> f64 {
+        let largest = |part: &dyn Fn(usize) -> f64| (0..change.len()).fold(0.0f64, |size, j| size.max(part(j).abs()));
+        match mixes_lengths(mechanism) {
             false => largest(&|j| change[j]) / self.coordinates[0],
             true => largest(&|j| change[j] / self.coordinates[j]),
         }
@@ -113,8 +114,13 @@ impl<M: Mechanism> Measures<M> {
 }
 
 /// Whether there are lengths and others among the coordinates, so that they have to be measured by different numbers.
-pub(crate) const fn mixes_lengths<M: Mechanism>() -> bool {
-    let (coordinates, mut lengths, mut j) = (M::DESCRIPTION.coordinates, 0, 0);
+#[inline(always)]
+pub(crate) fn mixes_lengths<M: Mechanism>(_mechanism: &M) -> bool {
+    const { lengths_are_mixed(&M::DESCRIPTION) }
+}
+
+const fn lengths_are_mixed(description: &Description) -> bool {
+    let (coordinates, mut lengths, mut j) = (description.coordinates, 0, 0);
     while j < coordinates.len() {
         lengths += coordinates[j].position.is_length as usize;
         j += 1;

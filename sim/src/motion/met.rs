@@ -12,7 +12,7 @@ const LARGEST_ROUNDING: f64 = 1e-6;
 /// Whether all of these residuals are at most this part of what the constraints are measured by.
 #[inline(always)]
 pub(crate) fn is_within<M: Mechanism>(measures: &Measures<M>, values: &M::L, part: f64) -> bool {
-    (0..M::L::LEN).all(|row| values[row].abs() <= part * measures.constraints()[row])
+    (0..values.len()).all(|row| values[row].abs() <= part * measures.constraints()[row])
 }
 
 /// Whether every residual is at the level of its own rounding.
@@ -36,8 +36,8 @@ fn is_met_by_rounding<M: Mechanism, R: Rows<M>>(
     linear: &Linear<M, R>,
 ) -> bool {
     let magnitudes = mechanism.constraint_magnitudes(time, q);
-    (0..M::L::LEN).all(|i| {
-        let moved = R::terms(&linear.jacobian, i, q);
+    (0..mechanism.m()).all(|i| {
+        let moved = R::terms(mechanism, &linear.jacobian, i, q);
         let rounding = 8.0 * f64::EPSILON * (magnitudes[i] + moved);
         let size = measures.constraints()[i];
         linear.values[i].abs() <= (rounding + TOLERANCE * size).min(LARGEST_ROUNDING * size)

@@ -51,8 +51,8 @@ impl Mobility {
     }
 
     /// All of it as bytes, or from them.
-    pub(crate) fn transfer<M: Mechanism>(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
-        let name = |bytes: &mut Bytes, name: &mut &'static str| bytes.constraint::<M>(name);
+    pub(crate) fn transfer<M: Mechanism>(&mut self, mechanism: &M, bytes: &mut Bytes) -> Result<(), Damaged> {
+        let name = |bytes: &mut Bytes, name: &mut &'static str| bytes.constraint(mechanism, name);
         bytes.count(&mut self.degrees_of_freedom)?;
         bytes.count(&mut self.configuration_freedom)?;
         bytes.list(&mut self.dependent, || "", name)?;
@@ -64,10 +64,10 @@ impl Mobility {
     ///
     /// # Errors
     /// [`What::SingularStart`] if the position is singular.
-    pub(crate) fn check_regular<M: Mechanism>(&self, time: f64, q: &M::Q) -> Result<(), Failure> {
+    pub(crate) fn check_regular<M: Mechanism>(&self, mechanism: &M, time: f64, q: &M::Q) -> Result<(), Failure> {
         match self.singular.first() {
             None => Ok(()),
-            Some(constraint) => Err(Failure::at::<M>(What::SingularStart { constraint }, time, q)),
+            Some(constraint) => Err(Failure::at(mechanism, What::SingularStart { constraint }, time, q)),
         }
     }
 }

@@ -61,18 +61,18 @@ impl<M: Mechanism> Motion<M> {
     /// The motion of a mechanism, kept on its constraints in this way, with what it is measured by.
     pub fn new(mechanism: M, stabilisation: Stabilisation, measures: Measures<M>) -> Motion<M> {
         Motion {
-            mechanism,
             prepared: mechanism.prepare(),
             stabilisation,
-            partition: RefCell::new(Partition::new()),
+            partition: RefCell::new(Partition::new(&mechanism)),
             measures,
             evaluations: Cell::new(0),
-            longest: Cell::new(M::L::filled(0.0)),
+            longest: Cell::new(M::L::repeat(mechanism.m(), 0.0)),
             widest: Cell::new(0.0),
             closeness: Cell::new(0.0),
             keeps_stages: Cell::new(false),
             is_in_speeds: Cell::new(false),
-            farthest_of_speeds: Cell::new(M::Q::filled(0.0)),
+            farthest_of_speeds: Cell::new(M::Q::repeat(mechanism.n(), 0.0)),
+            mechanism,
         }
     }
 
@@ -92,6 +92,12 @@ impl<M: Mechanism> Motion<M> {
     /// What coordinates and constraints are measured by.
     pub fn measures(&self) -> &Measures<M> {
         &self.measures
+    }
+
+    /// The largest part of a change of coordinates, beside those that count as 1.
+    #[inline(always)]
+    pub(crate) fn size(&self, change: &M::Q) -> f64 {
+        self.measures.size(&self.mechanism, change)
     }
 
     /// The mechanism.
@@ -133,7 +139,7 @@ impl<M: Mechanism> Motion<M> {
         };
         if let Stabilisation::Baumgarte(rate) = self.stabilisation {
             let push = baumgarte(&self.mechanism, &self.measures, state, rate)?;
-            dynamics.accelerations = M::Q::from_fn(|i| dynamics.accelerations[i] - push[i]);
+            dynamics.accelerations = dynamics.accelerations.like(|i| dynamics.accelerations[i] - push[i]);
         }
         Ok(Sample::new(state, &dynamics, self.mechanism.inputs()))
     }
@@ -172,16 +178,17 @@ impl<M: Mechanism> Motion<M> {
 
     #[cold]
     fn difference_quotients(&self, at: &Sample<M>) -> Result<(M::QQ, M::QQ), Failure> {
-        let zero = M::QQ::filled(M::Q::filled(0.0));
+        let n = self.mechanism.n();
+        let zero = M::QQ::repeat(n, M::Q::repeat(n, 0.0));
         let (mut by_positions, mut by_speeds) = (zero, zero);
-        for j in 0..M::Q::LEN {
+        for j in 0..n {
             let (mut moved, mut hastened) = (at.state, at.state);
             let step = |x: f64| f64::EPSILON.sqrt() * x.abs().max(self.measures.coordinates()[j]);
             let steps = [step(moved.positions[j]), step(hastened.speeds[j])];
             moved.positions[j] += steps[0];
             hastened.speeds[j] += steps[1];
             let [moved, hastened] = [self.sample(moved)?.accelerations, self.sample(hastened)?.accelerations];
-            for i in 0..M::Q::LEN {
+            for i in 0..n {
                 by_positions[i][j] = (moved[i] - at.accelerations[i]) / steps[0];
                 by_speeds[i][j] = (hastened[i] - at.accelerations[i]) / steps[1];
             }
@@ -234,13 +241,13 @@ impl<M: Mechanism> Motion<M> {
     /// Takes note of the squares of the lengths of rows.
     pub(crate) fn lengthen(&self, square: impl Fn(usize) -> f64) {
         let longest = self.longest.get();
-        self.longest.set(M::L::from_fn(|row| longest[row].max(square(row))));
+        self.longest.set(longest.like(|row| longest[row].max(square(row))));
     }
 
     /// Whether the step is made in generalised speeds.
     #[inline(always)]
     pub(crate) fn is_in_generalized_speeds(&self) -> bool {
-        has_generalized_speeds::<M>() && self.is_in_speeds.get()
+        has_generalized_speeds(&self.mechanism) && self.is_in_speeds.get()
     }
 
     /// Has the step made in the speeds themselves if it fails because generalised speeds do not determine them.
@@ -274,7 +281,7 @@ impl<M: Mechanism> Motion<M> {
 #[cold]
 fn baumgarte<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: State<M>, rate: f64) -> Result<M::Q, Failure> {
     let linear = mechanism.constraint_linearization(state.time, &state.positions);
-    let speeds = rates::<M>(&linear, &state.speeds);
-    let open = M::L::from_fn(|i| 2.0 * rate * speeds[i] + rate * rate * linear.values[i]);
+    let speeds = rates(mechanism, &linear, &state.speeds);
+    let open = speeds.like(|i| 2.0 * rate * speeds[i] + rate * rate * linear.values[i]);
     smallest_by_inertia(mechanism, measures, state.time, &state.positions, (&linear.jacobian, &open), measures.rank())
 }

@@ -35,8 +35,8 @@ struct Across<M: Mechanism> {
 
 impl<M: Mechanism> Partition<M> {
     /// None chosen yet.
-    pub(crate) fn new() -> Partition<M> {
-        let none = Across { directions: M::LQ::filled(M::Q::filled(0.0)), rank: 0 };
+    pub(crate) fn new(mechanism: &M) -> Partition<M> {
+        let none = Across { directions: M::LQ::repeat(mechanism.m(), M::Q::repeat(mechanism.n(), 0.0)), rank: 0 };
         Partition { positions: none.clone(), speeds: none }
     }
 
@@ -44,33 +44,34 @@ impl<M: Mechanism> Partition<M> {
     pub(crate) fn renew(&mut self, mechanism: &M, measures: &Measures<M>, from: &Sample<M>, time: f64) {
         let (state, h) = (&from.state, (time - from.state.time) / 2.0);
         let moved = |i: usize| state.positions[i] + h * (state.speeds[i] + h / 2.0 * from.accelerations[i]);
-        self.choose(mechanism, measures, state.time + h, &M::Q::from_fn(moved));
+        self.choose(mechanism, measures, state.time + h, &state.positions.like(moved));
     }
 
     /// Chooses by a position.
     pub(crate) fn choose(&mut self, mechanism: &M, measures: &Measures<M>, time: f64, q: &M::Q) {
         let jacobian = &mechanism.constraint_jacobian(time, q);
-        self.positions = Across::new(measures, between_positions::<M>(jacobian), measures.rank_of_positions());
-        if has_speed_rows::<M>() {
-            self.speeds = Across::new(measures, *jacobian, measures.rank());
+        self.positions =
+            Across::new(mechanism, measures, between_positions(mechanism, jacobian), measures.rank_of_positions());
+        if has_speed_rows(mechanism) {
+            self.speeds = Across::new(mechanism, measures, *jacobian, measures.rank());
         }
     }
 
-    fn of_speeds(&self) -> &Across<M> {
-        if has_speed_rows::<M>() { &self.speeds } else { &self.positions }
+    fn of_speeds(&self, mechanism: &M) -> &Across<M> {
+        if has_speed_rows(mechanism) { &self.speeds } else { &self.positions }
     }
 
     /// Makes the parts across the constraints follow from those along them.
     pub(crate) fn follow(&self, mechanism: &M, measures: &Measures<M>, state: &mut State<M>) -> Result<(), Failure> {
-        if M::L::LEN == 0 {
+        if mechanism.m() == 0 {
             return Ok(());
         }
         let (time, q) = (state.time, &mut state.positions);
         let mut linear = mechanism.constraint_linearization(time, q);
         let mut steps = 0;
         loop {
-            let by_positions = between_positions::<M>(&linear.jacobian);
-            subtract(q, &self.positions.solve(measures, &by_positions, &linear.values, time, q)?);
+            let by_positions = between_positions(mechanism, &linear.jacobian);
+            subtract(q, &self.positions.solve(mechanism, measures, &by_positions, &linear.values, time, q)?);
             linear = mechanism.constraint_linearization(time, q);
             steps += 1;
             if is_met::<M, Dense>(mechanism, measures, time, q, &linear) {
@@ -78,48 +79,54 @@ impl<M: Mechanism> Partition<M> {
             }
             if steps == MOST_STEPS {
                 let (row, residual) = largest(linear.values.iter()).unwrap_or((0, f64::NAN));
-                let what = What::NotProjected { constraint: constraint_name::<M>(row), residual, iterations: steps };
-                return Err(Failure::at::<M>(what, time, q));
+                let what =
+                    What::NotProjected { constraint: constraint_name(mechanism, row), residual, iterations: steps };
+                return Err(Failure::at(mechanism, what, time, q));
             }
         }
-        let open = rates::<M>(&linear, &state.speeds);
-        subtract(&mut state.speeds, &self.of_speeds().solve(measures, &linear.jacobian, &open, time, q)?);
+        let open = rates(mechanism, &linear, &state.speeds);
+        subtract(
+            &mut state.speeds,
+            &self.of_speeds(mechanism).solve(mechanism, measures, &linear.jacobian, &open, time, q)?,
+        );
         Ok(())
     }
 }
 
 impl<M: Mechanism> Across<M> {
-    fn new(measures: &Measures<M>, jacobian: M::LQ, rank: usize) -> Across<M> {
-        let scaled = scaled(measures, &jacobian);
-        Across { directions: row_space::<M>(scaled, rank), rank: rank.min(M::L::LEN) }
+    fn new(mechanism: &M, measures: &Measures<M>, jacobian: M::LQ, rank: usize) -> Across<M> {
+        let scaled = scaled(mechanism, measures, &jacobian);
+        Across { directions: row_space(scaled, rank), rank: rank.min(mechanism.m()) }
     }
 
     /// The change x along the directions with C_q x = r, in SI units.
     fn solve(
         &self,
+        mechanism: &M,
         measures: &Measures<M>,
         jacobian: &M::LQ,
         residual: &M::L,
         time: f64,
         q: &M::Q,
     ) -> Result<M::Q, Failure> {
-        let shares = self.shares(measures, jacobian, residual).ok_or_else(|| {
+        let shares = self.shares(mechanism, measures, jacobian, residual).ok_or_else(|| {
             let unknown = "what follows from the constraints".to_owned();
-            Failure::at::<M>(What::Singular { unknown }, time, q)
+            Failure::at(mechanism, What::Singular { unknown }, time, q)
         })?;
         let along = |j: usize| (0..self.rank).map(|k| shares[k] * self.directions[k][j]).sum();
-        Ok(measures.change(M::Q::from_fn(along)))
+        Ok(measures.change(mechanism, q.like(along)))
     }
 
     /// The share of each direction in that change, by elimination with pivoting over the rows; those that are left are
     /// redundant.
-    fn shares(&self, measures: &Measures<M>, jacobian: &M::LQ, residual: &M::L) -> Option<M::L> {
-        let (rows, sizes) = (scaled(measures, jacobian), measures.constraints());
-        let mut residual = M::L::from_fn(|i| residual[i] / sizes[i]);
-        let mut across = M::LL::from_fn(|i| M::L::from_fn(|k| inner(&rows[i], &self.directions[k])));
+    fn shares(&self, mechanism: &M, measures: &Measures<M>, jacobian: &M::LQ, residual: &M::L) -> Option<M::L> {
+        let (rows, sizes) = (scaled(mechanism, measures, jacobian), measures.constraints());
+        let mut residual = residual.like(|i| residual[i] / sizes[i]);
+        let mut across =
+            M::LL::with_len(mechanism.m(), |i| M::L::with_len(mechanism.m(), |k| inner(&rows[i], &self.directions[k])));
         for k in 0..self.rank {
             let size = |i: &usize| across[*i][k].abs();
-            let row = (k..M::L::LEN).max_by(|a, b| size(a).total_cmp(&size(b)))?;
+            let row = (k..mechanism.m()).max_by(|a, b| size(a).total_cmp(&size(b)))?;
             across.as_mut().swap(k, row);
             residual.as_mut().swap(k, row);
             let pivot = across[k][k];
@@ -135,7 +142,7 @@ impl<M: Mechanism> Across<M> {
                 residual[k + 1 + i] -= factor * residual[k];
             }
         }
-        let mut shares = M::L::filled(0.0);
+        let mut shares = M::L::repeat(mechanism.m(), 0.0);
         for k in (0..self.rank).rev() {
             let known: f64 = (k + 1..self.rank).map(|j| across[k][j] * shares[j]).sum();
             shares[k] = (residual[k] - known) / across[k][k];
@@ -145,8 +152,8 @@ impl<M: Mechanism> Across<M> {
 }
 
 /// Rows in what coordinates and constraints are measured by.
-fn scaled<M: Mechanism>(measures: &Measures<M>, jacobian: &M::LQ) -> M::LQ {
-    let mut rows = measures.columns(jacobian);
+fn scaled<M: Mechanism>(mechanism: &M, measures: &Measures<M>, jacobian: &M::LQ) -> M::LQ {
+    let mut rows = measures.columns(mechanism, jacobian);
     for (i, size) in measures.constraints().iter().enumerate() {
         rows[i].as_mut().iter_mut().for_each(|entry| *entry /= size);
     }

@@ -18,17 +18,18 @@ impl<M: Mechanism> Reduction<M> {
     ///
     /// Rows are orthonormalised with pivoting, which finds the row space up to what C_q is off its rank; one step of
     /// orthogonal iteration (Golub and Van Loan, Matrix Computations, 2013, section 8.2.4) leaves the square of that.
-    pub(crate) fn new(jacobian: &M::LQ, measures: &Measures<M>, rank: usize) -> Reduction<M> {
-        let mut scaled = measures.columns(jacobian);
-        let inverse_lengths = M::L::from_fn(|i| inverse(measures.constraints()[i]));
-        for i in 0..M::L::LEN {
+    pub(crate) fn new(mechanism: &M, jacobian: &M::LQ, measures: &Measures<M>, rank: usize) -> Reduction<M> {
+        let m = jacobian.len();
+        let mut scaled = measures.columns(mechanism, jacobian);
+        let inverse_lengths = measures.constraints().like(|i| inverse(measures.constraints()[i]));
+        for i in 0..m {
             scaled[i].as_mut().iter_mut().for_each(|entry| *entry *= inverse_lengths[i]);
         }
-        let space = row_space::<M>(scaled, rank);
+        let space = row_space(scaled, rank);
         // U: an orthonormal basis of the columns of A Q', by rows.
-        let mut combinations = M::LL::filled(M::L::filled(0.0));
-        for k in 0..rank.min(M::L::LEN) {
-            combinations[k] = M::L::from_fn(|i| inner(&scaled[i], &space[k]));
+        let mut combinations = M::LL::repeat(m, M::L::repeat(m, 0.0));
+        for k in 0..rank.min(m) {
+            combinations[k] = M::L::with_len(m, |i| inner(&scaled[i], &space[k]));
             orthonormalise(combinations.as_mut(), k, 2);
         }
         for row in combinations.as_mut() {
@@ -39,31 +40,32 @@ impl<M: Mechanism> Reduction<M> {
 
     /// K A, for rows A of the constraints.
     pub(crate) fn rows(&self, jacobian: &M::LQ) -> M::LQ {
-        M::LQ::from_fn(|k| {
+        jacobian.like(|k| {
             let combination = &self.combinations[k];
-            M::Q::from_fn(|j| (0..M::L::LEN).map(|i| combination[i] * jacobian[i][j]).sum())
+            jacobian[k].like(|j| (0..jacobian.len()).map(|i| combination[i] * jacobian[i][j]).sum())
         })
     }
 
     /// K r, for a number r of each constraint.
     pub(crate) fn values(&self, values: &M::L) -> M::L {
-        M::L::from_fn(|k| inner(&self.combinations[k], values))
+        values.like(|k| inner(&self.combinations[k], values))
     }
 
     /// The constraint with the largest part in a row of K.
     pub(crate) fn leading(&self, row: usize) -> usize {
         let part = |i: &usize| self.combinations[row][*i].abs();
-        (0..M::L::LEN).max_by(|a, b| part(a).total_cmp(&part(b))).unwrap_or(row)
+        (0..self.combinations.len()).max_by(|a, b| part(a).total_cmp(&part(b))).unwrap_or(row)
     }
 
     /// Multipliers of the constraints as declared, from those mu of the reduced ones: the shortest, sum of lambda_i^2 in SI
     /// units, with the forces of K' mu, which is its part in the space of the columns of C_q.
     pub(crate) fn multipliers(&self, measures: &Measures<M>, reduced: &M::L) -> M::L {
         let sizes = measures.constraints();
-        let mut columns = M::LL::from_fn(|k| M::L::from_fn(|i| self.combinations[k][i] * sizes[i] * sizes[i]));
-        let any = M::L::from_fn(|i| (0..M::L::LEN).map(|k| self.combinations[k][i] * reduced[k]).sum());
-        let mut shortest = M::L::filled(0.0);
-        for k in 0..M::L::LEN {
+        let scaled = |k: usize| sizes.like(|i| self.combinations[k][i] * sizes[i] * sizes[i]);
+        let mut columns = self.combinations.like(scaled);
+        let any = sizes.like(|i| (0..reduced.len()).map(|k| self.combinations[k][i] * reduced[k]).sum());
+        let mut shortest = reduced.like(|_| 0.0);
+        for k in 0..reduced.len() {
             orthonormalise(columns.as_mut(), k, 2);
             let share = inner(&columns[k], &any);
             shortest.as_mut().iter_mut().zip(columns[k].iter()).for_each(|(part, along)| *part += share * along);
@@ -77,15 +79,15 @@ fn inverse(length: f64) -> f64 {
 }
 
 /// An orthonormal basis of the space of the rows, of this dimension: the row with the largest rest first.
-pub(crate) fn row_space<M: Mechanism>(mut rows: M::LQ, rank: usize) -> M::LQ {
-    for k in 0..rank.min(M::L::LEN) {
+pub(crate) fn row_space<A: Array<R>, R: Array<f64>>(mut rows: A, rank: usize) -> A {
+    for k in 0..rank.min(rows.len()) {
         let length = |i: &usize| inner(&rows[*i], &rows[*i]);
-        let Some(longest) = (k..M::L::LEN).max_by(|a, b| length(a).total_cmp(&length(b))) else { break };
+        let Some(longest) = (k..rows.len()).max_by(|a, b| length(a).total_cmp(&length(b))) else { break };
         rows.as_mut().swap(k, longest);
         // They have been taken from it once, below.
         orthonormalise(rows.as_mut(), k, 1);
         let direction = rows[k];
-        for i in k + 1..M::L::LEN {
+        for i in k + 1..rows.len() {
             remove(&mut rows[i], &direction);
         }
     }

@@ -7,20 +7,20 @@ use sim_kernel::{Array, ConstraintLinearization, Mechanism};
 
 /// C_q q' + C_t.
 #[inline]
-pub fn rates<M: Mechanism>(linear: &ConstraintLinearization<M::L, M::LQ>, qd: &M::Q) -> M::L {
-    rates_of::<M, Dense>(linear, qd)
+pub fn rates<M: Mechanism>(mechanism: &M, linear: &ConstraintLinearization<M::L, M::LQ>, qd: &M::Q) -> M::L {
+    rates_of::<M, Dense>(mechanism, linear, qd)
 }
 
 #[inline(always)]
-pub(crate) fn rates_of<M: Mechanism, R: Rows<M>>(linear: &Linear<M, R>, qd: &M::Q) -> M::L {
-    let along = R::times(&linear.jacobian, qd);
-    M::L::from_fn(|i| along[i] + linear.time_derivative[i])
+pub(crate) fn rates_of<M: Mechanism, R: Rows<M>>(mechanism: &M, linear: &Linear<M, R>, qd: &M::Q) -> M::L {
+    let along = R::times(mechanism, &linear.jacobian, qd);
+    along.like(|i| along[i] + linear.time_derivative[i])
 }
 
 /// The largest magnitudes of C and of C_q q' + C_t at a state.
 pub fn residuals<M: Mechanism>(mechanism: &M, state: &State<M>) -> (f64, f64) {
     let linear = mechanism.constraint_linearization(state.time, &state.positions);
-    let rates = rates::<M>(&linear, &state.speeds);
+    let rates = rates(mechanism, &linear, &state.speeds);
     let size = |values: &M::L| largest(values.iter()).map_or(0.0, |(_, value)| value.abs());
     (size(&linear.values), size(&rates))
 }

@@ -130,7 +130,7 @@ fn far_enough<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie, len
 
 /// The positions so long after a state, foretold from positions, speeds and accelerations.
 pub(crate) fn foretold<M: Mechanism>(state: &State<M>, accelerations: &M::Q, ahead: f64) -> M::Q {
-    M::Q::from_fn(|i| state.positions[i] + ahead * (state.speeds[i] + ahead / 2.0 * accelerations[i]))
+    state.positions.like(|i| state.positions[i] + ahead * (state.speeds[i] + ahead / 2.0 * accelerations[i]))
 }
 
 /// The time to the first singular position within about a step, foretold from positions, speeds and accelerations, and how
@@ -154,7 +154,7 @@ fn singularity_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &L
         let is_found = followed.sine(row, &rows(ahead)) < FORETOLD && (ahead <= lie.longest || is_even);
         is_found.then_some((ahead, h))
     };
-    (0..M::L::LEN).filter_map(of_row).min_by(|(a, _), (b, _)| a.total_cmp(b))
+    (0..here.len()).filter_map(of_row).min_by(|(a, _), (b, _)| a.total_cmp(b))
 }
 
 /// The rows of C_q D whose independence is followed: those declared, or where some are redundant, combinations of them that
@@ -170,7 +170,7 @@ impl<'a, M: Mechanism> Followed<'a, M> {
         let measures = motion.measures();
         let reduction = measures.is_redundant().then(|| {
             let jacobian = motion.mechanism().constraint_jacobian(state.time, &state.positions);
-            Reduction::new(&jacobian, measures, measures.rank())
+            Reduction::new(motion.mechanism(), &jacobian, measures, measures.rank())
         });
         Followed { motion, reduction }
     }
@@ -184,27 +184,29 @@ impl<'a, M: Mechanism> Followed<'a, M> {
     /// Whether a row may have turned round between two positions. Where rows are sparse that is told in a time that grows with
     /// their number alone.
     pub(crate) fn may_have_passed(&self, [from, to]: [&State<M>; 2]) -> bool {
-        if !const { is_sparse::<M>() } || self.reduction.is_some() {
+        let mechanism = self.motion.mechanism();
+        if !is_sparse(mechanism) || self.reduction.is_some() {
             return true;
         }
         let columns = |state: &State<M>| {
-            let linear = Sparse::linearization(self.motion.mechanism(), state.time, &state.positions);
-            Sparse::columns(&linear.jacobian, self.motion.measures())
+            let linear = Sparse::linearization(mechanism, state.time, &state.positions);
+            Sparse::columns(mechanism, &linear.jacobian, self.motion.measures())
         };
-        may_have_turned::<M>(&columns(from), &columns(to))
+        may_have_turned(mechanism, &columns(from), &columns(to))
     }
 
     /// The part of each of these rows that is orthogonal to those before it.
     fn independent(&self, rows: &M::LQ) -> M::LQ {
-        match const { is_sparse::<M>() } && self.reduction.is_none() {
-            false => independent_parts::<M>(rows, |k| (k, 0)),
-            true => independent_parts::<M>(rows, |k| (sparse_rows::<M>()[k].constraint, sparse_rows::<M>()[k].first)),
+        let sparse_rows = sparse_rows(self.motion.mechanism());
+        match sparse_rows.is_empty() || self.reduction.is_some() {
+            true => independent_parts(rows, |k| (k, 0)),
+            false => independent_parts(rows, |k| (sparse_rows[k].constraint, sparse_rows[k].first)),
         }
     }
 
     fn rows(&self, time: f64, q: &M::Q) -> M::LQ {
         let jacobian = self.motion.mechanism().constraint_jacobian(time, q);
-        let columns = self.motion.measures().columns(&jacobian);
+        let columns = self.motion.measures().columns(self.motion.mechanism(), &jacobian);
         self.reduction.as_ref().map_or(columns, |reduction| reduction.rows(&columns))
     }
 
@@ -220,13 +222,16 @@ impl<'a, M: Mechanism> Followed<'a, M> {
 
     /// The row nearest to depending on those before it, of those that do not everywhere, with its sine.
     fn weakest(&self, parts: &M::LQ) -> Option<(usize, f64)> {
-        let sines = (0..M::L::LEN).map(|row| (row, self.sine(row, parts))).filter(|(_, sine)| *sine > 0.0);
+        let sines = (0..parts.len()).map(|row| (row, self.sine(row, parts))).filter(|(_, sine)| *sine > 0.0);
         sines.min_by(|(_, a), (_, b)| a.total_cmp(b))
     }
 
     /// The constraint that a row is, or that has the largest part in it.
     fn constraint(&self, row: usize) -> &'static str {
-        constraint_name::<M>(self.reduction.as_ref().map_or(row, |reduction| reduction.leading(row)))
+        constraint_name(
+            self.motion.mechanism(),
+            self.reduction.as_ref().map_or(row, |reduction| reduction.leading(row)),
+        )
     }
 
     /// The singular position between two times, if there is one: the part of a row that is independent of those before it turns
@@ -239,7 +244,7 @@ impl<'a, M: Mechanism> Followed<'a, M> {
     ) -> Result<Option<Singularity>, Failure> {
         let time = |fraction: f64| from + fraction * (to - from);
         let mut parts = |fraction: f64| at(time(fraction)).map(|state| self.parts(state.time, &state.positions));
-        for row in 0..M::L::LEN {
+        for row in 0..before.len() {
             let along = |parts: &M::LQ| inner(&parts[row], &before[row]);
             let found = root_between(along(before), along(after), 1e-12, &mut |s| Ok(along(&parts(s)?)))?;
             let Some(fraction) = found else { continue };
@@ -277,9 +282,9 @@ pub(crate) fn weakest_constraint<M: Mechanism>(motion: &Motion<M>, state: &State
 
 /// The part of each row that is orthogonal to those before it; zero for one that depends on them everywhere. The k-th row is
 /// given with the first that it need not be orthogonal to.
-fn independent_parts<M: Mechanism>(jacobian: &M::LQ, row: impl Fn(usize) -> (usize, usize)) -> M::LQ {
+fn independent_parts<A: Array<Q>, Q: Array<f64>>(jacobian: &A, row: impl Fn(usize) -> (usize, usize)) -> A {
     let mut parts = *jacobian;
-    for k in 0..M::L::LEN {
+    for k in 0..jacobian.len() {
         let (i, first) = row(k);
         let mut part = parts[i];
         // Twice, so that rounding leaves nothing of what was taken.
@@ -287,11 +292,11 @@ fn independent_parts<M: Mechanism>(jacobian: &M::LQ, row: impl Fn(usize) -> (usi
             let square = inner(&parts[j], &parts[j]);
             if square > 0.0 {
                 let share = inner(&parts[j], &part) / square;
-                part = M::Q::from_fn(|k| part[k] - share * parts[j][k]);
+                part = part.like(|k| part[k] - share * parts[j][k]);
             }
         }
         let is_dependent = inner(&part, &part) <= DEPENDENT * DEPENDENT * inner(&jacobian[i], &jacobian[i]);
-        parts[i] = if is_dependent { M::Q::filled(0.0) } else { part };
+        parts[i] = if is_dependent { part.like(|_| 0.0) } else { part };
     }
     parts
 }

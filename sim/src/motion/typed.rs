@@ -16,7 +16,7 @@ pub(crate) struct Any<'m, M>(pub(crate) &'m M);
 
 impl<M: Mechanism> AnyMechanism for Any<'_, M> {
     fn description(&self) -> &'static Description {
-        const { &M::DESCRIPTION }
+        self.0.description()
     }
     fn parameters(&self) -> Vec<f64> {
         self.0.parameters().as_ref().to_vec()
@@ -28,19 +28,19 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
         self.0.activities().as_ref().to_vec()
     }
     fn constraints(&self, time: f64, q: &[f64]) -> DVector<f64> {
-        vector(&self.0.constraints(time, &array(q)))
+        vector(&self.0.constraints(time, &array(self.0.n(), q)))
     }
     fn constraint_magnitudes(&self, time: f64, q: &[f64]) -> DVector<f64> {
-        vector(&self.0.constraint_magnitudes(time, &array(q)))
+        vector(&self.0.constraint_magnitudes(time, &array(self.0.n(), q)))
     }
     fn constraint_jacobian(&self, time: f64, q: &[f64]) -> DMatrix<f64> {
-        matrix::<M::LQ, M::Q>(&self.0.constraint_jacobian(time, &array(q)))
+        matrix::<M::LQ, M::Q>(&self.0.constraint_jacobian(time, &array(self.0.n(), q)))
     }
     fn constraint_time_derivative(&self, time: f64, q: &[f64]) -> DVector<f64> {
-        vector(&self.0.constraint_time_derivative(time, &array(q)))
+        vector(&self.0.constraint_time_derivative(time, &array(self.0.n(), q)))
     }
     fn constraint_linearization(&self, time: f64, q: &[f64]) -> Linear {
-        let linear = self.0.constraint_linearization(time, &array(q));
+        let linear = self.0.constraint_linearization(time, &array(self.0.n(), q));
         Linear {
             values: vector(&linear.values),
             jacobian: matrix::<M::LQ, M::Q>(&linear.jacobian),
@@ -48,23 +48,23 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
         }
     }
     fn constraint_convective(&self, time: f64, q: &[f64], qd: &[f64]) -> DVector<f64> {
-        vector(&self.0.constraint_convective(time, &array(q), &array(qd)))
+        vector(&self.0.constraint_convective(time, &array(self.0.n(), q), &array(self.0.n(), qd)))
     }
     fn mass_matrix(&self, time: f64, q: &[f64]) -> DMatrix<f64> {
-        matrix::<M::QQ, M::Q>(&self.0.mass_matrix(time, &array(q)))
+        matrix::<M::QQ, M::Q>(&self.0.mass_matrix(time, &array(self.0.n(), q)))
     }
     fn convective_forces(&self, time: f64, q: &[f64], qd: &[f64]) -> DVector<f64> {
-        vector(&self.0.convective_forces(time, &array(q), &array(qd)))
+        vector(&self.0.convective_forces(time, &array(self.0.n(), q), &array(self.0.n(), qd)))
     }
     fn generalized_forces(&self, time: f64, q: &[f64], qd: &[f64]) -> DVector<f64> {
-        vector(&self.0.generalized_forces(time, &array(q), &array(qd)))
+        vector(&self.0.generalized_forces(time, &array(self.0.n(), q), &array(self.0.n(), qd)))
     }
     fn kinetic_energy(&self, time: f64, q: &[f64], qd: &[f64]) -> f64 {
-        self.0.kinetic_energy(time, &array(q), &array(qd))
+        self.0.kinetic_energy(time, &array(self.0.n(), q), &array(self.0.n(), qd))
     }
     fn power(&self, at: At<f64>) -> f64 {
-        let (q, qd) = (array(at.positions), array(at.speeds));
-        self.0.power(at.time, &q, &qd, &array(at.accelerations), &array(at.multipliers))
+        let (q, qd) = (array(self.0.n(), at.positions), array(self.0.n(), at.speeds));
+        self.0.power(at.time, &q, &qd, &array(self.0.n(), at.accelerations), &array(self.0.m(), at.multipliers))
     }
     fn outputs(&self, at: At<f64>) -> Vec<f64> {
         outputs(self.0, at)
@@ -73,19 +73,22 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
         output_rates(self.0, at)
     }
     fn events(&self, at: At<f64>) -> Vec<f64> {
-        let (q, qd) = (array(at.positions), array(at.speeds));
-        self.0.events(at.time, &q, &qd, &array(at.accelerations), &array(at.multipliers)).as_ref().to_vec()
+        let (q, qd) = (array(self.0.n(), at.positions), array(self.0.n(), at.speeds));
+        self.0
+            .events(at.time, &q, &qd, &array(self.0.n(), at.accelerations), &array(self.0.m(), at.multipliers))
+            .as_ref()
+            .to_vec()
     }
     fn event_values(&self, at: At<f64>) -> Vec<f64> {
-        self.0.event_values(at.time, &array(at.positions), &array(at.speeds)).as_ref().to_vec()
+        self.0.event_values(at.time, &array(self.0.n(), at.positions), &array(self.0.n(), at.speeds)).as_ref().to_vec()
     }
     fn is_met(&self, time: f64, q: &[f64]) -> bool {
-        let q = array(q);
+        let q = array(self.0.n(), q);
         let measures = Measures::of_independent(self.0, self, time, &q);
         is_met::<M, Dense>(self.0, &measures, time, &q, &self.0.constraint_linearization(time, &q))
     }
     fn project_positions(&self, time: f64, q: &mut [f64]) -> Result<(), Failure> {
-        let mut projected = array(q);
+        let mut projected = array(self.0.n(), q);
         let measures = Measures::of_independent(self.0, self, time, &projected);
         project_positions(self.0, &measures, time, &mut projected)?;
         q.copy_from_slice(projected.as_ref());
@@ -94,15 +97,15 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
     fn accelerate_with(&self, parameters: &[f64], inputs: &[Input], at: At<f64>) -> Result<DVector<f64>, Failure> {
         let mut set = self.0.inputs();
         set.as_mut().copy_from_slice(inputs);
-        let mechanism = self.0.with_parameters(array(parameters)).with_inputs(set);
-        let solved = accelerate(&mechanism, at.time, &array(at.positions), &array(at.speeds))?;
+        let mechanism = self.0.with_parameters(array(self.0.n(), parameters)).with_inputs(set);
+        let solved = accelerate(&mechanism, at.time, &array(self.0.n(), at.positions), &array(self.0.n(), at.speeds))?;
         Ok(stacked(solved.accelerations.as_ref(), solved.multipliers.as_ref()))
     }
     fn held_inputs(&self, time: f64, q: &[f64]) -> Vec<Input> {
-        self.0.held_inputs(time, &array(q)).as_ref().to_vec()
+        self.0.held_inputs(time, &array(self.0.n(), q)).as_ref().to_vec()
     }
     fn by_state(&self, time: f64, q: &[f64], qd: &[f64]) -> Option<[DMatrix<f64>; 2]> {
-        let found = self.0.dynamics_jacobian(time, &array(q), &array(qd));
+        let found = self.0.dynamics_jacobian(time, &array(self.0.n(), q), &array(self.0.n(), qd));
         let of = |accelerations: &M::QQ, multipliers: &M::LQ| {
             below(matrix::<M::QQ, M::Q>(accelerations), matrix::<M::LQ, M::Q>(multipliers))
         };
@@ -114,11 +117,12 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
         })
     }
     fn solution_along(&self, at: At<Dual>, control: Option<Control>) -> Option<Vec<Dual>> {
-        let solved = self.lifted(at, control).dynamics(at.time, &array(at.positions), &array(at.speeds));
+        let solved =
+            self.lifted(at, control).dynamics(at.time, &array(self.0.n(), at.positions), &array(self.0.n(), at.speeds));
         (!solved.refused).then(|| [solved.accelerations.as_ref(), solved.multipliers.as_ref()].concat())
     }
     fn constraints_along(&self, at: At<Dual>, control: Option<Control>) -> [Vec<Dual>; 3] {
-        let linear = self.lifted(at, control).constraint_linearization(at.time, &array(at.positions));
+        let linear = self.lifted(at, control).constraint_linearization(at.time, &array(self.0.n(), at.positions));
         let mut jacobian = Vec::new();
         linear.jacobian.iter().for_each(|row| jacobian.extend_from_slice(row.as_ref()));
         [linear.values.as_ref().to_vec(), jacobian, linear.time_derivative.as_ref().to_vec()]
@@ -143,7 +147,7 @@ impl<M: Mechanism> Any<'_, M> {
                 constant.with_parameters(parameters)
             }
             Some(Control::Input(input)) => {
-                let q = M::Q::from_fn(|j| at.positions[j].value);
+                let q = M::Q::with_len(self.0.n(), |j| at.positions[j].value);
                 let held = self.0.held_inputs(at.time.value, &q);
                 let mut inputs = constant.inputs();
                 inputs[input] = held[input].map(Dual::variable);
@@ -163,8 +167,9 @@ fn vector<A: Array<f64>>(values: &A) -> DVector<f64> {
 }
 
 fn matrix<A: Array<R>, R: Array<f64>>(rows: &A) -> DMatrix<f64> {
-    let mut matrix = DMatrix::zeros(A::LEN, R::LEN);
-    for i in 0..A::LEN {
+    let columns = rows.iter().next().map_or(0, Array::len);
+    let mut matrix = DMatrix::zeros(rows.len(), columns);
+    for i in 0..rows.len() {
         set_row(&mut matrix, i, rows[i].as_ref());
     }
     matrix
@@ -177,11 +182,14 @@ fn set_row(matrix: &mut DMatrix<f64>, i: usize, row: &[f64]) {
 }
 
 fn outputs<S: Scalar, M: Mechanism<S>>(mechanism: &M, at: At<S>) -> Vec<S> {
-    let (q, qd) = (array(at.positions), array(at.speeds));
-    mechanism.outputs(at.time, &q, &qd, &array(at.accelerations), &array(at.multipliers)).as_ref().to_vec()
+    let (q, qd) = (array(mechanism.n(), at.positions), array(mechanism.n(), at.speeds));
+    mechanism
+        .outputs(at.time, &q, &qd, &array(mechanism.n(), at.accelerations), &array(mechanism.m(), at.multipliers))
+        .as_ref()
+        .to_vec()
 }
 
 fn output_rates<S: Scalar, M: Mechanism<S>>(mechanism: &M, at: At<S>) -> Vec<S> {
-    let (q, qd) = (array(at.positions), array(at.speeds));
-    mechanism.output_rates(at.time, &q, &qd, &array(at.accelerations)).as_ref().to_vec()
+    let (q, qd) = (array(mechanism.n(), at.positions), array(mechanism.n(), at.speeds));
+    mechanism.output_rates(at.time, &q, &qd, &array(mechanism.n(), at.accelerations)).as_ref().to_vec()
 }

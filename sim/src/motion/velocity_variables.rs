@@ -34,8 +34,8 @@ impl<M: Mechanism> Integrated<M> {
     pub(crate) fn change_from(&self, from: &Integrated<M>) -> Rates<M> {
         let (a, b) = (&from.0, &self.0);
         Rates {
-            positions: M::Q::from_fn(|i| b.positions[i] - a.positions[i]),
-            speeds: M::Q::from_fn(|i| b.speeds[i] - a.speeds[i]),
+            positions: b.positions.like(|i| b.positions[i] - a.positions[i]),
+            speeds: b.speeds.like(|i| b.speeds[i] - a.speeds[i]),
             work: b.work - a.work,
         }
     }
@@ -94,8 +94,9 @@ impl<M: Mechanism> Motion<M> {
         if !self.is_in_generalized_speeds() {
             return Ok((change.positions, change.speeds));
         }
-        let [changed, unchanged] = [self.speeds(state, &change.speeds)?, self.speeds(state, &M::Q::filled(0.0))?];
-        Ok((change.positions, M::Q::from_fn(|i| changed[i] - unchanged[i])))
+        let none = state.speeds.like(|_| 0.0);
+        let [changed, unchanged] = [self.speeds(state, &change.speeds)?, self.speeds(state, &none)?];
+        Ok((change.positions, changed.like(|i| changed[i] - unchanged[i])))
     }
 
     /// Brings a state onto the constraints in some way that may move its positions, its generalised speeds as they were but for
@@ -110,7 +111,7 @@ impl<M: Mechanism> Motion<M> {
         // Where generalised speeds do not determine them, the speeds that it was brought with serve.
         if let Ok(speeds) = self.refined_speeds(state, &kept) {
             state.speeds = speeds;
-            if M::ROWS_LEFT.is_some_and(|rows| !rows.is_empty()) {
+            if self.mechanism().rows_left().is_some_and(|rows| !rows.is_empty()) {
                 bring(state)?;
             }
         }
@@ -127,7 +128,7 @@ impl<M: Mechanism> Motion<M> {
         let found = M::prepared_velocities(self.prepared(), at.time, &at.positions, variables);
         match found.refused {
             false => Ok(found.rates),
-            true => Err(undetermined(at)),
+            true => Err(undetermined(self.mechanism(), at)),
         }
     }
 
@@ -136,21 +137,22 @@ impl<M: Mechanism> Motion<M> {
     fn refined_speeds(&self, at: &State<M>, variables: &M::Q) -> Result<M::Q, Failure> {
         let speeds = self.speeds(at, variables)?;
         let found = self.velocity_variables(&State { speeds, ..*at });
-        self.speeds(at, &M::Q::from_fn(|i| variables[i] + (variables[i] - found[i])))
+        self.speeds(at, &variables.like(|i| variables[i] + (variables[i] - found[i])))
     }
 
     /// u', the derivative of W q' + w along the motion.
     fn rates_of_velocity_variables(&self, sample: &Sample<M>) -> M::Q {
         let (state, mechanism) = (&sample.state, self.mechanism().on(Dual::constant));
-        let along =
-            |values: &M::Q, rates: &M::Q| DualQ::<M>::from_fn(|i| Dual { value: values[i], derivative: rates[i] });
+        let along = |values: &M::Q, rates: &M::Q| {
+            DualQ::<M>::with_len(values.len(), |i| Dual { value: values[i], derivative: rates[i] })
+        };
         let (q, qd) = (along(&state.positions, &state.speeds), along(&state.speeds, &sample.accelerations));
         let variables = mechanism.velocity_variables(Dual::variable(state.time), &q, &qd);
-        M::Q::from_fn(|i| variables[i].derivative)
+        state.speeds.like(|i| variables[i].derivative)
     }
 }
 
 #[cold]
-fn undetermined<M: Mechanism>(at: &State<M>) -> Failure {
-    Failure::at::<M>(What::SpeedsUndetermined, at.time, &at.positions)
+fn undetermined<M: Mechanism>(mechanism: &M, at: &State<M>) -> Failure {
+    Failure::at(mechanism, What::SpeedsUndetermined, at.time, &at.positions)
 }

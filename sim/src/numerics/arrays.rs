@@ -16,9 +16,9 @@ pub(crate) fn subtract<A: Array<f64>>(from: &mut A, correction: &A) {
     }
 }
 
-/// The array that begins with these numbers; those that are left out are zero.
-pub(crate) fn array<S: Scalar, A: Array<S>>(values: &[S]) -> A {
-    let mut array = A::filled(S::ZERO);
+/// The array of this length that begins with these numbers; those that are left out are zero.
+pub(crate) fn array<S: Scalar, A: Array<S>>(len: usize, values: &[S]) -> A {
+    let mut array = A::repeat(len, S::ZERO);
     copy(values, array.as_mut());
     array
 }

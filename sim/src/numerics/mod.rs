@@ -2,7 +2,6 @@
 
 pub(crate) mod arrays;
 pub(crate) mod eigen;
-pub(crate) mod factors;
 pub(crate) mod insertion;
 pub(crate) mod lu;
 pub(crate) mod nearest;

@@ -14,28 +14,33 @@ pub(crate) struct Known<A> {
 }
 
 /// What the polynomial that is nearest to known values has at another fraction, with about how far that may be off:
-/// it has as many terms as leave the smallest on both sides of where they end.
+/// with `none`, zeros, where nothing is known. It has as many terms as leave the smallest on both sides of where they end.
 ///
 /// Forsythe, Journal of the Society for Industrial and Applied Mathematics 5 (1957), pp. 74-88: polynomials that are orthogonal
 /// over the fractions, by recurrence.
-pub(crate) fn nearest_polynomial<A: Array<f64>>(known: &[Known<A>], at: f64, size: impl Fn(&A) -> f64) -> (A, f64) {
+pub(crate) fn nearest_polynomial<A: Array<f64>>(
+    known: &[Known<A>],
+    at: f64,
+    none: A,
+    size: impl Fn(&A) -> f64,
+) -> (A, f64) {
     // The last terms foretell the first that is left out, but for a factor.
     const DOUBT: f64 = 10.0;
     let (mut before, mut here) = ([0.0; MOST_KNOWN], [1.0; MOST_KNOWN]);
     let (mut before_at, mut here_at, mut norm_before) = (0.0, 1.0, f64::INFINITY);
-    let (mut sum, mut last) = (A::filled(0.0), f64::INFINITY);
+    let (mut sum, mut last) = (none, f64::INFINITY);
     let mut best = (sum, f64::INFINITY);
     for _ in known {
         let weighed = |f: &dyn Fn(usize) -> f64| -> f64 {
             known.iter().enumerate().map(|(k, known)| known.weight * here[k] * f(k)).sum()
         };
         let norm = weighed(&|k| here[k]);
-        let term = A::from_fn(|i| weighed(&|k| known[k].values[i]) / norm * here_at);
+        let term = none.like(|i| weighed(&|k| known[k].values[i]) / norm * here_at);
         let found = size(&term);
         if found.max(last) < best.1 {
             best = (sum, found.max(last));
         }
-        (sum, last) = (A::from_fn(|i| sum[i] + term[i]), found);
+        (sum, last) = (sum.like(|i| sum[i] + term[i]), found);
         let (middle, share) = (weighed(&|k| known[k].fraction * here[k]) / norm, norm / norm_before);
         let step = |x: f64, here: f64, before: f64| (x - middle) * here - share * before;
         let next = std::array::from_fn(|k| known.get(k).map_or(0.0, |known| step(known.fraction, here[k], before[k])));
@@ -61,12 +66,12 @@ mod tests {
     #[test]
     fn polynomials_are_found_and_what_is_left_over_is_foretold() {
         let cubic = |x: f64| [3.0 - x + 5.0 * x.powi(3), x * x];
-        let (found, off) = nearest_polynomial(&known(cubic, |x| 1.0 + x), 0.43, size);
+        let (found, off) = nearest_polynomial(&known(cubic, |x| 1.0 + x), 0.43, [0.0; 2], size);
         let exact = cubic(0.43);
         assert!(size(&[found[0] - exact[0], found[1] - exact[1]]) < 1e-13 && off < 1e-12, "{found:?} {off:e}");
         // A sine is no polynomial: what is lacking is no more than is said.
         let sine = |x: f64| [(3.0 * x).sin(), (3.0 * x).cos()];
-        let (found, off) = nearest_polynomial(&known(sine, |_| 1.0), 0.43, size);
+        let (found, off) = nearest_polynomial(&known(sine, |_| 1.0), 0.43, [0.0; 2], size);
         let lacking = size(&[found[0] - sine(0.43)[0], found[1] - sine(0.43)[1]]);
         assert!(lacking < off && off < 1e-4, "{lacking:e} {off:e}");
     }
@@ -80,7 +85,7 @@ mod tests {
             [1.0 + x * x + noise, 0.0]
         };
         let weight = |x: f64| if is_bad(x) { 1e-16 } else { 1.0 };
-        let (found, off) = nearest_polynomial(&known(noisy, weight), 0.5, size);
+        let (found, off) = nearest_polynomial(&known(noisy, weight), 0.5, [0.0; 2], size);
         assert!((found[0] - 1.25).abs() < 1e-9 && off < 1e-6, "{found:?} {off:e}");
     }
 }

@@ -1,6 +1,5 @@
 //! Small dense linear systems of fixed size, without allocation.
 
-use crate::numerics::factors::{Factors, Undefined};
 use sim_kernel::Array;
 
 /// A pivot this much smaller than the largest is taken for zero. Rows and columns are first brought to
@@ -30,16 +29,16 @@ pub(crate) struct Solved<R> {
 impl<R: Array<f64>> Solved<R> {
     /// The unknowns that no equation determines.
     pub(crate) fn undetermined(&self) -> impl Iterator<Item = usize> + '_ {
-        (self.rank..R::LEN).map(|k| self.order[k] as usize)
+        (self.rank..self.order.len()).map(|k| self.order[k] as usize)
     }
 }
 
 /// Solves a square system by elimination with complete pivoting, after scaling rows and columns by powers of 2.
 pub(crate) fn solve<A: Array<R>, R: Array<f64>>(mut matrix: A, mut rhs: R) -> Solved<R> {
-    let n = R::LEN;
+    let n = rhs.len();
     let column_scale = equilibrate(&mut matrix, &mut rhs);
     let size_of_rhs = rhs.iter().fold(0.0f64, |size, value| size.max(value.abs()));
-    let mut order = R::from_fn(|i| i as f64);
+    let mut order = rhs.like(|i| i as f64);
     let mut first_pivot = 0.0f64;
     let mut rank = 0;
     while rank < n {
@@ -59,7 +58,7 @@ pub(crate) fn solve<A: Array<R>, R: Array<f64>>(mut matrix: A, mut rhs: R) -> So
         rank += 1;
     }
     let is_consistent = (rank..n).all(|k| rhs[k].abs() <= CONSISTENT * size_of_rhs);
-    let mut solution = R::filled(0.0);
+    let mut solution = rhs.like(|_| 0.0);
     for k in (0..rank).rev() {
         let known: f64 = (k + 1..rank).map(|j| matrix[k][j] * rhs[j]).sum();
         rhs[k] = (rhs[k] - known) / matrix[k][k];
@@ -85,8 +84,8 @@ fn eliminate<A: Array<R>, R: Array<f64>>(matrix: &mut A, rhs: &mut R, k: usize) 
 
 /// Scales rows and columns to largest entries near 1; gives the scales of the columns.
 fn equilibrate<A: Array<R>, R: Array<f64>>(matrix: &mut A, rhs: &mut R) -> R {
-    let n = R::LEN;
-    let mut column_scale = R::filled(1.0);
+    let n = rhs.len();
+    let mut column_scale = rhs.like(|_| 1.0);
     for _ in 0..2 {
         for i in 0..n {
             let scale = power_of_two((0..n).map(|j| matrix[i][j].abs()).fold(0.0, f64::max));
@@ -110,13 +109,13 @@ fn power_of_two(size: f64) -> f64 {
 /// Row, column and size of the first of the largest entries from this row and column on.
 fn largest_entry<A: Array<R>, R: Array<f64>>(matrix: &A, from: usize) -> (usize, usize, f64) {
     let (mut row, mut size) = (from, 0.0);
-    for i in from..R::LEN {
+    for i in from..matrix.len() {
         let largest = largest_size(&matrix[i].as_ref()[from..]);
         if largest > size {
             (row, size) = (i, largest);
         }
     }
-    let column = (from..R::LEN).find(|j| matrix[row][*j].abs() == size).unwrap_or(from);
+    let column = (from..matrix.len()).find(|j| matrix[row][*j].abs() == size).unwrap_or(from);
     (row, column, size)
 }
 
@@ -135,6 +134,13 @@ fn largest_size(values: &[f64]) -> f64 {
     lanes.into_iter().fold(among_rest, larger)
 }
 
+/// The matrix is not finite in this row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Undefined {
+    /// The row.
+    pub(crate) row: usize,
+}
+
 /// L D L' factors of a symmetric matrix that is positive definite, or semidefinite because rows depend on each other.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Definite<A, R> {
@@ -150,8 +156,9 @@ impl<A: Array<R>, R: Array<f64>> Definite<A, R> {
     /// A row at whose pivot cancellation has taken all but a few digits depends on those before.
     #[inline]
     pub(crate) fn new(mut lower: A) -> Result<Definite<A, R>, Undefined> {
-        let mut inverse_pivots = R::filled(0.0);
-        for k in 0..R::LEN {
+        let n = lower.len();
+        let mut inverse_pivots = R::repeat(n, 0.0);
+        for k in 0..n {
             let mut pivot = lower[k][k];
             for j in 0..k {
                 let known: f64 = (0..j).map(|i| lower[k][i] * lower[j][i]).sum();
@@ -170,22 +177,23 @@ impl<A: Array<R>, R: Array<f64>> Definite<A, R> {
         }
         Ok(Definite { lower, inverse_pivots })
     }
-}
 
-impl<A: Array<R>, R: Array<f64>> Factors<R> for Definite<A, R> {
+    /// Factors of nothing yet.
     #[inline(always)]
-    fn blank() -> Definite<A, R> {
-        Definite { lower: A::filled(R::filled(0.0)), inverse_pivots: R::filled(0.0) }
+    pub(crate) fn blank(n: usize) -> Definite<A, R> {
+        Definite { lower: A::repeat(n, R::repeat(n, 0.0)), inverse_pivots: R::repeat(n, 0.0) }
     }
 
+    /// The diagonal entry of a row, and the inverse of its pivot: zero if the row depends on those before it.
     #[inline]
-    fn row(&self, k: usize) -> (f64, f64) {
+    pub(crate) fn row(&self, k: usize) -> (f64, f64) {
         (self.lower[k][k], self.inverse_pivots[k])
     }
 
+    /// The solution for a right-hand side; zero for unknowns whose rows depend on others.
     #[inline]
-    fn solve(&self, mut rhs: R) -> R {
-        let (n, lower) = (R::LEN, &self.lower);
+    pub(crate) fn solve(&self, mut rhs: R) -> R {
+        let (n, lower) = (rhs.len(), &self.lower);
         for k in 0..n {
             let known: f64 = (0..k).map(|j| lower[k][j] * rhs[j]).sum();
             rhs[k] -= known;
@@ -233,7 +241,7 @@ mod tests {
         assert!(!solve([[1.0, 2.0], [2.0, 4.0]], [1.0, 1.0]).is_consistent);
         assert!(!solve([[f64::NAN, 2.0], [2.0, 4.0]], [1.0, 1.0]).is_consistent);
         let factors = Definite::new([[1.0, 0.0], [2.0, 4.0]]).unwrap();
-        assert!(!factors.is_regular());
+        assert_eq!(factors.row(1).1, 0.0);
         assert_eq!(factors.solve([1.0, 2.0]), [1.0, 0.0]);
         // Where the dependent row asks for something else than the others, its unknown is zero nevertheless.
         assert_eq!(factors.solve([1.0, 5.0]), [1.0, 0.0]);

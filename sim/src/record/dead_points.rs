@@ -46,11 +46,11 @@ pub(super) struct DeadPoints<M: Mechanism> {
 impl<M: Mechanism> DeadPoints<M> {
     /// Of a motion that starts there; `None` where there are none to be found.
     pub(super) fn new(mechanism: &M, start: &State<M>, mobility: &Mobility) -> Option<DeadPoints<M>> {
-        let description = const { &M::DESCRIPTION };
+        let description = mechanism.description();
         let is_plain = description.conditionals.is_empty()
             && description.norm_constraints.is_empty()
             && description.speed_constraints.is_empty();
-        let (n, freedoms) = (M::Q::LEN, mobility.degrees_of_freedom);
+        let (n, freedoms) = (mechanism.n(), mobility.degrees_of_freedom);
         let given = (0..n).filter(|j| description.coordinates[*j].start == Start::Given);
         let independent: Vec<usize> = given.take(freedoms).collect();
         let constraints = description.constraints.iter().enumerate();
@@ -67,7 +67,7 @@ impl<M: Mechanism> DeadPoints<M> {
             return None;
         }
         let mass = mechanism.mass_matrix(start.time, &start.positions);
-        let scales = M::Q::from_fn(|j| if mass[j][j] > 0.0 { mass[j][j].sqrt().recip() } else { 1.0 });
+        let scales = M::Q::with_len(mechanism.n(), |j| if mass[j][j] > 0.0 { mass[j][j].sqrt().recip() } else { 1.0 });
         let names = independent.iter().map(|j| description.coordinates[*j].position.name).collect();
         let order = [rows.clone(), columns.clone()];
         let (found, last, is_unknown) = (Vec::new(), None, true);
@@ -141,7 +141,7 @@ impl<M: Mechanism> DeadPoints<M> {
 
     /// Whether the rows of C_q do not depend on each other.
     fn has_full_rank(&mut self, mechanism: &M, state: &State<M>) -> bool {
-        self.order[1] = (0..M::Q::LEN).collect();
+        self.order[1] = (0..mechanism.n()).collect();
         self.pivots(mechanism, state).1 > SINGULAR.sqrt()
     }
 
@@ -152,9 +152,9 @@ impl<M: Mechanism> DeadPoints<M> {
         let [rows, columns] = &mut self.order;
         let mut c = mechanism.constraint_jacobian(state.time, &state.positions);
         for row in rows.iter() {
-            (0..M::Q::LEN).for_each(|j| c[*row][j] *= self.scales[j]);
+            (0..state.positions.len()).for_each(|j| c[*row][j] *= self.scales[j]);
             let length = c[*row].iter().map(|entry| entry * entry).sum::<f64>().sqrt();
-            (0..M::Q::LEN).for_each(|j| c[*row][j] /= length);
+            (0..state.positions.len()).for_each(|j| c[*row][j] /= length);
         }
         let (mut product, mut least) = (1.0, f64::INFINITY);
         for k in 0..rows.len() {

@@ -41,7 +41,7 @@ impl Table {
             let at = At::sample(sample);
             (at, sample.state.work, Any(&mechanism).outputs(at))
         });
-        Table::from_rows(const { &M::DESCRIPTION }, trajectory.samples.len(), &mut rows)
+        Table::from_rows(mechanism.description(), trajectory.samples.len(), &mut rows)
     }
 
     /// The table of so many samples with work and outputs. Millions of rows are never held twice.

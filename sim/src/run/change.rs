@@ -23,7 +23,7 @@ impl<M: Mechanism> Simulation<M> {
     pub fn set_inputs(&mut self, inputs: M::Inputs) -> Result<(), Failure> {
         self.check_sound()?;
         let held = inputs.iter().map(|input| input.held().unwrap_or(0.0));
-        self.check_finite("input", M::DESCRIPTION.inputs, held)?;
+        self.check_finite("input", self.mechanism().description().inputs, held)?;
         if inputs.as_ref() != self.mechanism().inputs().as_ref() {
             let mechanism = self.mechanism().with_inputs(inputs);
             self.start_anew(mechanism);
@@ -37,7 +37,7 @@ impl<M: Mechanism> Simulation<M> {
     /// As [`set_inputs`](Simulation::set_inputs), and [`What::Unknown`].
     pub fn set_input(&mut self, name: &str, input: Input) -> Result<(), Failure> {
         let mut inputs = self.mechanism().inputs();
-        inputs[self.place("input", M::DESCRIPTION.inputs, name)?] = input;
+        inputs[self.place("input", self.mechanism().description().inputs, name)?] = input;
         self.set_inputs(inputs)
     }
 
@@ -47,7 +47,7 @@ impl<M: Mechanism> Simulation<M> {
     /// As [`set_parameters`](Simulation::set_parameters), and [`What::Unknown`].
     pub fn set_parameter(&mut self, name: &str, value: f64) -> Result<(), Failure> {
         let mut parameters = self.mechanism().parameters();
-        parameters[self.place("parameter", M::DESCRIPTION.parameters, name)?] = value;
+        parameters[self.place("parameter", self.mechanism().description().parameters, name)?] = value;
         self.set_parameters(parameters)
     }
 
@@ -63,7 +63,7 @@ impl<M: Mechanism> Simulation<M> {
     /// as it was.
     pub fn set_parameters(&mut self, parameters: M::Parameters) -> Result<(), Failure> {
         self.check_sound()?;
-        self.check_finite("parameter", M::DESCRIPTION.parameters, parameters.iter().copied())?;
+        self.check_finite("parameter", self.mechanism().description().parameters, parameters.iter().copied())?;
         if parameters.as_ref() == self.mechanism().parameters().as_ref() {
             return Ok(());
         }
@@ -85,7 +85,7 @@ impl<M: Mechanism> Simulation<M> {
         let old = self.mechanism().parameters();
         let with = |part: f64| {
             let mixed = |i: usize| old[i] + part * (parameters[i] - old[i]);
-            let parameters = if part == 1.0 { *parameters } else { M::Parameters::from_fn(mixed) };
+            let parameters = if part == 1.0 { *parameters } else { parameters.like(mixed) };
             self.mechanism().with_parameters(parameters)
         };
         let (mut state, mut done, mut part) = (self.state, 0.0, 1.0f64);
@@ -97,8 +97,8 @@ impl<M: Mechanism> Simulation<M> {
                 None => {
                     let values = with(1.0).constraints(state.time, &state.positions);
                     let (row, residual) = largest(values.iter()).unwrap_or((0, f64::NAN));
-                    let what = What::ParametersOpen { constraint: constraint_name::<M>(row), residual };
-                    return Err(Failure::at::<M>(what, state.time, &state.positions));
+                    let what = What::ParametersOpen { constraint: constraint_name(self.mechanism(), row), residual };
+                    return Err(Failure::at(self.mechanism(), what, state.time, &state.positions));
                 }
             }
         }
@@ -124,15 +124,15 @@ impl<M: Mechanism> Simulation<M> {
     }
 
     fn refused(&self, what: What) -> Failure {
-        Failure::at::<M>(what, self.state.time, &self.state.positions)
+        Failure::at(self.mechanism(), what, self.state.time, &self.state.positions)
     }
 }
 
 /// Whether parameters that change open a constraint at a state, or the rate of one.
 fn moves_constraints<M: Mechanism>(before: &M, after: &M, state: &State<M>) -> bool {
-    let [before, after] = [before, after].map(|m| m.constraint_linearization(state.time, &state.positions));
-    let rates = |linear| crate::motion::residuals::rates::<M>(linear, &state.speeds);
-    before.values.as_ref() != after.values.as_ref() || rates(&before).as_ref() != rates(&after).as_ref()
+    let [was, is] = [before, after].map(|m| m.constraint_linearization(state.time, &state.positions));
+    let rates = |linear| crate::motion::residuals::rates(before, linear, &state.speeds);
+    was.values.as_ref() != is.values.as_ref() || rates(&was).as_ref() != rates(&is).as_ref()
 }
 
 /// The nearest state on the constraints, if it is near.
@@ -140,7 +140,7 @@ fn closed_nearby<M: Mechanism>(mechanism: &M, state: &State<M>) -> Option<State<
     let (time, mut closed) = (state.time, *state);
     let measures = Measures::at(mechanism, time, &state.positions);
     let linear = crate::motion::project::project_positions(mechanism, &measures, time, &mut closed.positions).ok()?;
-    project_velocities(&measures, &linear, time, &closed.positions, &mut closed.speeds).ok()?;
-    let moved = M::Q::from_fn(|i| closed.positions[i] - state.positions[i]);
-    (closed.is_finite() && measures.size(&moved) <= NEAR).then_some(closed)
+    project_velocities(mechanism, &measures, &linear, time, &closed.positions, &mut closed.speeds).ok()?;
+    let moved = closed.positions.like(|i| closed.positions[i] - state.positions[i]);
+    (closed.is_finite() && measures.size(mechanism, &moved) <= NEAR).then_some(closed)
 }

@@ -106,7 +106,7 @@ fn run_with<M: Mechanism>(
     let first = *simulation.state();
     let mobility = simulation.mobility().clone();
     let mut recorder = Recorder::new(settings, first.time);
-    recorder.make_room().map_err(|what| Failure::at::<M>(what, first.time, &first.positions))?;
+    recorder.make_room().map_err(|what| Failure::at(&mechanism, what, first.time, &first.positions))?;
     recorder.seek_dead_points(&mechanism, &first, &mobility);
     let clock = Instant::now();
     let ended = record(&mut simulation, settings, Control::new(controller, first.time), &mut recorder);
@@ -150,7 +150,7 @@ fn record<M: Mechanism>(
         }
         let State { time, positions, .. } = simulation.state();
         if settings.interrupt.is_some_and(|interrupt| interrupt.load(Ordering::Relaxed)) {
-            return Err(Failure::at::<M>(What::Interrupted, *time, positions));
+            return Err(Failure::at(simulation.mechanism(), What::Interrupted, *time, positions));
         }
         if let Some(progress) = settings.progress {
             progress.store(time.to_bits(), Ordering::Relaxed);

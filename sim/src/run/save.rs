@@ -88,7 +88,7 @@ impl<M: Mechanism> Simulation<M> {
 
     /// What has to be the same where a simulation is restored.
     fn identity(&self) -> Vec<(String, String)> {
-        let description = const { &M::DESCRIPTION };
+        let description = self.mechanism().description();
         let Settings { end, method, stepping, stabilisation, stop, .. } = self.settings;
         let stepping = match stepping {
             Stepping::Equal(count) => format!("{count} equal steps"),
@@ -112,17 +112,18 @@ impl<M: Mechanism> Simulation<M> {
 
     /// All of it as bytes, or from them.
     fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        let mechanism = *self.motion.mechanism();
         bytes.number(&mut self.begin)?;
-        self.mobility.transfer::<M>(bytes)?;
+        self.mobility.transfer(&mechanism, bytes)?;
         bytes.state(&mut self.state)?;
         self.measures.transfer(bytes)?;
         self.motion.transfer(bytes)?;
         self.integrator.transfer(bytes)?;
         let course = self.course(self.settings.end);
-        Stepper::transfer(&mut self.stepper, bytes, (&course, self.integrator.method()), &self.state)?;
+        Stepper::transfer(&mut self.stepper, bytes, (&course, self.integrator.method()), &mechanism, &self.state)?;
         bytes.flag(&mut self.begins_phase)?;
         self.events.transfer(bytes, &Change::none(*self.motion.mechanism(), self.state))?;
-        self.steps.transfer::<M>(bytes)?;
+        self.steps.transfer(&mechanism, bytes)?;
         bytes.tally(&mut self.evaluations)
     }
 }

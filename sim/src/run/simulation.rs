@@ -68,12 +68,12 @@ impl<M: Mechanism> Simulation<M> {
     pub fn new(mechanism: M, start: &Start<M>, settings: &Settings) -> Result<Simulation<M>, Failure> {
         let state = assemble(&mechanism, start)?;
         settings
-            .check(M::DESCRIPTION.events.len())
-            .map_err(|setting| Failure::at::<M>(What::Unusable { setting }, state.time, &state.positions))?;
+            .check(mechanism.description().events.len())
+            .map_err(|setting| Failure::at(&mechanism, What::Unusable { setting }, state.time, &state.positions))?;
         check_masses(&mechanism, state.time, &state.positions)?;
         check_inertias(&mechanism, state.time, &state.positions)?;
         let mobility = mobility(&mechanism, state.time, &state.positions);
-        mobility.check_regular::<M>(state.time, &state.positions)?;
+        mobility.check_regular(&mechanism, state.time, &state.positions)?;
         let measures = Measures::with_mobility(&mechanism, state.time, &state.positions, &mobility);
         Ok(Simulation {
             settings: *settings,
@@ -82,10 +82,10 @@ impl<M: Mechanism> Simulation<M> {
             state,
             measures,
             motion: Motion::new(mechanism, settings.stabilisation, measures),
-            integrator: Integrator::new(settings.method),
+            integrator: Integrator::new(&mechanism, settings.method),
             stepper: None,
             begins_phase: true,
-            events: EventHandler::new(settings, state.time),
+            events: EventHandler::new(&mechanism, settings, state.time),
             steps: Steps::default(),
             evaluations: 0,
             failure: None,
@@ -166,7 +166,7 @@ impl<M: Mechanism> Simulation<M> {
     pub fn advance_to(&mut self, time: f64) -> Result<(), Failure> {
         if time.is_nan() {
             let what = What::NotFinite { quantity: "the time to go on to".to_owned() };
-            return Err(Failure::at::<M>(what, self.state.time, &self.state.positions));
+            return Err(Failure::at(self.mechanism(), what, self.state.time, &self.state.positions));
         }
         self.check_sound()?;
         let time = time.min(self.settings.end);
@@ -242,7 +242,7 @@ impl<M: Mechanism> Simulation<M> {
         if self.has_ended() {
             return Ok(None);
         }
-        self.integrator = Integrator::new(self.settings.method);
+        self.integrator = Integrator::new(self.motion.mechanism(), self.settings.method);
         Stepper::new(&self.motion, self.integrator.method(), course, sample).map(Some)
     }
 
@@ -260,7 +260,7 @@ impl<M: Mechanism> Simulation<M> {
         let found = mobility(&mechanism, state.time, &state.positions);
         self.measures = Measures::with_mobility(&mechanism, state.time, &state.positions, &found);
         self.start_anew(mechanism);
-        found.check_regular::<M>(state.time, &state.positions)
+        found.check_regular(&mechanism, state.time, &state.positions)
     }
 
     /// Has the next step start a motion of this mechanism.

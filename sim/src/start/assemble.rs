@@ -25,7 +25,7 @@ pub struct Start<M: Mechanism> {
 /// The declared start of a mechanism.
 pub fn declared_start<M: Mechanism>(mechanism: &M) -> Start<M> {
     let initial = mechanism.initial();
-    let [position_given, speed_given] = declared_given(const { &M::DESCRIPTION });
+    let [position_given, speed_given] = declared_given(mechanism.description());
     Start { positions: initial.positions, speeds: initial.speeds, position_given, speed_given }
 }
 
@@ -48,10 +48,11 @@ const MOST_STEPS: usize = 200;
 /// # Errors
 /// [`What::NotAssembled`] with the closest configuration, [`What::SpeedsContradict`].
 pub fn assemble<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<State<M>, Failure> {
+    let n = mechanism.n();
     let (mechanism, given): (&dyn AnyMechanism, Given) = (&Any(mechanism), start.given());
     let positions = assemble_positions(mechanism, &given)?;
     let speeds = assemble_speeds(mechanism, &given, &positions)?;
-    Ok(State { time: 0.0, positions: array(&positions), speeds: array(&speeds), work: 0.0 })
+    Ok(State { time: 0.0, positions: array(n, &positions), speeds: array(n, &speeds), work: 0.0 })
 }
 
 /// All configurations that have the coordinates that the start gives, as far as loops close in closed form: elbow up and
@@ -59,7 +60,7 @@ pub fn assemble<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<State<M
 /// configuration. Angles are within half a turn of their guesses.
 pub fn branches<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Branches<M> {
     let Closed { loops, open, positions } = branches_of(&Any(mechanism), &start.given());
-    Branches { loops, open, positions: positions.iter().map(|q| array(q)).collect() }
+    Branches { loops, open, positions: positions.iter().map(|q| array(mechanism.n(), q)).collect() }
 }
 
 /// A start of a mechanism of any type.

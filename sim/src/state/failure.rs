@@ -19,8 +19,8 @@ pub struct Failure {
 
 impl Failure {
     /// A failure at a state of a mechanism.
-    pub fn at<M: Mechanism>(what: What, time: f64, q: &M::Q) -> Failure {
-        Failure::of(const { &M::DESCRIPTION }, what, time, q.as_ref())
+    pub fn at<M: Mechanism>(mechanism: &M, what: What, time: f64, q: &M::Q) -> Failure {
+        Failure::of(mechanism.description(), what, time, q.as_ref())
     }
 
     /// A failure at a state of the mechanism of this description.
@@ -62,8 +62,8 @@ fn readable(value: f64) -> String {
 }
 
 /// The name of a constraint row.
-pub(crate) fn constraint_name<M: Mechanism>(row: usize) -> &'static str {
-    row_name(const { &M::DESCRIPTION }, row)
+pub(crate) fn constraint_name<M: Mechanism>(mechanism: &M, row: usize) -> &'static str {
+    row_name(mechanism.description(), row)
 }
 
 /// The same in a mechanism of this description.

@@ -17,8 +17,8 @@ pub fn hermite<M: Mechanism>(from: &Sample<M>, to: &Sample<M>, fraction: f64) ->
     };
     State {
         time: a.time + fraction * h,
-        positions: M::Q::from_fn(|i| ends(i).at(fraction).0),
-        speeds: M::Q::from_fn(|i| ends(i).at(fraction).1 / h),
+        positions: a.positions.like(|i| ends(i).at(fraction).0),
+        speeds: a.speeds.like(|i| ends(i).at(fraction).1 / h),
         work: cubic([a.work, b.work], [h * from.power, h * to.power], fraction),
     }
 }

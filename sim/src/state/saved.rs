@@ -131,10 +131,10 @@ impl Bytes<'_> {
     }
 
     /// The name of a constraint.
-    pub(crate) fn constraint<M: Mechanism>(&mut self, name: &mut &'static str) -> Result<(), Damaged> {
-        let mut row = (0..M::L::LEN).find(|row| constraint_name::<M>(*row) == *name).unwrap_or(0);
-        self.index(&mut row, M::L::LEN)?;
-        *name = constraint_name::<M>(row);
+    pub(crate) fn constraint<M: Mechanism>(&mut self, mechanism: &M, name: &mut &'static str) -> Result<(), Damaged> {
+        let mut row = (0..mechanism.m()).find(|row| constraint_name(mechanism, *row) == *name).unwrap_or(0);
+        self.index(&mut row, mechanism.m())?;
+        *name = constraint_name(mechanism, row);
         Ok(())
     }
 
@@ -175,12 +175,12 @@ impl Bytes<'_> {
 }
 
 /// A sample to be filled.
-pub(crate) fn blank_sample<M: Mechanism>(state: &State<M>) -> Sample<M> {
+pub(crate) fn blank_sample<M: Mechanism>(mechanism: &M, state: &State<M>) -> Sample<M> {
     Sample {
         state: *state,
-        accelerations: M::Q::filled(0.0),
-        multipliers: M::L::filled(0.0),
+        accelerations: M::Q::repeat(mechanism.n(), 0.0),
+        multipliers: M::L::repeat(mechanism.m(), 0.0),
         power: 0.0,
-        inputs: M::Inputs::filled(Input::Declared),
+        inputs: mechanism.inputs().like(|_| Input::Declared),
     }
 }

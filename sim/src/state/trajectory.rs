@@ -22,8 +22,8 @@ impl<M: Mechanism> State<M> {
     pub fn changed(&self, time: f64, factor: f64, rates: &Rates<M>) -> State<M> {
         State {
             time,
-            positions: M::Q::from_fn(|i| self.positions[i] + factor * rates.positions[i]),
-            speeds: M::Q::from_fn(|i| self.speeds[i] + factor * rates.speeds[i]),
+            positions: self.positions.like(|i| self.positions[i] + factor * rates.positions[i]),
+            speeds: self.speeds.like(|i| self.speeds[i] + factor * rates.speeds[i]),
             work: self.work + factor * rates.work,
         }
     }
@@ -76,17 +76,18 @@ pub struct Rates<M: Mechanism> {
 }
 
 impl<M: Mechanism> Rates<M> {
-    /// No change.
-    pub fn zero() -> Rates<M> {
-        Rates { positions: M::Q::filled(0.0), speeds: M::Q::filled(0.0), work: 0.0 }
+    /// No change of a state with so many coordinates.
+    #[inline(always)]
+    pub fn zero(n: usize) -> Rates<M> {
+        Rates { positions: M::Q::repeat(n, 0.0), speeds: M::Q::repeat(n, 0.0), work: 0.0 }
     }
 
     /// These, times a factor.
     #[inline(always)]
     pub fn scaled(&self, factor: f64) -> Rates<M> {
         Rates {
-            positions: M::Q::from_fn(|i| factor * self.positions[i]),
-            speeds: M::Q::from_fn(|i| factor * self.speeds[i]),
+            positions: self.positions.like(|i| factor * self.positions[i]),
+            speeds: self.speeds.like(|i| factor * self.speeds[i]),
             work: factor * self.work,
         }
     }
@@ -94,7 +95,7 @@ impl<M: Mechanism> Rates<M> {
     /// Adds a multiple of others.
     #[inline(always)]
     pub fn add(&mut self, weight: f64, other: &Rates<M>) {
-        for i in 0..M::Q::LEN {
+        for i in 0..self.positions.len() {
             self.positions[i] += weight * other.positions[i];
             self.speeds[i] += weight * other.speeds[i];
         }

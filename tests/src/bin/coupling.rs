@@ -4,7 +4,7 @@
 
 #![allow(missing_docs)]
 
-use sim::{Array, Measures, Mechanism, State, project};
+use sim::{Array, FixedArray, Measures, Mechanism, State, project};
 use std::hint::black_box;
 use tests::interleaved;
 

@@ -16,17 +16,18 @@ pub(crate) fn jacobian<S: Scalar, M: Mechanism<S>>(
     qd: &M::Q,
 ) -> DynamicsJacobian<S, M::QQ, M::LQ> {
     let prepared = mechanism.on(Dual::constant).prepare();
-    let [q, qd] = [q, qd].map(|values| Q::<S, M>::from_fn(|i| Dual::constant(values[i])));
+    let [q, qd] = [q, qd].map(|values| Q::<S, M>::with_len(values.len(), |i| Dual::constant(values[i])));
     let solve = |q: &Q<S, M>, qd: &Q<S, M>| InDuals::<S, M>::prepared_dynamics(&prepared, Dual::constant(t), q, qd);
-    let zero = M::Q::filled(S::from_f64(0.0));
+    let (n, m) = (mechanism.n(), mechanism.m());
+    let zero = M::Q::repeat(n, S::from_f64(0.0));
     let mut found = DynamicsJacobian {
-        accelerations_by_positions: M::QQ::filled(zero),
-        accelerations_by_speeds: M::QQ::filled(zero),
-        multipliers_by_positions: M::LQ::filled(zero),
-        multipliers_by_speeds: M::LQ::filled(zero),
+        accelerations_by_positions: M::QQ::repeat(n, zero),
+        accelerations_by_speeds: M::QQ::repeat(n, zero),
+        multipliers_by_positions: M::LQ::repeat(m, zero),
+        multipliers_by_speeds: M::LQ::repeat(m, zero),
         refused: S::Mask::NONE,
     };
-    for j in 0..M::Q::LEN {
+    for j in 0..n {
         let by_position = solve(&varied(&q, j), &qd);
         enter::<S, M, M::Q, _, _>(
             &by_position,
@@ -48,16 +49,16 @@ pub(crate) fn sensitivity<S: Scalar, M: Mechanism<S>>(
     q: &M::Q,
     qd: &M::Q,
 ) -> DynamicsSensitivity<S, M::QP, M::LP> {
-    let [q, qd] = [q, qd].map(|values| Q::<S, M>::from_fn(|i| Dual::constant(values[i])));
+    let [q, qd] = [q, qd].map(|values| Q::<S, M>::with_len(values.len(), |i| Dual::constant(values[i])));
     let constant = mechanism.on(Dual::constant);
     let parameters = constant.parameters();
-    let zero = M::Parameters::filled(S::from_f64(0.0));
+    let zero = M::Parameters::repeat(parameters.len(), S::from_f64(0.0));
     let mut found = DynamicsSensitivity {
-        accelerations: M::QP::filled(zero),
-        multipliers: M::LP::filled(zero),
+        accelerations: M::QP::repeat(mechanism.n(), zero),
+        multipliers: M::LP::repeat(mechanism.m(), zero),
         refused: S::Mask::NONE,
     };
-    for j in 0..M::Parameters::LEN {
+    for j in 0..parameters.len() {
         let solved = constant.with_parameters(varied(&parameters, j));
         let solved = solved.dynamics(Dual::constant(t), &q, &qd);
         enter::<S, M, M::Parameters, _, _>(&solved, j, &mut found.accelerations, &mut found.multipliers);
@@ -80,10 +81,10 @@ fn enter<S: Scalar, M: Mechanism<S>, Row: Array<S>, A: Array<Row>, B: Array<Row>
     accelerations: &mut A,
     multipliers: &mut B,
 ) {
-    for i in 0..A::LEN {
+    for i in 0..accelerations.len() {
         accelerations[i][j] = solved.accelerations[i].derivative;
     }
-    for i in 0..B::LEN {
+    for i in 0..multipliers.len() {
         multipliers[i][j] = solved.multipliers[i].derivative;
     }
 }

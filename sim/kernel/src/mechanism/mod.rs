@@ -2,7 +2,7 @@
 
 mod differentiate;
 
-use crate::{Array, Description, Input, Scalar};
+use crate::{Array, Description, FixedArray, Input, Scalar};
 use core::fmt::Debug;
 use differentiate::{jacobian, sensitivity};
 
@@ -12,43 +12,43 @@ use differentiate::{jacobian, sensitivity};
 /// SI units. Kernels neither allocate nor panic; outside a function's domain results are NaN.
 pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     /// Coordinates, speeds or accelerations: n.
-    type Q: Array<S>;
+    type Q: FixedArray<S>;
     /// Constraints or multipliers: m.
-    type L: Array<S>;
+    type L: FixedArray<S>;
     /// Both, one after the other: n + m.
-    type Z: Array<S>;
+    type Z: FixedArray<S>;
     /// n x n.
-    type QQ: Array<Self::Q>;
+    type QQ: FixedArray<Self::Q>;
     /// m x n.
-    type LQ: Array<Self::Q>;
+    type LQ: FixedArray<Self::Q>;
     /// m x m.
-    type LL: Array<Self::L>;
+    type LL: FixedArray<Self::L>;
     /// (n + m) x (n + m).
-    type ZZ: Array<Self::Z>;
+    type ZZ: FixedArray<Self::Z>;
     /// The entries of C_q that need not be 0, row after row as [`Description::sparsity`] has them; none if it has none.
-    type Entries: Array<S>;
+    type Entries: FixedArray<S>;
     /// The lower triangle of C_q C_q' within its envelope, row after row; likewise.
-    type Envelope: Array<S>;
+    type Envelope: FixedArray<S>;
     /// Parameters.
-    type Parameters: Array<S>;
+    type Parameters: FixedArray<S>;
     /// Inputs, each following its declared course or held.
-    type Inputs: Array<Input<S>>;
+    type Inputs: FixedArray<Input<S>>;
     /// Outputs.
-    type Outputs: Array<S>;
+    type Outputs: FixedArray<S>;
     /// Rates of the outputs that have one.
-    type OutputRates: Array<S>;
+    type OutputRates: FixedArray<S>;
     /// Events.
-    type Events: Array<S>;
+    type Events: FixedArray<S>;
     /// What the actions of events need.
-    type EventValues: Array<S>;
+    type EventValues: FixedArray<S>;
     /// Constraints that events switch.
-    type Activities: Array<S>;
+    type Activities: FixedArray<S>;
     /// Numbers of the drawing.
-    type Drawing: Array<S>;
+    type Drawing: FixedArray<S>;
     /// n x parameters.
-    type QP: Array<Self::Parameters>;
+    type QP: FixedArray<Self::Parameters>;
     /// m x parameters.
-    type LP: Array<Self::Parameters>;
+    type LP: FixedArray<Self::Parameters>;
     /// What the equations of motion need of the parameters.
     type Prepared: Copy + Debug;
     /// The same mechanism on other numbers.
@@ -60,6 +60,27 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     /// [`GeneralizedSpeeds::ROWS`](crate::GeneralizedSpeeds::ROWS).
     const ROWS_LEFT: Option<&'static [usize]> = None;
 
+    /// Names, units, documentation.
+    #[inline(always)]
+    fn description(&self) -> &'static Description {
+        const { &Self::DESCRIPTION }
+    }
+    /// The number of coordinates.
+    #[inline(always)]
+    fn n(&self) -> usize {
+        self.description().coordinates.len()
+    }
+    /// The number of constraint rows.
+    #[inline(always)]
+    fn m(&self) -> usize {
+        self.description().constraints.len()
+    }
+    /// Where generalised speeds are declared, the constraints that they leave, as
+    /// [`GeneralizedSpeeds::ROWS`](crate::GeneralizedSpeeds::ROWS).
+    #[inline(always)]
+    fn rows_left(&self) -> Option<&'static [usize]> {
+        Self::ROWS_LEFT
+    }
     /// The mechanism with its declared defaults.
     fn defaults() -> Self;
     /// The parameters in the order of declaration, in SI units.
@@ -68,7 +89,7 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     fn with_parameters(&self, parameters: Self::Parameters) -> Self;
     /// For each constraint that events switch 1 while it holds, and 0 while it is released.
     fn activities(&self) -> Self::Activities {
-        Self::Activities::filled(S::from_f64(1.0))
+        Self::Activities::repeat(self.description().conditionals.len(), S::from_f64(1.0))
     }
     /// The mechanism with these activities.
     fn with_activities(self, activities: Self::Activities) -> Self {
@@ -112,8 +133,10 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     /// The same with C_q by its entries.
     fn sparse_linearization(&self, t: S, q: &Self::Q) -> ConstraintLinearization<Self::L, Self::Entries> {
         let dense = self.constraint_linearization(t, q);
-        let mut entries = Self::Entries::filled(S::from_f64(0.0));
-        for row in Self::DESCRIPTION.sparsity {
+        let sparsity = self.description().sparsity;
+        let count = sparsity.iter().map(|row| row.columns.len()).sum();
+        let mut entries = Self::Entries::repeat(count, S::from_f64(0.0));
+        for row in sparsity {
             for (k, j) in row.columns.iter().enumerate() {
                 entries[row.entries + k] = dense.jacobian[row.constraint][*j];
             }
@@ -137,10 +160,10 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
         let (mass, h) = (self.mass_matrix(t, q), self.convective_forces(t, q, qd));
         let loads = self.generalized_forces(t, q, qd);
         let force = |i: usize| {
-            let inertial = (0..Self::Q::LEN).fold(S::from_f64(0.0), |sum, j| sum + mass[i][j] * qdd[j]);
+            let inertial = (0..q.len()).fold(S::from_f64(0.0), |sum, j| sum + mass[i][j] * qdd[j]);
             inertial + h[i] - loads[i]
         };
-        Self::Q::from_fn(force)
+        q.like(force)
     }
     /// d(q'', lambda)/d(q, q'): a kernel if the declaration has one made, and otherwise from dual numbers.
     fn dynamics_jacobian(&self, t: S, q: &Self::Q, qd: &Self::Q) -> DynamicsJacobian<S, Self::QQ, Self::LQ> {
@@ -175,7 +198,7 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     /// What the actions of events set, and the coefficients of restitution of impacts, in the order of declaration.
     fn event_values(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::EventValues {
         let _ = (t, q, qd);
-        Self::EventValues::filled(S::from_f64(0.0))
+        Self::EventValues::repeat(0, S::from_f64(0.0))
     }
     /// The numbers of each shape of the drawing, in order.
     fn drawing(&self, t: S, q: &Self::Q) -> Self::Drawing;

@@ -27,7 +27,7 @@ impl Beside {
 
     /// Its value, and about how far that may be off.
     pub(super) fn at(&self, x: f64) -> (f64, f64) {
-        let (value, off) = nearest_polynomial(&self.known, x, |value| value[0].abs());
+        let (value, off) = nearest_polynomial(&self.known, x, [0.0], |value| value[0].abs());
         (value[0], off)
     }
 }

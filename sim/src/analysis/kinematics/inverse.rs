@@ -61,11 +61,11 @@ impl AnyPrescribed {
 
     /// It as a sample of the mechanism's own type.
     pub(super) fn sample<M: Mechanism>(&self, mechanism: &M, work: f64) -> Sample<M> {
-        let (positions, speeds) = (array(&self.positions), array(&self.speeds));
+        let (positions, speeds) = (array(mechanism.n(), &self.positions), array(mechanism.n(), &self.speeds));
         Sample {
             state: State { time: self.time, positions, speeds, work },
-            accelerations: array(&self.accelerations),
-            multipliers: array(&self.multipliers),
+            accelerations: array(mechanism.n(), &self.accelerations),
+            multipliers: array(mechanism.m(), &self.multipliers),
             power: self.power,
             inputs: mechanism.inputs(),
         }

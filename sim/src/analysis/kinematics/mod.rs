@@ -99,14 +99,14 @@ pub fn kinematics_until<M: Mechanism>(
     let sensible = sweep.steps > 0 && sweep.from != sweep.to && sweep.speed != 0.0;
     if !sensible || ![sweep.from, sweep.to, sweep.speed].iter().all(|value| value.is_finite()) {
         let quantity = "the time that the sweep takes, (to - from) / speed,".to_owned();
-        return Err(Failure::at::<M>(What::NotFinite { quantity }, 0.0, &start.positions));
+        return Err(Failure::at(&mechanism, What::NotFinite { quantity }, 0.0, &start.positions));
     }
-    if let Some(row) = M::DESCRIPTION.speed_constraints.first() {
-        let what = What::NotHolonomic { constraint: constraint_name::<M>(*row) };
-        return Err(Failure::at::<M>(what, 0.0, &start.positions));
+    if let Some(row) = mechanism.description().speed_constraints.first() {
+        let what = What::NotHolonomic { constraint: constraint_name(&mechanism, *row) };
+        return Err(Failure::at(&mechanism, what, 0.0, &start.positions));
     }
-    let none = vec![false; M::Q::LEN];
-    let still = Start { speeds: M::Q::filled(0.0), speed_given: none, ..start.clone() };
+    let none = vec![false; mechanism.n()];
+    let still = Start { speeds: M::Q::repeat(mechanism.n(), 0.0), speed_given: none, ..start.clone() };
     let assembled = assemble(&mechanism, &still)?.positions;
     let any = Any(&mechanism);
     let swept = sweep::sweep(&any, assembled.as_ref().to_vec(), sweep, interrupt)?;
@@ -159,12 +159,12 @@ impl<M: Mechanism> Kinematics<M> {
         let turns = |change: f64| (change / std::f64::consts::TAU - (change / std::f64::consts::TAU).round()).abs();
         let returns = |j: usize| {
             let change = last.state.positions[j] - first.state.positions[j];
-            let is_angle = Driven::Coordinate(j).turn(const { &M::DESCRIPTION }).is_some();
+            let is_angle = Driven::Coordinate(j).turn(self.mechanism.description()).is_some();
             if is_angle { turns(change) < 1e-9 } else { change.abs() < 1e-9 }
         };
-        self.sweep.is_turn(const { &M::DESCRIPTION })
+        self.sweep.is_turn(self.mechanism.description())
             && self.trajectory.failure.is_none()
-            && (0..M::Q::LEN).all(returns)
+            && (0..self.mechanism.n()).all(returns)
     }
 }
 

@@ -15,7 +15,7 @@ impl<M: Mechanism> Kinematics<M> {
         let any = Any(&self.mechanism);
         let rates: Vec<_> = self.trajectory.samples.iter().map(|sample| any.output_rates(At::sample(sample))).collect();
         let swept = Columns {
-            description: const { &M::DESCRIPTION },
+            description: self.mechanism.description(),
             sweep: &self.sweep,
             forces: &self.forces,
             transmission: &self.transmission,

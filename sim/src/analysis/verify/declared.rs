@@ -20,8 +20,8 @@ impl Declared {
     ///
     /// # Errors
     /// If it cannot be read, which would be a mistake of the mechanism's description.
-    pub fn of<M: Mechanism>() -> Result<Declared, VerifyError> {
-        Declared::read(const { &M::DESCRIPTION })
+    pub fn of<M: Mechanism>(mechanism: &M) -> Result<Declared, VerifyError> {
+        Declared::read(mechanism.description())
     }
 
     fn read(description: &Description) -> Result<Declared, VerifyError> {

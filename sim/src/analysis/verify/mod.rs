@@ -35,7 +35,7 @@ use crate::start::assemble::{Start, assemble};
 use crate::state::failure::Failure;
 use crate::state::settings::{Method, Settings, Stabilisation, Stepping, Tolerance};
 use crate::state::trajectory::{Sample, Trajectory};
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::Mechanism;
 use std::ops::ControlFlow;
 
 /// What a check found.
@@ -86,7 +86,7 @@ const STATES: usize = 64;
 /// If no start can be assembled, the motion fails, or the declaration cannot be read.
 pub fn verify<M: Mechanism>(mechanism: M, start: &Start<M>, end: f64) -> Result<Vec<Check>, VerifyError> {
     let end = span(&mechanism, start, end)?;
-    let declared = Declared::of::<M>()?;
+    let declared = Declared::of(&mechanism)?;
     let with = |method, stabilisation| {
         let settings = Settings { stabilisation, ..Settings::adaptive(method, end, TOLERANCE) };
         let found = run(mechanism, start, &settings)?;
@@ -102,14 +102,14 @@ pub fn verify<M: Mechanism>(mechanism: M, start: &Start<M>, end: f64) -> Result<
     let any: Vec<Any<M>> = parts.iter().map(|(mechanism, _)| Any(mechanism)).collect();
     let parts: Vec<Part> = any.iter().zip(&parts).map(|(any, (_, samples))| (any as _, places(samples))).collect();
     let mut checks = kernels_agree(&declared, &parts)?;
-    if M::L::LEN > 0 {
+    if mechanism.m() > 0 {
         checks.push(constraint_residuals(&projected));
     }
     checks.push(energy_balance(&projected));
     let otherwise = with(Method::Dopri5, Stabilisation::Projection)?;
     checks.push(runs_agree("DOP853 against DOPRI5", &projected, &otherwise));
-    checks.push(order_of_convergence(&mechanism, first, smooth, || ExplicitRungeKutta::new(&RK4), 4.0)?);
-    if M::L::LEN > 0 {
+    checks.push(order_of_convergence(&mechanism, first, smooth, || ExplicitRungeKutta::new(&mechanism, &RK4), 4.0)?);
+    if mechanism.m() > 0 {
         let partitioned = with(Method::Dop853, Stabilisation::Partitioning)?;
         checks.push(runs_agree("projection against partitioning", &projected, &partitioned));
     }
@@ -148,7 +148,7 @@ fn span<M: Mechanism>(mechanism: &M, start: &Start<M>, end: f64) -> Result<f64, 
     let motion = Motion::new(*mechanism, Stabilisation::Projection, measures);
     let course = Course { begin: 0.0, end, stepping: Stepping::Adaptive(Tolerance::new(TOLERANCE)) };
     let (mut steps, mut count, mut reached) = (Steps::default(), 0, first.time);
-    integrate(&motion, &mut Dop853::new(), &course, motion.sample(first)?, &mut steps, |step| {
+    integrate(&motion, &mut Dop853::new(motion.mechanism()), &course, motion.sample(first)?, &mut steps, |step| {
         (count, reached) = (count + 1, step.to.state.time);
         Ok(if count < STEPS { ControlFlow::Continue(()) } else { ControlFlow::Break(()) })
     })?;

@@ -9,7 +9,7 @@ use crate::motion::measures::Measures;
 use crate::state::failure::Failure;
 use crate::state::settings::{Stabilisation, Stepping};
 use crate::state::trajectory::{Sample, State};
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::Mechanism;
 use std::ops::ControlFlow;
 
 /// The error is the largest at this many equidistant times: at a single one it may happen to vanish.
@@ -42,16 +42,16 @@ pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
     order: f64,
 ) -> Result<Check, Failure> {
     let check = |figure: f64, meaning: String| Ok(Check::new("order of convergence", figure, BOUND, meaning));
-    let reference = states(mechanism, start, end, &mut Dop853::new(), 4096)?;
+    let reference = states(mechanism, start, end, &mut Dop853::new(mechanism), 4096)?;
     let sizes = Sizes::of(mechanism, &reference);
     let distance = |found: &[Sample<M>]| {
         let mut worst = Worst::default();
-        found.iter().zip(&reference).for_each(|(a, b)| sizes.compare(&a.state, &b.state, &mut worst));
+        found.iter().zip(&reference).for_each(|(a, b)| sizes.compare(mechanism, &a.state, &b.state, &mut worst));
         worst.figure
     };
     // What is left of order 8, and rounding.
-    let floor = distance(&states(mechanism, start, end, &mut Dop853::new(), 2048)?).max(f64::EPSILON);
-    let open = if M::L::LEN > 0 { OPEN } else { 0.0 };
+    let floor = distance(&states(mechanism, start, end, &mut Dop853::new(mechanism), 2048)?).max(f64::EPSILON);
+    let open = if mechanism.m() > 0 { OPEN } else { 0.0 };
     let (mut first, mut last): (Option<Measured>, Option<Measured>) = (None, None);
     for power in 2..16 {
         let foretold = |(at, error): Measured| error * (-order * f64::from(power - at)).exp2();

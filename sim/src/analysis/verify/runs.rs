@@ -7,7 +7,7 @@ use crate::model::{AnyMechanism, At};
 use crate::motion::typed::Any;
 use crate::run::Run;
 use crate::state::trajectory::{Sample, State};
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::Mechanism;
 
 /// The constraints of every sample, in positions and velocities: each relative to the largest that its own terms are in
 /// any sample. Of positions these are at least a thousandth of the largest of any whose reaction has its unit: the height that a
@@ -23,14 +23,15 @@ pub fn constraint_residuals<M: Mechanism>(run: &Run<M>) -> Check {
         with.map(|((mechanism, _), at)| residuals(&Any(&mechanism), at, &scales, speed)).collect()
     };
     let mut worst = Worst::<(&str, &str, f64)>::default();
-    let constraints = M::DESCRIPTION.constraints;
+    let mechanism = &run.mechanism;
+    let constraints = mechanism.description().constraints;
     let largest_in = |level: usize, row: usize| largest(open.iter().map(|open| open[level][row].size));
     let of_unit = |unit: &str| {
-        let rows = (0..M::L::LEN).filter(|row| constraints[*row].unit == unit);
+        let rows = (0..mechanism.m()).filter(|row| constraints[*row].unit == unit);
         largest(rows.map(|row| largest_in(0, row)))
     };
     for (level, name) in ["|C|", "|C_q q' + C_t|"].into_iter().enumerate() {
-        for row in 0..M::L::LEN {
+        for row in 0..mechanism.m() {
             let least = if level == 0 { LEAST_PART * of_unit(constraints[row].unit) } else { 0.0 };
             let size = largest_in(level, row).max(least);
             for (open, sample) in open.iter().zip(samples) {
@@ -93,7 +94,7 @@ pub fn difference<M: Mechanism>(one: &Run<M>, other: &Run<M>) -> (f64, &'static 
     }
     let sizes = Sizes::of(&one.mechanism, a);
     let mut worst = Worst::default();
-    a.iter().zip(b).for_each(|(a, b)| sizes.compare(&a.state, &b.state, &mut worst));
+    a.iter().zip(b).for_each(|(a, b)| sizes.compare(&one.mechanism, &a.state, &b.state, &mut worst));
     (worst.figure, worst.at)
 }
 
@@ -110,7 +111,7 @@ impl Sizes {
         let places = places(samples);
         let scales = scales(&Any(mechanism), &places);
         let sizes = |values: &dyn Fn(&At<f64>, usize) -> f64| {
-            let own: Vec<f64> = (0..M::Q::LEN).map(|i| largest(places.iter().map(|at| values(at, i)))).collect();
+            let own: Vec<f64> = (0..mechanism.n()).map(|i| largest(places.iter().map(|at| values(at, i)))).collect();
             let all = largest(own.iter().zip(&scales).map(|(size, scale)| scale * size));
             own.iter().zip(&scales).map(|(size, scale)| size.max(SHARE * all / scale)).collect()
         };
@@ -118,8 +119,14 @@ impl Sizes {
     }
 
     /// Enters the differences of two states.
-    pub(super) fn compare<M: Mechanism>(&self, a: &State<M>, b: &State<M>, worst: &mut Worst<&'static str>) {
-        for (i, coordinate) in M::DESCRIPTION.coordinates.iter().enumerate() {
+    pub(super) fn compare<M: Mechanism>(
+        &self,
+        mechanism: &M,
+        a: &State<M>,
+        b: &State<M>,
+        worst: &mut Worst<&'static str>,
+    ) {
+        for (i, coordinate) in mechanism.description().coordinates.iter().enumerate() {
             let Sizes([positions, speeds]) = self;
             worst.enter(relative((a.positions[i] - b.positions[i]).abs(), positions[i]), coordinate.position.name);
             worst.enter(relative((a.speeds[i] - b.speeds[i]).abs(), speeds[i]), coordinate.speed.name);

@@ -15,7 +15,6 @@ use crate::motion::reduction::Reduction;
 use crate::motion::residuals::{rates, rates_of};
 use crate::motion::rows::{Dense, Linear, Rows, Sparse, is_sparse};
 use crate::numerics::arrays::subtract;
-use crate::numerics::factors::Factors;
 use crate::state::failure::{Failure, What, constraint_name, largest};
 use crate::state::trajectory::State;
 use redundant::{correct_redundant_positions, project_redundant, reduced_change};
@@ -40,7 +39,7 @@ type Linearization<M> = ConstraintLinearization<<M as Mechanism>::L, <M as Mecha
 /// measured.
 #[inline]
 pub fn project<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &mut State<M>) -> Result<(), Failure> {
-    project_measured(mechanism, measures, state, &Cell::new(M::L::filled(0.0))).map(|_| ())
+    project_measured(mechanism, measures, state, &Cell::new(M::L::repeat(mechanism.m(), 0.0))).map(|_| ())
 }
 
 /// The same; gives 1/s^2, where s is the smallest sine between a row of C_q D and those before it, of those that are
@@ -52,13 +51,13 @@ pub(crate) fn project_measured<M: Mechanism>(
     state: &mut State<M>,
     longest: &Cell<M::L>,
 ) -> Result<f64, Failure> {
-    if M::L::LEN == 0 {
+    if mechanism.m() == 0 {
         return Ok(0.0);
     }
     if measures.is_redundant() {
         return project_redundant(mechanism, measures, state);
     }
-    match const { is_sparse::<M>() } {
+    match is_sparse(mechanism) {
         false => project_independent::<M, Dense>(mechanism, measures, state, longest),
         true => project_independent::<M, Sparse>(mechanism, measures, state, longest),
     }
@@ -73,25 +72,27 @@ fn project_independent<M: Mechanism, R: Rows<M>>(
     longest: &Cell<M::L>,
 ) -> Result<f64, Failure> {
     let (time, q) = (state.time, &mut state.positions);
-    let (mut linear, mut factors) = (R::linearization(mechanism, time, q), R::Factors::blank());
+    let (mut linear, mut factors) = (R::linearization(mechanism, time, q), R::no_factors(mechanism));
     let last_change = correct_positions::<M, R>(mechanism, measures, (time, q), &mut linear, &mut factors)?;
-    let open = rates_of::<M, R>(&linear, &state.speeds);
+    let open = rates_of::<M, R>(mechanism, &linear, &state.speeds);
     let is_slow = |row: usize| open[row].abs() <= SMALL_RATE * measures.constraints()[row];
-    let serves = !has_speed_rows::<M>() && last_change <= SMALL_CHANGE && (0..M::L::LEN).all(is_slow);
-    let columns = R::columns(&linear.jacobian, measures);
+    let serves = !has_speed_rows(mechanism) && last_change <= SMALL_CHANGE && (0..mechanism.m()).all(is_slow);
+    let columns = R::columns(mechanism, &linear.jacobian, measures);
     if !serves {
-        factorise_again::<M, R>(&columns, &mut factors, time, q)?;
+        factorise_again::<M, R>(mechanism, &columns, &mut factors, time, q)?;
     }
-    if !factors.is_regular() && factors.dependent().count() > M::L::LEN - measures.rank() {
-        return Err(singular_position::<M, R>(&factors, time, q));
+    if !R::is_regular(mechanism, &factors)
+        && R::dependent(mechanism, &factors).count() > mechanism.m() - measures.rank()
+    {
+        return Err(singular_position::<M, R>(mechanism, &factors, time, q));
     }
-    subtract(&mut state.speeds, &least_change::<M, R>(measures, &columns, &factors, open));
-    if !factors.is_regular() {
-        check_dependent_rates::<M, R>(&linear, measures, time, q, &state.speeds)?;
+    subtract(&mut state.speeds, &least_change::<M, R>(mechanism, measures, &columns, &factors, open));
+    if !R::is_regular(mechanism, &factors) {
+        check_dependent_rates::<M, R>(mechanism, &linear, measures, time, q, &state.speeds)?;
     }
     let (mut squares, mut closeness) = (longest.get(), 0.0f64);
-    for k in 0..M::L::LEN {
-        let (row, (square, inverse_pivot)) = (R::constraint(k), factors.row(k));
+    for k in 0..mechanism.m() {
+        let (row, (square, inverse_pivot)) = (R::constraint(mechanism, k), R::pivot(mechanism, &factors, k));
         squares[row] = squares[row].max(square);
         closeness = closeness.max(squares[row] * inverse_pivot);
     }
@@ -100,9 +101,11 @@ fn project_independent<M: Mechanism, R: Rows<M>>(
 }
 
 #[cold]
-fn singular_position<M: Mechanism, R: Rows<M>>(factors: &R::Factors, time: f64, q: &M::Q) -> Failure {
-    let constraint = factors.dependent().last().map_or("?", |k| constraint_name::<M>(R::constraint(k)));
-    Failure::at::<M>(What::SingularPosition { constraint }, time, q)
+fn singular_position<M: Mechanism, R: Rows<M>>(mechanism: &M, factors: &R::Factors, time: f64, q: &M::Q) -> Failure {
+    let constraint = R::dependent(mechanism, factors)
+        .last()
+        .map_or("?", |k| constraint_name(mechanism, R::constraint(mechanism, k)));
+    Failure::at(mechanism, What::SingularPosition { constraint }, time, q)
 }
 
 /// Corrects positions until |C_i| <= 8 eps (magnitudes of C_i's terms + sum of |C_ij q_j|) + 1e-12 of what the constraint is
@@ -121,11 +124,11 @@ pub fn project_positions<M: Mechanism>(
     q: &mut M::Q,
 ) -> Result<Linearization<M>, Failure> {
     let mut linear = mechanism.constraint_linearization(time, q);
-    match M::L::LEN {
+    match mechanism.m() {
         0 => {}
         _ if measures.is_redundant() => correct_redundant_positions(mechanism, measures, (time, q), &mut linear)?,
         _ => {
-            let mut factors = <Dense as Rows<M>>::Factors::blank();
+            let mut factors = Dense::no_factors(mechanism);
             correct_positions::<M, Dense>(mechanism, measures, (time, q), &mut linear, &mut factors)?;
         }
     }
@@ -138,40 +141,42 @@ pub fn project_positions<M: Mechanism>(
 /// [`What::DependentConstraint`] if a constraint that depends on others here contradicts them.
 #[inline]
 pub fn project_velocities<M: Mechanism>(
+    mechanism: &M,
     measures: &Measures<M>,
     linear: &Linearization<M>,
     time: f64,
     q: &M::Q,
     qd: &mut M::Q,
 ) -> Result<(), Failure> {
-    if M::L::LEN == 0 {
+    if mechanism.m() == 0 {
         return Ok(());
     }
     if measures.is_redundant() {
-        return project_redundant_velocities(measures, linear, time, q, qd);
+        return project_redundant_velocities(mechanism, measures, linear, time, q, qd);
     }
-    let open = rates::<M>(linear, qd);
-    let columns = measures.columns(&linear.jacobian);
-    let mut factors = <Dense as Rows<M>>::Factors::blank();
-    factorise::<M, Dense>(&columns, &mut factors, time, q)?;
-    subtract(qd, &least_change::<M, Dense>(measures, &columns, &factors, open));
-    match factors.is_regular() {
+    let open = rates(mechanism, linear, qd);
+    let columns = measures.columns(mechanism, &linear.jacobian);
+    let mut factors = Dense::no_factors(mechanism);
+    factorise::<M, Dense>(mechanism, &columns, &mut factors, time, q)?;
+    subtract(qd, &least_change::<M, Dense>(mechanism, measures, &columns, &factors, open));
+    match <Dense as Rows<M>>::is_regular(mechanism, &factors) {
         true => Ok(()),
-        false => check_dependent_rates::<M, Dense>(linear, measures, time, q, qd),
+        false => check_dependent_rates::<M, Dense>(mechanism, linear, measures, time, q, qd),
     }
 }
 
 #[cold]
 fn project_redundant_velocities<M: Mechanism>(
+    mechanism: &M,
     measures: &Measures<M>,
     linear: &Linearization<M>,
     time: f64,
     q: &M::Q,
     qd: &mut M::Q,
 ) -> Result<(), Failure> {
-    let open = rates::<M>(linear, qd);
-    subtract(qd, &reduced_change(measures, (&linear.jacobian, measures.rank()), &open, time, q)?.0);
-    check_dependent_rates::<M, Dense>(linear, measures, time, q, qd)
+    let open = rates(mechanism, linear, qd);
+    subtract(qd, &reduced_change(mechanism, measures, (&linear.jacobian, measures.rank()), &open, time, q)?.0);
+    check_dependent_rates::<M, Dense>(mechanism, linear, measures, time, q, qd)
 }
 
 /// The same projections in the metric of the mass matrix M: q -= M^-1 C_q' (C_q M^-1 C_q')^-1 C, and so for q'.
@@ -186,11 +191,11 @@ pub(crate) fn by_mass<M: Mechanism>(
     let (time, q) = (state.time, &mut state.positions);
     let mut linear = mechanism.constraint_linearization(time, q);
     correct::<M, Dense>(mechanism, measures, (time, q), &mut linear, |linear, q| {
-        let jacobian = between_positions::<M>(&linear.jacobian);
+        let jacobian = between_positions(mechanism, &linear.jacobian);
         let rank = measures.rank_of_positions();
         smallest_by_inertia(mechanism, measures, time, q, (&jacobian, &linear.values), rank)
     })?;
-    let open = rates::<M>(&linear, &state.speeds);
+    let open = rates(mechanism, &linear, &state.speeds);
     let change = smallest_by_inertia(mechanism, measures, time, q, (&linear.jacobian, &open), measures.rank())?;
     subtract(&mut state.speeds, &change);
     Ok(())
@@ -208,7 +213,7 @@ pub(crate) fn smallest_by_inertia<M: Mechanism>(
     if !measures.is_redundant() {
         return by_inertia(mechanism, time, q, jacobian, open);
     }
-    let reduction = Reduction::new(jacobian, measures, rank);
+    let reduction = Reduction::new(mechanism, jacobian, measures, rank);
     by_inertia(mechanism, time, q, &reduction.rows(jacobian), &reduction.values(open))
 }
 
@@ -226,13 +231,13 @@ fn correct_positions<M: Mechanism, R: Rows<M>>(
 ) -> Result<f64, Failure> {
     let mut last_change = 0.0;
     correct::<M, R>(mechanism, measures, (time, q), linear, |linear, q| {
-        let columns = match has_speed_rows::<M>() {
-            false => R::columns(&linear.jacobian, measures),
-            true => R::columns(&R::between_positions(&linear.jacobian), measures),
+        let columns = match has_speed_rows(mechanism) {
+            false => R::columns(mechanism, &linear.jacobian, measures),
+            true => R::columns(mechanism, &R::between_positions(mechanism, &linear.jacobian), measures),
         };
-        factorise::<M, R>(&columns, factors, time, q)?;
-        let change = least_change::<M, R>(measures, &columns, factors, linear.values);
-        last_change = measures.size(&change);
+        factorise::<M, R>(mechanism, &columns, factors, time, q)?;
+        let change = least_change::<M, R>(mechanism, measures, &columns, factors, linear.values);
+        last_change = measures.size(mechanism, &change);
         Ok(change)
     })?;
     Ok(last_change)
@@ -250,11 +255,11 @@ fn correct<M: Mechanism, R: Rows<M>>(
 ) -> Result<(), Failure> {
     for _ in 0..MOST_CORRECTIONS {
         if !linear.values.iter().all(|value| value.is_finite()) {
-            return Err(not_finite::<M>(&linear.values, time, q));
+            return Err(not_finite(mechanism, &linear.values, time, q));
         }
         let correction = change(linear, q)?;
         subtract(q, &correction);
-        if is_rounding(measures, &linear.values, &correction) {
+        if is_rounding(mechanism, measures, &linear.values, &correction) {
             return Ok(());
         }
         *linear = R::linearization(mechanism, time, q);
@@ -263,80 +268,85 @@ fn correct<M: Mechanism, R: Rows<M>>(
         }
     }
     let (row, residual) = largest(linear.values.iter()).unwrap_or((0, f64::NAN));
-    let what = What::NotProjected { constraint: constraint_name::<M>(row), residual, iterations: MOST_CORRECTIONS };
-    Err(Failure::at::<M>(what, time, q))
+    let what =
+        What::NotProjected { constraint: constraint_name(mechanism, row), residual, iterations: MOST_CORRECTIONS };
+    Err(Failure::at(mechanism, what, time, q))
 }
 
 #[cold]
-fn not_finite<M: Mechanism>(values: &M::L, time: f64, q: &M::Q) -> Failure {
+fn not_finite<M: Mechanism>(mechanism: &M, values: &M::L, time: f64, q: &M::Q) -> Failure {
     let (row, value) = largest(values.iter()).unwrap_or((0, f64::NAN));
-    let quantity = format!("constraint `{}` ({value})", constraint_name::<M>(row));
-    Failure::at::<M>(What::NotFinite { quantity }, time, q)
+    let quantity = format!("constraint `{}` ({value})", constraint_name(mechanism, row));
+    Failure::at(mechanism, What::NotFinite { quantity }, time, q)
 }
 
 /// Whether a correction was so small that the constraints linearised before it are those after it, up to rounding:
 /// what it leaves of C is of its second order.
 #[inline]
-fn is_rounding<M: Mechanism>(measures: &Measures<M>, values: &M::L, correction: &M::Q) -> bool {
-    is_within(measures, values, 0.1 * TOLERANCE) && measures.size(correction) <= ROUNDING
+fn is_rounding<M: Mechanism>(mechanism: &M, measures: &Measures<M>, values: &M::L, correction: &M::Q) -> bool {
+    is_within(measures, values, 0.1 * TOLERANCE) && measures.size(mechanism, correction) <= ROUNDING
 }
 
 /// The factors of A A'.
 #[inline(always)]
 fn factorise<M: Mechanism, R: Rows<M>>(
+    mechanism: &M,
     columns: &R::Jacobian,
     factors: &mut R::Factors,
     time: f64,
     q: &M::Q,
 ) -> Result<(), Failure> {
-    R::factorise(columns, factors).map_err(|undefined| {
-        let quantity = format!("constraint `{}`", constraint_name::<M>(undefined.row));
-        Failure::at::<M>(What::NotFinite { quantity }, time, q)
+    R::factorise(mechanism, columns, factors).map_err(|undefined| {
+        let quantity = format!("constraint `{}`", constraint_name(mechanism, undefined.row));
+        Failure::at(mechanism, What::NotFinite { quantity }, time, q)
     })
 }
 
 /// Seldom needed: out of line it does not widen the loop that calls it.
 #[inline(never)]
 fn factorise_again<M: Mechanism, R: Rows<M>>(
+    mechanism: &M,
     columns: &R::Jacobian,
     factors: &mut R::Factors,
     time: f64,
     q: &M::Q,
 ) -> Result<(), Failure> {
-    factorise::<M, R>(columns, factors, time, q)
+    factorise::<M, R>(mechanism, columns, factors, time, q)
 }
 
 /// D A' (A A')^-1 r, with A = C_q D.
 #[inline]
 fn least_change<M: Mechanism, R: Rows<M>>(
+    mechanism: &M,
     measures: &Measures<M>,
     columns: &R::Jacobian,
     factors: &R::Factors,
     residual: M::L,
 ) -> M::Q {
-    measures.change(R::transposed_times(columns, &factors.solve(residual)))
+    measures.change(mechanism, R::transposed_times(mechanism, columns, &R::solve(mechanism, factors, residual)))
 }
 
 /// A constraint that depends on others must not ask for another speed than they do.
 #[cold]
 fn check_dependent_rates<M: Mechanism, R: Rows<M>>(
+    mechanism: &M,
     linear: &Linear<M, R>,
     measures: &Measures<M>,
     time: f64,
     q: &M::Q,
     qd: &M::Q,
 ) -> Result<(), Failure> {
-    let left = rates_of::<M, R>(linear, qd);
+    let left = rates_of::<M, R>(mechanism, linear, qd);
     // A position within 1e-6 of a singular one leaves that part of the speeds.
     let bound = |i: usize| {
-        1e-6 * (R::terms(&linear.jacobian, i, qd) + linear.time_derivative[i].abs())
+        1e-6 * (R::terms(mechanism, &linear.jacobian, i, qd) + linear.time_derivative[i].abs())
             + TOLERANCE * measures.constraints()[i]
     };
-    match (0..M::L::LEN).find(|row| !(left[*row].abs() <= bound(*row))) {
+    match (0..mechanism.m()).find(|row| !(left[*row].abs() <= bound(*row))) {
         None => Ok(()),
         Some(row) => {
-            let what = What::DependentConstraint { constraint: constraint_name::<M>(row) };
-            Err(Failure::at::<M>(what, time, q))
+            let what = What::DependentConstraint { constraint: constraint_name(mechanism, row) };
+            Err(Failure::at(mechanism, what, time, q))
         }
     }
 }

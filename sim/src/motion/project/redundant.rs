@@ -8,10 +8,9 @@ use crate::motion::reduction::Reduction;
 use crate::motion::residuals::rates;
 use crate::motion::rows::{Dense, Rows};
 use crate::numerics::arrays::subtract;
-use crate::numerics::factors::Factors;
 use crate::state::failure::Failure;
 use crate::state::trajectory::State;
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::Mechanism;
 
 /// Corrects positions and speeds; gives 1/s^2, with s the smallest sine between rows of C_q D. Rows of the reduced C_q count relative to 1.
 #[cold]
@@ -23,13 +22,19 @@ pub(super) fn project_redundant<M: Mechanism>(
     let (time, q) = (state.time, &mut state.positions);
     let mut linear = mechanism.constraint_linearization(time, q);
     correct_redundant_positions(mechanism, measures, (time, q), &mut linear)?;
-    let (change, factors) =
-        reduced_change(measures, (&linear.jacobian, measures.rank()), &rates::<M>(&linear, &state.speeds), time, q)?;
-    if factors.dependent().count() > M::L::LEN - measures.rank() {
-        return Err(singular_position::<M, Dense>(&factors, time, q));
+    let (change, factors) = reduced_change(
+        mechanism,
+        measures,
+        (&linear.jacobian, measures.rank()),
+        &rates(mechanism, &linear, &state.speeds),
+        time,
+        q,
+    )?;
+    if <Dense as Rows<M>>::dependent(mechanism, &factors).count() > mechanism.m() - measures.rank() {
+        return Err(singular_position::<M, Dense>(mechanism, &factors, time, q));
     }
     subtract(&mut state.speeds, &change);
-    check_dependent_rates::<M, Dense>(&linear, measures, time, q, &state.speeds)?;
+    check_dependent_rates::<M, Dense>(mechanism, &linear, measures, time, q, &state.speeds)?;
     Ok((0..measures.rank()).fold(0.0, |closeness, row| closeness.max(factors.row(row).1)))
 }
 
@@ -41,24 +46,25 @@ pub(super) fn correct_redundant_positions<M: Mechanism>(
     linear: &mut Linearization<M>,
 ) -> Result<(), Failure> {
     correct::<M, Dense>(mechanism, measures, (time, q), linear, |linear, q| {
-        let jacobian = between_positions::<M>(&linear.jacobian);
+        let jacobian = between_positions(mechanism, &linear.jacobian);
         let rank = measures.rank_of_positions();
-        reduced_change(measures, (&jacobian, rank), &linear.values, time, q).map(|(change, _)| change)
+        reduced_change(mechanism, measures, (&jacobian, rank), &linear.values, time, q).map(|(change, _)| change)
     })
 }
 
 /// The smallest change along rows of C_q of this rank that closes what is open of the constraints or of their rates, with the
 /// factors of the reduced rows.
 pub(super) fn reduced_change<M: Mechanism>(
+    mechanism: &M,
     measures: &Measures<M>,
     (jacobian, rank): (&M::LQ, usize),
     open: &M::L,
     time: f64,
     q: &M::Q,
 ) -> Result<(M::Q, <Dense as Rows<M>>::Factors), Failure> {
-    let reduction = Reduction::new(jacobian, measures, rank);
-    let columns = measures.columns(&reduction.rows(jacobian));
-    let mut factors = <Dense as Rows<M>>::Factors::blank();
-    factorise::<M, Dense>(&columns, &mut factors, time, q)?;
-    Ok((least_change::<M, Dense>(measures, &columns, &factors, reduction.values(open)), factors))
+    let reduction = Reduction::new(mechanism, jacobian, measures, rank);
+    let columns = measures.columns(mechanism, &reduction.rows(jacobian));
+    let mut factors = Dense::no_factors(mechanism);
+    factorise::<M, Dense>(mechanism, &columns, &mut factors, time, q)?;
+    Ok((least_change::<M, Dense>(mechanism, measures, &columns, &factors, reduction.values(open)), factors))
 }

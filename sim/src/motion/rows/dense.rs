@@ -4,8 +4,7 @@ use super::{Linear, Rows};
 use crate::model::level::between_positions;
 use crate::motion::measures::Measures;
 use crate::numerics::arrays::inner;
-use crate::numerics::factors::Undefined;
-use crate::numerics::solve::Definite;
+use crate::numerics::solve::{Definite, Undefined};
 use sim_kernel::{Array, Mechanism};
 
 /// Rows by all of their entries.
@@ -21,34 +20,34 @@ impl<M: Mechanism> Rows<M> for Dense {
     }
 
     #[inline(always)]
-    fn columns(jacobian: &M::LQ, measures: &Measures<M>) -> M::LQ {
-        measures.columns(jacobian)
+    fn columns(mechanism: &M, jacobian: &M::LQ, measures: &Measures<M>) -> M::LQ {
+        measures.columns(mechanism, jacobian)
     }
 
     #[inline(always)]
-    fn between_positions(jacobian: &M::LQ) -> M::LQ {
-        between_positions::<M>(jacobian)
+    fn between_positions(mechanism: &M, jacobian: &M::LQ) -> M::LQ {
+        between_positions(mechanism, jacobian)
     }
 
     #[inline(always)]
-    fn times(jacobian: &M::LQ, x: &M::Q) -> M::L {
-        M::L::from_fn(|i| inner(&jacobian[i], x))
+    fn times(mechanism: &M, jacobian: &M::LQ, x: &M::Q) -> M::L {
+        M::L::with_len(mechanism.m(), |i| inner(&jacobian[i], x))
     }
 
     #[inline(always)]
-    fn terms(jacobian: &M::LQ, row: usize, x: &M::Q) -> f64 {
+    fn terms(_mechanism: &M, jacobian: &M::LQ, row: usize, x: &M::Q) -> f64 {
         jacobian[row].iter().zip(x.iter()).map(|(c, x)| (c * x).abs()).sum()
     }
 
     #[inline(always)]
-    fn transposed_times(jacobian: &M::LQ, y: &M::L) -> M::Q {
-        M::Q::from_fn(|j| (0..M::L::LEN).map(|i| jacobian[i][j] * y[i]).sum())
+    fn transposed_times(mechanism: &M, jacobian: &M::LQ, y: &M::L) -> M::Q {
+        M::Q::with_len(mechanism.n(), |j| (0..mechanism.m()).map(|i| jacobian[i][j] * y[i]).sum())
     }
 
     #[inline(always)]
-    fn factorise(jacobian: &M::LQ, factors: &mut Definite<M::LL, M::L>) -> Result<(), Undefined> {
-        let mut gram = M::LL::filled(M::L::filled(0.0));
-        for i in 0..M::L::LEN {
+    fn factorise(mechanism: &M, jacobian: &M::LQ, factors: &mut Definite<M::LL, M::L>) -> Result<(), Undefined> {
+        let mut gram = M::LL::repeat(mechanism.m(), M::L::repeat(mechanism.m(), 0.0));
+        for i in 0..mechanism.m() {
             for j in 0..=i {
                 gram[i][j] = inner(&jacobian[i], &jacobian[j]);
             }
@@ -58,7 +57,22 @@ impl<M: Mechanism> Rows<M> for Dense {
     }
 
     #[inline(always)]
-    fn constraint(k: usize) -> usize {
+    fn no_factors(mechanism: &M) -> Definite<M::LL, M::L> {
+        Definite::blank(mechanism.m())
+    }
+
+    #[inline]
+    fn pivot(_mechanism: &M, factors: &Definite<M::LL, M::L>, k: usize) -> (f64, f64) {
+        factors.row(k)
+    }
+
+    #[inline]
+    fn solve(_mechanism: &M, factors: &Definite<M::LL, M::L>, rhs: M::L) -> M::L {
+        factors.solve(rhs)
+    }
+
+    #[inline(always)]
+    fn constraint(_mechanism: &M, k: usize) -> usize {
         k
     }
 }

@@ -11,7 +11,7 @@ pub(crate) use sparse::{Sparse, is_sparse, sparse_rows};
 pub(crate) use turned::may_have_turned;
 
 use crate::motion::measures::Measures;
-use crate::numerics::factors::{Factors, Undefined};
+use crate::numerics::solve::Undefined;
 use sim_kernel::{ConstraintLinearization, Mechanism};
 
 /// The constraints of a mechanism, linearised, with C_q stored in this way.
@@ -22,22 +22,39 @@ pub(crate) trait Rows<M: Mechanism> {
     /// m rows of n.
     type Jacobian: Copy;
     /// L D L' of the products of rows with each other.
-    type Factors: Factors<M::L>;
+    type Factors: Copy;
 
     /// C, C_q and C_t.
     fn linearization(mechanism: &M, time: f64, q: &M::Q) -> Linear<M, Self>;
     /// The same rows with columns times the changes that count as 1.
-    fn columns(jacobian: &Self::Jacobian, measures: &Measures<M>) -> Self::Jacobian;
+    fn columns(mechanism: &M, jacobian: &Self::Jacobian, measures: &Measures<M>) -> Self::Jacobian;
     /// The same rows with zeros in those between speeds.
-    fn between_positions(jacobian: &Self::Jacobian) -> Self::Jacobian;
+    fn between_positions(mechanism: &M, jacobian: &Self::Jacobian) -> Self::Jacobian;
     /// A x.
-    fn times(jacobian: &Self::Jacobian, x: &M::Q) -> M::L;
+    fn times(mechanism: &M, jacobian: &Self::Jacobian, x: &M::Q) -> M::L;
     /// The sum of the magnitudes of a row's terms in that.
-    fn terms(jacobian: &Self::Jacobian, row: usize, x: &M::Q) -> f64;
+    fn terms(mechanism: &M, jacobian: &Self::Jacobian, row: usize, x: &M::Q) -> f64;
     /// A' y.
-    fn transposed_times(jacobian: &Self::Jacobian, y: &M::L) -> M::Q;
+    fn transposed_times(mechanism: &M, jacobian: &Self::Jacobian, y: &M::L) -> M::Q;
     /// The factors of A A', put where others were: moving them about would take as long as finding them.
-    fn factorise(jacobian: &Self::Jacobian, factors: &mut Self::Factors) -> Result<(), Undefined>;
+    fn factorise(mechanism: &M, jacobian: &Self::Jacobian, factors: &mut Self::Factors) -> Result<(), Undefined>;
+    /// Factors of nothing yet.
+    fn no_factors(mechanism: &M) -> Self::Factors;
+    /// The diagonal entry of a row of what was factorised, and the inverse of its pivot: zero if the row depends on those before it.
+    fn pivot(mechanism: &M, factors: &Self::Factors, k: usize) -> (f64, f64);
+    /// The solution for a right-hand side; zero for unknowns whose rows depend on others.
+    fn solve(mechanism: &M, factors: &Self::Factors, rhs: M::L) -> M::L;
     /// Which constraint a row of the factors belongs to.
-    fn constraint(k: usize) -> usize;
+    fn constraint(mechanism: &M, k: usize) -> usize;
+
+    /// Whether no row depends on others.
+    #[inline]
+    fn is_regular(mechanism: &M, factors: &Self::Factors) -> bool {
+        (0..mechanism.m()).all(|k| Self::pivot(mechanism, factors, k).1 != 0.0)
+    }
+
+    /// The rows that depend on those before them.
+    fn dependent(mechanism: &M, factors: &Self::Factors) -> impl Iterator<Item = usize> {
+        (0..mechanism.m()).filter(|k| Self::pivot(mechanism, factors, *k).1 == 0.0)
+    }
 }

@@ -5,21 +5,22 @@
 use super::{Linear, Rows};
 use crate::model::level::is_speed_row;
 use crate::motion::measures::{Measures, mixes_lengths};
-use crate::numerics::factors::{Factors, Undefined};
-use crate::numerics::solve::LEAST_INDEPENDENCE;
+use crate::numerics::solve::{LEAST_INDEPENDENCE, Undefined};
 use sim_kernel::{Array, Mechanism, SparseRow};
 
 /// Rows by their entries that need not be 0.
 pub(crate) struct Sparse;
 
 /// Whether the rows of a mechanism are stored so.
-pub(crate) const fn is_sparse<M: Mechanism>() -> bool {
-    !M::DESCRIPTION.sparsity.is_empty()
+#[inline(always)]
+pub(crate) fn is_sparse<M: Mechanism>(mechanism: &M) -> bool {
+    !mechanism.description().sparsity.is_empty()
 }
 
 /// The rows of a mechanism in the order of elimination.
-pub(crate) const fn sparse_rows<M: Mechanism>() -> &'static [SparseRow] {
-    const { M::DESCRIPTION.sparsity }
+#[inline(always)]
+pub(crate) fn sparse_rows<M: Mechanism>(mechanism: &M) -> &'static [SparseRow] {
+    mechanism.description().sparsity
 }
 
 impl<M: Mechanism> Rows<M> for Sparse {
@@ -32,12 +33,12 @@ impl<M: Mechanism> Rows<M> for Sparse {
     }
 
     #[inline]
-    fn columns(entries: &M::Entries, measures: &Measures<M>) -> M::Entries {
+    fn columns(mechanism: &M, entries: &M::Entries, measures: &Measures<M>) -> M::Entries {
         let mut columns = *entries;
-        if !mixes_lengths::<M>() {
+        if !mixes_lengths(mechanism) {
             return columns;
         }
-        for row in sparse_rows::<M>() {
+        for row in sparse_rows(mechanism) {
             for (entry, j) in entries_of_mut(&mut columns, row) {
                 *entry *= measures.coordinates()[j];
             }
@@ -46,33 +47,33 @@ impl<M: Mechanism> Rows<M> for Sparse {
     }
 
     #[inline]
-    fn between_positions(entries: &M::Entries) -> M::Entries {
+    fn between_positions(mechanism: &M, entries: &M::Entries) -> M::Entries {
         let mut between = *entries;
-        for row in sparse_rows::<M>().iter().filter(|row| is_speed_row::<M>(row.constraint)) {
+        for row in sparse_rows(mechanism).iter().filter(|row| is_speed_row(mechanism, row.constraint)) {
             entries_of_mut(&mut between, row).for_each(|(entry, _)| *entry = 0.0);
         }
         between
     }
 
     #[inline]
-    fn times(entries: &M::Entries, x: &M::Q) -> M::L {
-        let mut products = M::L::filled(0.0);
-        for row in sparse_rows::<M>() {
+    fn times(mechanism: &M, entries: &M::Entries, x: &M::Q) -> M::L {
+        let mut products = M::L::repeat(mechanism.m(), 0.0);
+        for row in sparse_rows(mechanism) {
             products[row.constraint] = inner(entries, row, x);
         }
         products
     }
 
     #[cold]
-    fn terms(entries: &M::Entries, constraint: usize, x: &M::Q) -> f64 {
-        let row = sparse_rows::<M>().iter().find(|row| row.constraint == constraint);
+    fn terms(mechanism: &M, entries: &M::Entries, constraint: usize, x: &M::Q) -> f64 {
+        let row = sparse_rows(mechanism).iter().find(|row| row.constraint == constraint);
         row.map_or(0.0, |row| entries_of(entries, row).map(|(entry, j)| (entry * x[j]).abs()).sum())
     }
 
     #[inline]
-    fn transposed_times(entries: &M::Entries, y: &M::L) -> M::Q {
-        let mut sums = M::Q::filled(0.0);
-        for row in sparse_rows::<M>() {
+    fn transposed_times(mechanism: &M, entries: &M::Entries, y: &M::L) -> M::Q {
+        let mut sums = M::Q::repeat(mechanism.n(), 0.0);
+        for row in sparse_rows(mechanism) {
             let factor = y[row.constraint];
             entries_of(entries, row).for_each(|(entry, j)| sums[j] += factor * entry);
         }
@@ -80,14 +81,28 @@ impl<M: Mechanism> Rows<M> for Sparse {
     }
 
     #[inline]
-    fn factorise(entries: &M::Entries, factors: &mut Envelope<M>) -> Result<(), Undefined> {
-        products::<M>(entries, entries, &mut factors.lower);
-        factors.factorise()
+    fn factorise(mechanism: &M, entries: &M::Entries, factors: &mut Envelope<M>) -> Result<(), Undefined> {
+        products(mechanism, entries, entries, &mut factors.lower);
+        factors.factorise(mechanism)
+    }
+
+    fn no_factors(mechanism: &M) -> Envelope<M> {
+        Envelope { lower: blank_envelope(mechanism), inverse_pivots: M::L::repeat(mechanism.m(), 0.0) }
     }
 
     #[inline]
-    fn constraint(k: usize) -> usize {
-        sparse_rows::<M>()[k].constraint
+    fn pivot(mechanism: &M, factors: &Envelope<M>, k: usize) -> (f64, f64) {
+        (factors.lower[sparse_rows(mechanism)[k].diagonal], factors.inverse_pivots[k])
+    }
+
+    #[inline]
+    fn solve(mechanism: &M, factors: &Envelope<M>, rhs: M::L) -> M::L {
+        factors.solve(mechanism, rhs)
+    }
+
+    #[inline]
+    fn constraint(mechanism: &M, k: usize) -> usize {
+        sparse_rows(mechanism)[k].constraint
     }
 }
 
@@ -115,10 +130,10 @@ fn inner<E: Array<f64>, Q: Array<f64>>(entries: &E, row: &'static SparseRow, x: 
 
 /// The lower triangle of A B' within the envelope.
 #[inline]
-pub(super) fn products<M: Mechanism>(a: &M::Entries, b: &M::Entries, products: &mut M::Envelope) {
-    let rows = sparse_rows::<M>();
+pub(super) fn products<M: Mechanism>(mechanism: &M, a: &M::Entries, b: &M::Entries, products: &mut M::Envelope) {
+    let rows = sparse_rows(mechanism);
     // The row of A that rows of B are multiplied with, by all of its entries; 0 elsewhere.
-    let mut spread = M::Q::filled(0.0);
+    let mut spread = M::Q::repeat(mechanism.n(), 0.0);
     for (k, row) in rows.iter().enumerate() {
         entries_of(a, row).for_each(|(entry, j)| spread[j] = entry);
         let own = &mut products.as_mut()[row.diagonal + row.first - k..=row.diagonal];
@@ -127,6 +142,12 @@ pub(super) fn products<M: Mechanism>(a: &M::Entries, b: &M::Entries, products: &
         }
         row.columns.iter().for_each(|j| spread[*j] = 0.0);
     }
+}
+
+/// An envelope of zeros.
+pub(super) fn blank_envelope<M: Mechanism>(mechanism: &M) -> M::Envelope {
+    let last = sparse_rows(mechanism).last();
+    M::Envelope::repeat(last.map_or(0, |row| row.diagonal + 1), 0.0)
 }
 
 /// The inner product.
@@ -147,8 +168,8 @@ pub(crate) struct Envelope<M: Mechanism> {
 impl<M: Mechanism> Envelope<M> {
     /// As [`Definite`](crate::numerics::solve::Definite) does.
     #[inline]
-    fn factorise(&mut self) -> Result<(), Undefined> {
-        let rows = sparse_rows::<M>();
+    fn factorise(&mut self, mechanism: &M) -> Result<(), Undefined> {
+        let rows = sparse_rows(mechanism);
         for (k, row) in rows.iter().enumerate() {
             let (before, own) = self.lower.as_mut().split_at_mut(row.diagonal + row.first - k);
             for j in row.first..k {
@@ -180,27 +201,16 @@ impl<M: Mechanism> Envelope<M> {
     fn row_of_l(&self, k: usize, row: &SparseRow) -> &[f64] {
         &self.lower.as_ref()[row.diagonal + row.first - k..row.diagonal]
     }
-}
-
-impl<M: Mechanism> Factors<M::L> for Envelope<M> {
-    fn blank() -> Envelope<M> {
-        Envelope { lower: M::Envelope::filled(0.0), inverse_pivots: M::L::filled(0.0) }
-    }
 
     #[inline]
-    fn row(&self, k: usize) -> (f64, f64) {
-        (self.lower[sparse_rows::<M>()[k].diagonal], self.inverse_pivots[k])
-    }
-
-    #[inline]
-    fn solve(&self, rhs: M::L) -> M::L {
-        let rows = sparse_rows::<M>();
-        let mut x = M::L::from_fn(|k| rhs[rows[k].constraint]);
+    fn solve(&self, mechanism: &M, rhs: M::L) -> M::L {
+        let rows = sparse_rows(mechanism);
+        let mut x = rhs.like(|k| rhs[rows[k].constraint]);
         for (k, row) in rows.iter().enumerate() {
             let known = dot(self.row_of_l(k, row), &x.as_ref()[row.first..k]);
             x[k] -= known;
         }
-        (0..M::L::LEN).for_each(|k| x[k] *= self.inverse_pivots[k]);
+        (0..mechanism.m()).for_each(|k| x[k] *= self.inverse_pivots[k]);
         for (k, row) in rows.iter().enumerate().rev() {
             let value = if self.inverse_pivots[k] != 0.0 { x[k] } else { 0.0 };
             x[k] = value;

@@ -5,7 +5,7 @@
 //! the pivots of its elimination, ratios of successive ones, are positive while no such volume turns round, and only where one
 //! is not need the parts themselves be looked at, which takes the square of the number of rows.
 
-use super::sparse::{dot, products, sparse_rows};
+use super::sparse::{blank_envelope, dot, products, sparse_rows};
 use sim_kernel::{Array, Mechanism};
 
 /// A pivot this small beside the product that it is left of says nothing: it has lost its digits, or the rows nearly depend on
@@ -13,12 +13,12 @@ use sim_kernel::{Array, Mechanism};
 const LEAST: f64 = 1e-4;
 
 /// Whether a row may have, from the entries of C_q D at both positions.
-pub(crate) fn may_have_turned<M: Mechanism>(before: &M::Entries, after: &M::Entries) -> bool {
-    let (rows, zero) = (sparse_rows::<M>(), M::Envelope::filled(0.0));
+pub(crate) fn may_have_turned<M: Mechanism>(mechanism: &M, before: &M::Entries, after: &M::Entries) -> bool {
+    let (rows, zero) = (sparse_rows(mechanism), blank_envelope(mechanism));
     // L below the diagonal of the one, the transpose of D U in the other.
-    let (mut lower, mut upper, mut inverse_pivots) = (zero, zero, M::L::filled(0.0));
-    products::<M>(after, before, &mut lower);
-    products::<M>(before, after, &mut upper);
+    let (mut lower, mut upper, mut inverse_pivots) = (zero, zero, M::L::repeat(mechanism.m(), 0.0));
+    products(mechanism, after, before, &mut lower);
+    products(mechanism, before, after, &mut upper);
     for (k, row) in rows.iter().enumerate() {
         let start = row.diagonal + row.first - k;
         let (lower_before, own_lower) = lower.as_mut().split_at_mut(start);
@@ -61,13 +61,13 @@ mod tests {
     }
 
     /// The ratios of successive leading minors of A B', by determinants, beside the products of the rows.
-    fn pivots<M: Mechanism>([a, b]: [&M::LQ; 2]) -> Vec<f64> {
-        let rows = sparse_rows::<M>();
-        let whole = |all: &M::LQ| DMatrix::from_fn(M::L::LEN, M::Q::LEN, |k, j| all[rows[k].constraint][j]);
+    fn pivots<M: Mechanism>(mechanism: &M, [a, b]: [&M::LQ; 2]) -> Vec<f64> {
+        let rows = sparse_rows(mechanism);
+        let whole = |all: &M::LQ| DMatrix::from_fn(mechanism.m(), mechanism.n(), |k, j| all[rows[k].constraint][j]);
         let products = whole(a) * whole(b).transpose();
         let minors: Vec<f64> =
-            (0..=M::L::LEN).map(|k| products.view((0, 0), (k, k)).into_owned().determinant()).collect();
-        (0..M::L::LEN).map(|k| minors[k + 1] / minors[k] / products[(k, k)].abs()).collect()
+            (0..=mechanism.m()).map(|k| products.view((0, 0), (k, k)).into_owned().determinant()).collect();
+        (0..mechanism.m()).map(|k| minors[k + 1] / minors[k] / products[(k, k)].abs()).collect()
     }
 
     /// Rows have turned where a leading minor has changed its sign, and nothing is looked at where none has.
@@ -80,13 +80,13 @@ mod tests {
             // Angles, of which alone C_q depends, that differ by up to 0.01 to 4 rad.
             let spread = 0.01 * 400f64.powf(f64::from(k) / 399.0);
             let at = |i: usize, part: f64| (f64::from(k) * 1.7 + i as f64 * 2.3).sin() * 3.0 + part;
-            let from = Q::from_fn(|i| at(i, 0.0));
-            let to = Q::from_fn(|i| at(i, spread * (f64::from(k) * 3.1 + i as f64 * 1.9).sin()));
+            let from = Q::with_len(24, |i| at(i, 0.0));
+            let to = Q::with_len(24, |i| at(i, spread * (f64::from(k) * 3.1 + i as f64 * 1.9).sin()));
             let entries = [&from, &to].map(|q| mechanism.sparse_linearization(0.0, q).jacobian);
             let jacobians = [&from, &to].map(|q| mechanism.constraint_jacobian(0.0, q));
-            let pivots = pivots::<Chain<f64>>(jacobians.each_ref());
+            let pivots = pivots(&mechanism, jacobians.each_ref());
             let least = pivots.iter().copied().fold(f64::INFINITY, f64::min);
-            let found = may_have_turned::<Chain<f64>>(&entries[0], &entries[1]);
+            let found = may_have_turned(&mechanism, &entries[0], &entries[1]);
             // Between, digits that are lost may count as a turn.
             if least < 0.0 {
                 assert!(found, "{k}: {least}");
