@@ -7,6 +7,9 @@
 //! run time, of which every pivot is positive as long as B is regular: where it is not, as at the singular positions of
 //! Euler's angles, no speeds determine the rates. B'B of Euler's angles, of quaternions and of directions in a plane is
 //! diagonal.
+//!
+//! The form B'B is used because pivots chosen for B itself when the mechanism is built would vanish at some positions
+//! where B is regular. Where B'B is not diagonal, its condition is the square of B's.
 
 use super::block::{Block, Part};
 use super::linear::{Equation, Solved, eliminate, expanded};

@@ -1,4 +1,16 @@
-//! In which order the equations of motion are solved, by structure alone.
+//! The order in which the equations of motion are solved, chosen by structure alone.
+//!
+//! Coordinates with the fewest neighbours come first, a multiplier when all of its coordinates are gone, and among
+//! equals the one that waits for the fewest others. A row of linkages is thus eliminated from both ends at once, which
+//! halves the chain of dependent operations. A multiplier eliminated earlier could meet a pivot that vanishes at some
+//! position; late multipliers also keep rounding small where masses are small. Where loops are turned (`turns`), a
+//! multiplier whose pivot depends on parameters alone may come early.
+//!
+//! A pivot is refused at run time if cancellation has taken half of its digits. The runtime then solves that state by
+//! complete pivoting. Where no order exists, as for a coordinate without inertia, every state is solved that way.
+//!
+//! Each step comes just before the step that needs it: two independent chains of operations then lie within the
+//! processor's reach, and run in parallel.
 
 use std::collections::BTreeSet;
 

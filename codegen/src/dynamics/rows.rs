@@ -1,4 +1,14 @@
 //! The rows of x = T(q, t) with their inertias and loads, before differentiation.
+//!
+//! Points that loads act at have rows too, with zero inertia. So forces, torques and weights all act along rows, and
+//! the reduced equations need no other case; a row that exists is reused. A load along a scalar is a row of T as well:
+//! a spring acts along its length, a potential V is a force of -1 along V, and a dissipation function gives a force
+//! along each coordinate. Work and power need no special case for them.
+//!
+//! The angular velocity of a spatial body is linear in the speeds but is no derivative of a position. Such a row is a
+//! velocity with its acceleration, in components of the body's frame, where the inertia is constant. The terms w x J w
+//! and the products of inertia are all that this adds to the equations. The mass of a body moves in its frame too, or
+//! in the world's where the centre of mass is declared there.
 
 use crate::model::{Attitude, Model, Rates};
 use crate::symbolic::Expr;

@@ -10,6 +10,10 @@
 //! Along and across a link at the angle phi, the link's own coordinate stands in one row alone, mostly with a coefficient of
 //! parameters: one entry less to eliminate, and a pivot that no position makes zero. As the turn is orthonormal the
 //! equations stay as well conditioned as they were.
+//!
+//! Both forms are planned, and the one with fewer operations is taken: rows of four-bars gain, Andrews' squeezer stays
+//! as declared. Derivatives are taken of the turned rows. Their multipliers turn back with -lambda_y and lambda_x times
+//! the change of the angle. Kernels other than `dynamics` and its derivatives do not know of turned rows.
 
 use super::column::Column;
 use super::constraints::Constraints;

@@ -1,5 +1,8 @@
 //! Stage 2: joints, free bodies and points on bodies, written out as coordinates, equations and ordinary expressions. Later
 //! stages know none of them.
+//!
+//! The rewritten parts carry the user's spans. A body placed by joints has a pose that is a product of rotations along
+//! the tree, as a user would write it, so its kernels are no longer than those written by hand.
 
 mod axes;
 mod coordinates;

@@ -1,4 +1,7 @@
-//! Physical dimensions: exponents of metre, kilogram, second, ampere and kelvin. Angles have none.
+//! Physical dimensions: exact rational exponents of metre, kilogram, second, ampere and kelvin.
+//!
+//! Angles have no dimension, so arcs are lengths, and torques are J/rad. A vector has one dimension: mixed ones would
+//! make `norm` and `inner` meaningless.
 
 use crate::symbolic::Number;
 

@@ -1,4 +1,9 @@
 //! The `tables` block.
+//!
+//! Rows become cubics when the mechanism is resolved, and constants of its type. A table is one node of the graph with
+//! the order of its derivative, and a kernel looks a piece up once for each argument, lane by lane. So dual numbers and
+//! lanes need nothing but the look-up. The oracle makes its splines another way: from second derivatives, by
+//! relaxation.
 
 use super::Unit;
 use super::function::Function;

@@ -1,4 +1,8 @@
 //! The mechanics of a declaration at one state: body rows, loads and constraints as jets in (q, t).
+//!
+//! Nothing here uses an angular velocity, except for freed bodies: rotational energy is tr(R' S R'^T)/2 over the nine
+//! entries of R, and a torque M is half of M x r on each column r. So the derivation is independent of the one it
+//! checks.
 
 use super::constraint::{self, Constraint, constraints};
 use super::effort::Effort;

@@ -8,6 +8,9 @@
 //!
 //! Positions are jets in (q, t): P, P_q, P_t and all second derivatives, hence velocities and convective terms. Loads,
 //! outputs and events are jets in time along q + q' s + q'' s^2/2, which `dot` differentiates.
+//!
+//! Neither this check nor Lagrange's equations would show an error in what all derivations share. Therefore reactions
+//! are also checked body by body (`freed`), and joints against equations written by hand in the tests.
 
 mod comparison;
 mod constraint;

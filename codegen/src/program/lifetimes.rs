@@ -1,7 +1,8 @@
-//! Long kernels have more values than a processor has registers: what is kept is written to memory and read again.
+//! Statements reordered so that fewer values are alive at a time.
 //!
-//! Results ask for statements in some order. One that is the last to use some value may as well come as soon as it can:
-//! from then on its own value is kept instead.
+//! Long kernels have more values than a processor has registers, and the rest goes through memory. A statement that is
+//! the last use of some value therefore comes as early as it can: from then on its own value is kept instead. This
+//! helps kernels that just outgrow the instruction cache.
 
 use super::{Name, Results, Statement, Tree};
 use rustc_hash::FxHashMap;

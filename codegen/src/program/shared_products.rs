@@ -5,6 +5,9 @@
 //! (Generation of optimal code for expressions via factorization, CACM 12, 1969). Sums have had their factors taken out
 //! before. Where a processor waits longer than it is busy, a pair that a product would have to wait for is left in it:
 //! `late * early * early` is `late * (early * early)`.
+//!
+//! The rule about waiting applies only where the longest chain of operations takes longer than all operations one after
+//! the other; applied everywhere, it would slow down kernels such as an arm's inverse dynamics.
 
 use super::latency::{self, Time, times};
 use super::values::{Leaves, Operation, Value, Values};

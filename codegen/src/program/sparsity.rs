@@ -3,6 +3,10 @@
 //! Rows that have a coordinate in common are neighbours. They are ordered by the reverse of Cuthill and McKee's algorithm (George
 //! and Liu, Computer Solution of Large Sparse Positive Definite Systems, 1981, chapter 4), unless the declared order has as
 //! small an envelope: all that the factors of C_q C_q' fill lies in it.
+//!
+//! Sparse rows are used only where they save operations. Elsewhere rows stay dense; the choice is a constant of the
+//! type. Projection by the mass matrix, partitioning, redundant constraints and whatever runs once per simulation stay
+//! dense.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,8 @@
 //! Several numbers side by side, one for each of several trajectories.
+//!
+//! Vector types of `core::arch` would need `unsafe` in every operation and a type for every width. What is not inlined
+//! into a function compiled for wide vectors is compiled for the baseline: therefore `dynamics` is always inlined, and
+//! batches loop instead of passing closures.
 
 use crate::wave::sin_cos_each;
 use crate::{Mask, Scalar};

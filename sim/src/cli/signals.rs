@@ -1,4 +1,7 @@
-//! The end of a command by Ctrl-C or by whoever ends processes.
+//! The end of a command by Ctrl-C or a signal.
+//!
+//! Runs check a flag between steps and write what they have. Everything else ends at once: a thread waits for the
+//! signal, moves complete files to their place if the tables are among them, and exits.
 
 use crate::cli::files::folder;
 #[cfg(unix)]

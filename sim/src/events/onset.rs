@@ -1,7 +1,9 @@
-//! How the conditions of events go on from the start of a phase.
+//! The sign of each event condition after the start of a phase.
 //!
-//! After an event that changes something its condition is zero, up to rounding: whether it is being left or crossed again, is
-//! told by its derivatives along the motion. A condition that an active constraint holds at zero is rounding throughout.
+//! After an event that changes something, its condition is zero up to rounding, so its sign is taken from the first
+//! derivative along the motion, or from the second. This distinguishes a ball that leaves the floor from one that
+//! nothing holds. A condition that stays below the tolerance of constraints through a step keeps its sign, so that a
+//! contact that is held does not land again.
 
 use super::conditions::{conditions, moved, tolerance};
 use crate::motion::Motion;

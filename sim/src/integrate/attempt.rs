@@ -1,4 +1,7 @@
-//! One step that is attempted, and why it fails.
+//! One attempted step, and why it may fail.
+//!
+//! A projection that moves the end of a step by more than a thousand tolerances is refused: it would lead to another
+//! branch of the motion.
 
 use super::method::{Advance, Attempt};
 use crate::motion::Motion;

@@ -1,4 +1,8 @@
 //! Accelerations beside a singular position.
+//!
+//! These accelerations are those of the polynomial nearest to the values on the branch on both sides, weighted by the
+//! fourth power of s, where it is smooth and the equations of motion give nothing better. At a cusp, or where the
+//! motion comes to rest, the run ends with a message.
 
 use crate::motion::Motion;
 use crate::motion::project::project;

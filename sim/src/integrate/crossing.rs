@@ -1,4 +1,14 @@
 //! Steps over singular positions.
+//!
+//! Beside a singular position rounding is amplified by 1/s^2, with s the sine of a row of C_q to the rows before it.
+//! The position is predicted from positions, speeds and accelerations. One step of DOP853, whatever the method, is
+//! placed so that the position falls in the widest gap between its stages, which are kept on the constraints. A step
+//! whose end would lie beside this or the next singular position is made longer.
+//!
+//! The error of that step is estimated, and the step repeated shorter; a looser bound holds only where both ends come
+//! so close that rounding forbids more. The step counts only if it did pass a singular position. It may lead beyond the
+//! end of a run, and then counts up to the end. An adaptive step that ends much closer to such a position than it
+//! began, unpredicted, is repeated by halves.
 
 use super::attempt::attempt;
 use super::dop853::Dop853;

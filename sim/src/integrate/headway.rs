@@ -1,4 +1,8 @@
-//! Steps that lead nowhere.
+//! Detects steps that make no progress.
+//!
+//! Where a load jumps to and fro, as dry friction on a block at rest does, steps of some 1e-11 s meet the tolerance and
+//! a run would take days. Many attempts in a row that advance by a negligible part of the longest step are reported as
+//! a tolerance that cannot be met. The length of the run does not matter.
 
 use crate::state::saved::{Bytes, Damaged};
 

@@ -1,4 +1,7 @@
-//! A step that was made, and what is inside it.
+//! An accepted step, with its dense output.
+//!
+//! Dense output uses the projected end and the right-hand side there, and each point taken from it is projected. DOP853
+//! has its own interpolant of order 7, Radau its collocation polynomial; all others use the quintic of both ends.
 
 use super::beside::better_accelerations;
 use super::method::Advance;

@@ -1,4 +1,7 @@
 //! Steps, one after the other.
+//!
+//! Times of equal steps are computed from the start each time, and the row of a step is its own first stage, so
+//! recording costs no right-hand side.
 
 use super::attempt::{attempt, explained, too_small};
 use super::control::{Controller, initial_step};

@@ -1,6 +1,8 @@
-//! A mechanism whose type is erased: its kernels on slices, whose lengths are known when the program runs.
+//! A type-erased mechanism: its kernels on slices, whose lengths are known at run time.
 //!
-//! What is computed a few times in a program is written for these, and so is compiled once, not once for each mechanism.
+//! What runs at every step knows the mechanism's sizes at compile time and is compiled for each mechanism. Everything
+//! else (assembly, mobility, sweeps, linearisation, verification, tables, reports) is written for these kernels, and
+//! compiled once. Public functions stay generic and are a few lines each.
 
 mod at;
 pub(crate) mod conditional;

@@ -1,8 +1,8 @@
 //! Where generalised speeds determine the speeds well enough to be integrated.
 //!
-//! Where they cease to, N in q' = N u + n grows without bound, and its derivatives more so: the error of a step of order p
-//! grows as the power p + 1 of N, long before digits are lost. So a step is made in them only where N is near the best that
-//! it has been; a constant N always is.
+//! Where u ceases to determine q', N in q' = N u + n grows without bound, and the error of a step of order p grows as
+//! N^(p+1), long before digits are lost. So a step is made in u only if N is near its best value so far, at the step's
+//! start, middle and end. A constant N always is.
 
 use crate::motion::measures::Measures;
 use crate::motion::project::project;

@@ -1,5 +1,10 @@
 //! What the coordinates and the constraints of a mechanism are measured by, so that no unit of length decides what is small,
 //! what is near, and what depends on what.
+//!
+//! Coordinates are measured by the mechanism's own length or by 1 rad, constraints by their terms. Projections, sines
+//! of rows, choices of coordinates and absolute tolerances all use these scales. The mechanism's length is the median
+//! lever arm in the rows of C_q: it depends neither on the origin nor on masses, where one light body would spoil the
+//! metric.
 
 use crate::model::AnyMechanism;
 use crate::model::conditional::released_rows;

@@ -1,4 +1,7 @@
 //! Degrees of freedom, constraints that say what others say already, and those that do so in one position alone.
+//!
+//! Positions nearby tell redundant from singular: rows that depend on others at all of them are redundant, and rows
+//! that do so at the start alone make it singular.
 
 use crate::model::AnyMechanism;
 use crate::motion::lengths::{measure, without_units};

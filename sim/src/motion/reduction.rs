@@ -3,6 +3,9 @@
 //! On the constraints the redundant rows of C_q depend on the others; beside them, where stages of a step lie, they nearly do,
 //! and a solution that met them all would be a pole. Rows are therefore combined by the left singular vectors that belong to
 //! the largest singular values: what is solved for then meets all rows in least squares, and depends smoothly on the state.
+//!
+//! Taking each row as it is would make a pivot of rounding. Leaving out fixed rows would fail at positions where other
+//! rows carry the rank. Only mechanisms with redundant rows pay for the reduction.
 
 use crate::motion::measures::Measures;
 use sim_kernel::{Array, Mechanism};

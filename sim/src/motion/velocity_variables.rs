@@ -1,9 +1,11 @@
-//! What is integrated beside the coordinates: generalised speeds u, where some are declared and determine the speeds well, and
-//! the speeds q' elsewhere. Of a body that turns, angular velocities change less than the rates of its coordinates and have
-//! equations of their own, whose solution keeps digits that the rates lose.
+//! What is integrated beside the coordinates: generalised speeds u where they are declared and determine the speeds
+//! well, and the speeds q' elsewhere.
 //!
-//! States and samples are in q and q'. A step in generalised speeds starts with u = W q' + w, has q' = N u + n at its stages,
-//! and u' = W q'' + W' q' + w'. Whatever moves its positions onto the constraints leaves u as it is.
+//! The angular velocities of a rotating body change less than the rates of its coordinates, and their equations keep
+//! digits that the rates lose. States, samples, rows and events are always in q and q'. A step in generalised speeds
+//! starts with u = W q' + w, has q' = N u + n at its stages, and u' = W q'' + W' q' + w'. Projection moves positions
+//! and keeps u. An error of u counts as the error of q' that it causes, so u needs no scale of its own. Radau takes all
+//! of its steps in q': its linear systems have half the size where q' is the rate of q.
 
 use crate::motion::Motion;
 use crate::state::failure::{Failure, What};

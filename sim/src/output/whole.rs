@@ -1,4 +1,4 @@
-//! Files that are whole or absent.
+//! Files that are whole or absent: each is written beside its place, flushed and renamed.
 
 use std::fs::{self, File};
 use std::io::{Error, Write};

@@ -1,4 +1,8 @@
 //! Dead points that a run passes, from dense output.
+//!
+//! With one degree of freedom the independent speed is, by Cramer's rule, the determinant of C_qd times the speed along
+//! the curve: only a product of speeds is computed until its sign changes. A position where C_q itself loses rank is
+//! singular, not dead. The mass matrix makes columns comparable.
 
 use crate::integrate::Step;
 use crate::motion::mobility::Mobility;

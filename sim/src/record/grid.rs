@@ -3,6 +3,10 @@
 //! The intervals asked for divide the whole time, and a run that ends early would have few rows, or one. So rows lie closer at
 //! first, by a power of two, and every second one is dropped when more than twice as many are held as were asked for. Rows
 //! beyond those asked for are one in four steps at most, so that they cost little where steps are few.
+//!
+//! A row costs dense output, a projection and a right-hand side; where equal steps end at finer places, rows there cost
+//! nothing. A run that ends early has N to 2N rows, and one that reaches its end has exactly those asked for. Rows at
+//! events, and the state where a run ends, are on no grid and stay.
 
 use crate::state::trajectory::{Phase, Sample};
 use sim_kernel::Mechanism;

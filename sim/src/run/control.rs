@@ -1,4 +1,6 @@
 //! Inputs that a program sets while a motion runs.
+//!
+//! The controller is called between integrations, once per period, so that no step has a jump in it.
 
 use super::Simulation;
 use crate::state::failure::Failure;

@@ -1,4 +1,7 @@
 //! A motion that is advanced as its owner says.
+//!
+//! [`run`](crate::run()), with a controller or without, is a loop over a simulation with a recorder. The time to which
+//! a simulation is advanced is the end of a step and not interpolated, as inputs and parameters may change there.
 
 use crate::events::{EventHandler, Occurrence};
 use crate::integrate::{Course, Integrator, Stepper, Steps, first_sample};

@@ -1,4 +1,6 @@
-//! What a simulation knows as bytes, and back: each part tells once what it is made of, for both ways.
+//! The state of a simulation as bytes, and back.
+//!
+//! Each part describes its contents once, for writing and for reading, so the two cannot get out of order.
 
 use crate::state::failure::constraint_name;
 use crate::state::trajectory::{Sample, State};

@@ -2,6 +2,9 @@
 //!
 //! Known are the world's frame and those of bodies, by `attitude(body)`, which takes vectors of the one to the other. What is made
 //! of scalars, `[x, y, z]`, or turned by any other rotation is of no frame in particular, and fits everywhere.
+//!
+//! In a product of rotations the frames need not follow on each other: the rotation from one body's frame to another's
+//! may be meant.
 
 use std::fmt::{Display, Formatter, Result};
 

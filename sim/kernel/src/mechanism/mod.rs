@@ -1,4 +1,8 @@
-//! The seam between generated kernels and whoever runs them.
+//! The interface between generated kernels and the code that runs them.
+//!
+//! A mechanism is its parameters: the generated type is a struct with the parameters as fields, generic over the
+//! scalar, and its kernels are methods. A separate parameter type would make every call name the mechanism twice, and
+//! the trait would need generic associated types for every size.
 
 mod differentiate;
 

@@ -2,6 +2,11 @@
 //!
 //! The sign of a determinant would miss a rank that falls by two. Beside a crossing the smallest singular value falls as the
 //! distance to it; it is looked for on the curve's polynomial, which passes it smoothly.
+//!
+//! A step is placed with the crossing in its middle, far from all nodes, and as long as possible, because rounding
+//! falls with the square of the distance. Crossings that lie together share a step, and no step ends beside one. The
+//! branch goes straight on if the equations hold in the crossing on the polynomial. Where they do not, the curve bends
+//! there and is followed in smaller steps.
 
 use super::path::Path;
 use super::piece::Piece;

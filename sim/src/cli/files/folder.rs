@@ -1,5 +1,9 @@
-//! The folder that results come into: held while a command works for it, and filled at once when all of them are written, so
-//! that what was there before stays until then.
+//! The output folder: locked while a command works for it, and filled when all files are complete, so that earlier
+//! files stay until then.
+//!
+//! Files are first written to a folder within it. The lock is the operating system's, on the folder itself, so a killed
+//! process leaves no lock behind. A file that cannot be written is named; if new files would then stand beside earlier
+//! ones, they stay aside, in `incomplete`.
 
 use crate::cli::Stop;
 use crate::cli::files::identity;

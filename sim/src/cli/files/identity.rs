@@ -1,4 +1,8 @@
-//! Which files belong to one run: some name it, and its summary lists the digests of all others.
+//! Which files belong to one run.
+//!
+//! A run's name is the digest of its table and of what its run file and summary say, so the same run has the same name.
+//! JSON files bear the name and may be edited. Tables and pictures have no place for a name that every reader accepts,
+//! so the summary, which is moved last, lists the digests of all other files.
 
 use crate::Table;
 use crate::cli::Stop;

@@ -4,6 +4,7 @@
 //! coordinates are measured by, q -= D^2 C_q' (C_q D^2 C_q')^-1 C and q' -= D^2 C_q' (C_q D^2 C_q')^-1 (C_q q' + C_t); or on
 //! request they are the smallest in the metric of the mass matrix. Where constraints are redundant, C_q and what is left of
 //! the constraints are first reduced to the rank of C_q (`redundant`).
+//!
 
 mod redundant;
 

@@ -3,6 +3,9 @@
 //!
 //! A figure is first laid out as a scene in logical pixels. The scene is written as SVG with real text, and the
 //! PNG is that SVG rendered with two pixels to a logical one. The same input gives the same bytes.
+//!
+//! SVG and PNG come from this one scene, and the one font both measures and draws the labels, because plotting
+//! libraries place text differently in their backends.
 
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
