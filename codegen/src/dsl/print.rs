@@ -3,7 +3,7 @@
 use super::{Comparison, Expression, Kind, Operator};
 use std::fmt::{Display, Formatter, Result};
 
-/// How tightly an expression holds together, as the parser reads it.
+/// The precedence of an expression in the parser.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Binding {
     Choice,
@@ -68,7 +68,7 @@ fn binding(expression: &Expression) -> Binding {
 }
 
 impl Expression {
-    /// Its text, the middle left out where it is long.
+    /// Its text, with the middle left out if it is long.
     pub fn excerpt(&self) -> String {
         let text: Vec<char> = self.to_string().chars().collect();
         match text.len() {

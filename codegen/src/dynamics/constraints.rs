@@ -69,7 +69,7 @@ impl Constraints {
     }
 }
 
-/// What stands in a row while it is active, and 0 while it is released: a multiple, unless it may have no value.
+/// The value of a row while it is active, and 0 while it is released: by a factor, unless the row may have no value.
 pub(super) fn switched(graph: &mut Graph, activity: Expr, expr: Expr) -> Expr {
     let zero = graph.zero();
     match graph.has_value_everywhere(expr) {

@@ -1,4 +1,4 @@
-//! The rows and the constraints in terms of coordinates and intermediates, and what it costs to solve them so.
+//! The rows and the constraints in terms of coordinates and intermediates, and the cost of solving them in this form.
 
 use super::intermediates::{Intermediate, total_time_derivative};
 use super::order::{Entry, Kind, Multipliers, Pattern, cost, order};
@@ -59,7 +59,7 @@ impl Formulation {
         intermediates
     }
 
-    /// About how many multiplications it takes to form and to solve the equations.
+    /// The approximate number of multiplications to form and solve the equations.
     pub(super) fn cost(&self, model: &Model) -> usize {
         let variables = self.variables(model).positions;
         let (n, p) = (model.coordinates.len(), self.symbols.len());

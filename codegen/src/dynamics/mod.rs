@@ -64,7 +64,7 @@ pub struct EquationsOfMotion {
     pub model: Model,
     /// What they are written in.
     pub variables: Variables,
-    /// What stands for parts of long sums, each defined by coordinates and those before it.
+    /// The intermediate quantities, each defined by coordinates and those before it.
     pub intermediates: Vec<Intermediate>,
     /// Mass matrix, convective and generalised forces.
     pub tmt: Tmt,
@@ -84,7 +84,7 @@ pub struct EquationsOfMotion {
     pub speeds: Option<SpeedEquations>,
 }
 
-/// Derives the equations of motion in the coordinates alone: what a reader wants to see.
+/// Derives the equations of motion in the coordinates alone, for readers.
 pub fn derive(mut model: Model) -> EquationsOfMotion {
     let rows = rows::load_rows(&mut model);
     let speeds = speeds::derive(&mut model, &rows);
@@ -134,7 +134,7 @@ fn derive_in(mut model: Model, formulation: Formulation, speeds: Option<SpeedEqu
         inverse,
         speeds,
     };
-    // Last, so that nothing above notices.
+    // Last, so that nothing above is affected.
     auxiliary::enter(&mut equations.model, &mut equations.outputs.values);
     equations
 }

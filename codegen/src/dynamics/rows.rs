@@ -20,7 +20,7 @@ pub(super) struct LoadRow {
     pub(super) inertia: Expr,
     /// Inertias that it shares with other rows, by index: products of inertia.
     pub(super) coupling: Vec<(usize, Expr)>,
-    /// The force that its inertia takes without acceleration: of w x J w its component.
+    /// The force of its inertia without acceleration: its component of w x J w.
     pub(super) gyroscopic: Expr,
     /// Weight, apart from other forces.
     pub(super) weight: Option<Weight>,
@@ -32,18 +32,18 @@ pub(super) struct LoadRow {
 pub(super) enum Along {
     /// A quantity x(q, t).
     Position(Expr),
-    /// A speed A q' + b that need be no rate of anything, with its acceleration.
+    /// A speed A q' + b that need not be a rate, with its acceleration.
     Rate {
         velocity: Expr,
         acceleration: Expr,
-        /// Angular velocities of the frame with velocities in it: the acceleration is the rate of the velocity plus the product
-        /// of the first pair less that of the second, of w x v the component.
+        /// Angular velocities of the frame with velocities in it: the acceleration is the rate of the velocity plus the
+        /// component of w x v, the product of the first pair less that of the second.
         transport: [(Expr, Expr); 2],
     },
 }
 
 impl Along {
-    /// A component of what moves in a frame.
+    /// A component of a moving quantity in a frame.
     fn component(rates: &Rates, i: usize) -> Along {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         let Rates { velocity, acceleration, turning } = rates;

@@ -13,8 +13,8 @@ use super::variables::{Derivatives, inner};
 use crate::model::Model;
 use crate::symbolic::{Differential, Expr, Symbol};
 
-/// Above, the kernel of the derivatives with respect to the state is made only if it is asked for: it grows with the
-/// square of the number of coordinates.
+/// With more coordinates, the kernel of the derivatives with respect to the state is generated only on request: it
+/// grows with the square of the number of coordinates.
 const MOST_COORDINATES: usize = 12;
 
 /// Enters the derivatives that the model asks for.

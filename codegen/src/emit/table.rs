@@ -1,4 +1,4 @@
-//! Tables as constants of the mechanism, which its kernels look values up in.
+//! Tables as constants of the mechanism, in which its kernels look values up.
 
 use super::tree::number;
 use crate::model::Model;

@@ -1,5 +1,5 @@
-//! Stage 3: names resolved and mistakes of meaning found; the declaration becomes symbolic. No token of the
-//! user's text goes beyond this stage.
+//! Stage 3: names are resolved, errors of meaning reported, and the declaration becomes symbolic. The user's tokens end
+//! here.
 
 mod arithmetic;
 mod auxiliary;
@@ -71,7 +71,7 @@ pub struct Model {
     pub named: Vec<(String, Expr)>,
     /// Bodies.
     pub bodies: Vec<Body>,
-    /// Acceleration of free fall, on every mass.
+    /// Acceleration of free fall of every mass.
     pub gravity: Option<Point>,
     /// Forces at points.
     pub forces: Vec<Force>,
@@ -83,7 +83,7 @@ pub struct Model {
     pub norms: Vec<Norm>,
     /// The constraint rows that keep their norms.
     pub norm_constraints: Vec<usize>,
-    /// Generalised speeds, in the order of declaration; none, or as many as determine all rates.
+    /// Generalised speeds, in the order of declaration; none, or enough to determine all rates.
     pub speeds: Vec<GeneralizedSpeed>,
     /// 2 in the plane, 3 in space.
     pub dimension: usize,
@@ -91,7 +91,7 @@ pub struct Model {
     pub constraints: Vec<Constraint>,
     /// Constraints that events switch, in the order of declaration.
     pub conditionals: Vec<Conditional>,
-    /// Conditions whose crossings are looked for.
+    /// Conditions whose crossings are located.
     pub events: Vec<Event>,
     /// Outputs, in the order of declaration.
     pub outputs: Vec<Output>,
@@ -99,11 +99,12 @@ pub struct Model {
     pub groups: Vec<OutputGroup>,
     /// What to draw.
     pub drawing: Vec<Shape>,
-    /// Whether the derivatives of the motion with respect to the state are wanted as a kernel; `None` leaves it open.
+    /// Whether a kernel is requested for the derivatives of the motion with respect to the state; `None` leaves it
+    /// open.
     pub wants_jacobian: Option<bool>,
-    /// Whether those with respect to the parameters are.
+    /// The same for those with respect to the parameters.
     pub wants_sensitivity: bool,
-    /// Whether the forces that a motion takes are.
+    /// The same for inverse dynamics.
     pub wants_inverse: bool,
     /// Auxiliary displacements, which are zero here.
     pub auxiliaries: Vec<Auxiliary>,
@@ -134,7 +135,7 @@ pub struct Coordinate {
     pub start_speed: Option<Expr>,
 }
 
-/// What the declaration says of where a coordinate starts.
+/// The declared start of a coordinate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Start {
     /// Exactly here.
@@ -193,8 +194,8 @@ pub struct Force {
     pub at: Point,
 }
 
-/// What does the virtual work `force` times the variation of `along`: a torque about an angle, a spring along a distance;
-/// of a potential V, -1 along V itself.
+/// A load with the virtual work `force` times the variation of `along`: a torque about an angle, a spring along a
+/// distance; of a potential V, -1 along V itself.
 pub struct Effort {
     /// The generalised force.
     pub force: Expr,
@@ -256,7 +257,7 @@ pub enum Level {
     Speeds,
 }
 
-/// A displacement that is zero, and whose conjugate force is wanted.
+/// A zero displacement, whose conjugate force is computed.
 pub struct Auxiliary {
     /// Its name.
     pub name: String,
@@ -264,11 +265,11 @@ pub struct Auxiliary {
     pub displacement: Symbol,
     /// s', where it is one.
     pub rate: Symbol,
-    /// What stands for the conjugate force in outputs.
+    /// The symbol of the conjugate force in outputs.
     pub reaction: Symbol,
 }
 
-/// A condition that comes to hold at certain times.
+/// A condition that becomes true at certain times.
 pub struct Event {
     /// Its name.
     pub name: String,
@@ -278,17 +279,17 @@ pub struct Event {
     pub direction: Option<Direction>,
     /// Whether the condition depends on accelerations or multipliers.
     pub on_forces: bool,
-    /// What happens then, one after the other.
+    /// The actions, in order.
     pub steps: Vec<EventStep>,
 }
 
-/// A part of what happens at an event; what is in one part happens at once.
+/// A group of actions of an event that happen at once.
 pub enum EventStep {
     /// The motion ends at this occurrence, from 1.
     Stop(usize),
     /// Parameters and coordinates change.
     Set(Vec<(Target, Expr)>),
-    /// Constraints, by index, hold from now on or no more.
+    /// Constraints, by index, hold from now on or no longer.
     Switch(Vec<(usize, bool)>),
     /// Constraints, by index, are hit, with coefficients of restitution.
     Impact(Vec<(usize, Expr)>),
@@ -338,7 +339,7 @@ pub enum Shape {
 }
 
 impl Model {
-    /// The total time derivative, as long as no acceleration occurs in what is differentiated.
+    /// The total time derivative of an expression without accelerations.
     pub fn time_derivative(&mut self) -> Differential {
         time_derivative(&mut self.graph, self.time, &self.coordinates, &[])
     }

@@ -1,4 +1,4 @@
-//! What an expression of the language stands for: a scalar, a vector of the plane or of space, or a rotation, with its
+//! The value of an expression of the language: a scalar, a vector of the plane or of space, or a rotation, with its
 //! dimension.
 
 use super::Dimension;

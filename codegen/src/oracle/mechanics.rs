@@ -24,7 +24,7 @@ pub(super) struct Row {
     pub(super) inertia: Measured,
     /// Where it is.
     pub(super) place: Jet,
-    /// What its inertia is multiplied with the acceleration of: the same, but for products of inertia.
+    /// The quantity whose acceleration multiplies its inertia: the same, except for products of inertia.
     pub(super) partner: Jet,
 }
 
@@ -34,7 +34,7 @@ impl Row {
     }
 }
 
-/// Everything of a declaration that enters the equations of motion, at one state.
+/// All parts of a declaration that enter the equations of motion, at one state.
 pub(super) struct Mechanics {
     /// The rows of x = T(q, t) that have inertia.
     pub(super) rows: Vec<Row>,
@@ -115,7 +115,7 @@ impl Builder<'_> {
         Ok(rows)
     }
 
-    /// The entries of R, of which each row has the inertia S = tr(J)/2 - J: the energy of turning is tr(R' S R'^T)/2.
+    /// The entries of R, of which each row has the inertia S = tr(J)/2 - J: the rotational energy is tr(R' S R'^T)/2.
     fn turning(&mut self, inertia: &Expression, rotation: &Rotation) -> Result<Vec<Row>> {
         let Kind::Vector(written) = &inertia.kind else { return Err(OracleError::new("an inertia is in brackets")) };
         let given = written.iter().map(|x| Ok(self.fixed.scalar(x)?.value())).collect::<Result<Vec<_>>>()?;
@@ -144,7 +144,7 @@ impl Builder<'_> {
         Ok(rows)
     }
 
-    /// A quaternion of coordinates has along its norm the mean moment of the first body that it turns.
+    /// A quaternion of coordinates has, along its norm, the mean moment of the first body that it turns.
     fn norms(&mut self, bodies: &[Body]) -> Result<Vec<Row>> {
         let (mut rows, mut known): (Vec<Row>, Vec<Vec<f64>>) = (Vec::new(), Vec::new());
         for body in bodies {
@@ -165,7 +165,7 @@ impl Builder<'_> {
         Ok(rows)
     }
 
-    /// M on what R turns: half of M x r on each column r, as it turns by half the sum of r x dr.
+    /// M on a body with rotation R: half of M x r on each column r, since the body turns by half the sum of r x dr.
     fn spatial_torque(&mut self, moment: &Expression, attitude: &Expression) -> Result<Vec<Effort>> {
         let moment = self.motion.vector(moment)?;
         let (now, places) = (self.motion.rotation(attitude)?, self.positions.rotation(attitude)?);

@@ -38,10 +38,10 @@ pub struct Terms {
     active: Vec<bool>,
 }
 
-/// What solves the equations of motion.
+/// The solution of the equations of motion.
 ///
-/// Magnitudes are |A^-1| (|A| |x| + |b|) with the magnitudes of the terms in A and b: what relative errors of the
-/// terms can do to the solution.
+/// Magnitudes are |A^-1| (|A| |x| + |b|) with the magnitudes of the terms in A and b: the effect of relative errors of
+/// the terms on the solution.
 #[derive(Clone, Debug)]
 pub struct Solution {
     /// q'' \[n\].

@@ -7,9 +7,9 @@ use super::value::Value;
 
 /// What the names of a declaration stand for.
 pub(super) struct Setting {
-    /// In how many variables the jets are.
+    /// The number of variables of the jets.
     pub(super) variables: usize,
-    /// The first of the declaration's parameters; later ones are not known.
+    /// The first of the declaration's parameters; later ones are not yet known.
     pub(super) parameters: Vec<Jet>,
     /// The coordinates and the time; `None` where only parameters are known.
     pub(super) motion: Option<(Vec<Jet>, Jet)>,

@@ -13,7 +13,7 @@ use crate::model::{EventStep, Model};
 use crate::symbolic::Expr;
 use rustc_hash::FxHashMap;
 
-/// The largest sum that multiplying out may make.
+/// The largest sum allowed when multiplying out.
 const LONGEST_EXPANSION: usize = 64;
 
 /// Plans every kernel. `equations` is changed only by start values and other forms of expressions entering its graph.
@@ -32,7 +32,7 @@ pub fn plan(equations: &mut EquationsOfMotion) -> Program {
     Program { kernels, sparsity }
 }
 
-/// Expressions with products of sums multiplied out, where that lets terms cancel; the power by forces along coordinates.
+/// Expressions with products of sums multiplied out, if terms then cancel; the power by forces along coordinates.
 fn expansions(equations: &mut EquationsOfMotion) -> FxHashMap<Expr, Expr> {
     let EquationsOfMotion { model, tmt, constraints, speeds, energy, .. } = equations;
     let matrices = tmt.mass_matrix.iter().chain(&constraints.jacobian).flatten();
@@ -104,7 +104,7 @@ fn input_values_kernel(planner: &Planner) -> Option<Kernel> {
     (!inputs.is_empty()).then(|| planner.kernel("input_values", Arguments::Positions, docs, kernel))
 }
 
-/// What the actions of events set, and the coefficients of restitution of impacts, in order.
+/// The values that the actions of events set, and the coefficients of restitution of impacts, in order.
 fn event_values(model: &Model) -> Vec<Expr> {
     let steps = model.events.iter().flat_map(|event| &event.steps);
     let values = steps.flat_map(|step| match step {

@@ -1,4 +1,4 @@
-//! Where words are said to stand, and which instance they belong to.
+//! The reported places of words, and the instances that they belong to.
 
 use proc_macro2::Span;
 
@@ -42,7 +42,7 @@ impl Places {
         self.labels.len()
     }
 
-    /// One more, whose name says all. Gives its number.
+    /// One more, with a complete name. Gives its number.
     pub(super) fn enter_named(&mut self, label: String) -> usize {
         self.labels.push(label);
         self.labels.len()

@@ -13,7 +13,7 @@ pub struct Equation {
     pub right: Expression,
     /// `initially released`, on a constraint that events switch.
     pub initially: Option<Activity>,
-    /// Whether a joint gave it: then none of its rows can be left out by whoever wrote the joint.
+    /// Whether it comes from a joint: the user then cannot leave out single rows.
     pub is_of_joint: bool,
 }
 

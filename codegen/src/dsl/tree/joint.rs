@@ -77,7 +77,7 @@ pub enum SpatialKind {
     Universal,
     /// A plane moves on a plane.
     Planar,
-    /// Axes coincide, and turning is advancing.
+    /// Axes coincide, and turning advances the body.
     Screw,
     /// Nothing moves.
     Weld,
@@ -106,7 +106,7 @@ pub struct Side {
 
 /// `roll disc radius r axis n on O normal k`: a thin disc rolls on a plane.
 pub struct Rolling {
-    /// The disc, whose centre is that of its mass.
+    /// The disc, whose centre is its centre of mass.
     pub disc: Ident,
     /// Its radius.
     pub radius: Expression,

@@ -45,15 +45,15 @@ pub struct Declaration {
     pub constraints: Vec<Equation>,
     /// `initial { .. }`
     pub initial: Vec<Initial>,
-    /// `events { .. }`: each marks the times at which it comes to hold.
+    /// `events { .. }`: each marks the times at which its condition becomes true.
     pub events: Vec<Event>,
     /// `outputs { .. }`; outputs that stand alone form a group of their own.
     pub outputs: Vec<OutputGroup>,
     /// `drawing { .. }`
     pub drawing: Vec<Shape>,
-    /// `kernels { .. }`: which of those that not everyone needs are made; `None` leaves that to the program.
+    /// `kernels { .. }`: which of the optional kernels are generated; `None` leaves that to the program.
     pub kernels: Option<Vec<OptionalKernel>>,
-    /// `auxiliary { .. }`: displacements that are zero, whose conjugate forces are wanted.
+    /// `auxiliary { .. }`: zero displacements, to find their conjugate forces.
     pub auxiliary: Vec<Auxiliary>,
     /// `joints { .. }`; none once they are written out as coordinates or constraints.
     pub joints: Vec<Joint>,
@@ -144,7 +144,7 @@ pub struct Body {
     pub angle: Option<Expression>,
     /// `attitude R`, a rotation, in space.
     pub attitude: Option<Expression>,
-    /// The word `free`: it has a place and an angle of its own.
+    /// The word `free`: it has its own position and angle.
     pub free: Option<Region>,
 }
 

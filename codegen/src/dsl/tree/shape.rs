@@ -1,4 +1,4 @@
-//! What is drawn.
+//! Shapes that are drawn.
 
 use crate::dsl::Expression;
 

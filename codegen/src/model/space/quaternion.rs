@@ -40,7 +40,7 @@ impl Interpreter {
         Some(Value::rotation(self.frames.single(&mut self.graph, step)))
     }
 
-    /// Takes note of a quaternion whose components are coordinates.
+    /// Records a quaternion whose components are coordinates.
     fn note_coordinates(&mut self, place: Region, components: [Expr; 4]) -> bool {
         let symbols = components.map(|x| match self.graph.node(x) {
             Node::Symbol(symbol) => Some(*symbol),
