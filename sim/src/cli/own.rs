@@ -1,4 +1,4 @@
-//! Help and completions in the words of the program that shows them: its own name, and mechanisms that it has.
+//! Help and completions with the name and the mechanisms of the program that shows them.
 
 use crate::cli::Entry;
 use crate::cli::arguments::Arguments;
@@ -42,7 +42,7 @@ pub(super) fn with_names(mechanisms: &[Entry], program: &str) -> Command {
     })
 }
 
-/// Help with examples of another program and its mechanisms turned into those of this one; `plain` where none is left.
+/// Help with the examples translated to this program and its mechanisms; `plain` if none is left.
 fn spoken(text: &str, program: &str, model: &str, plain: &str) -> String {
     let mut lines: Vec<String> = Vec::new();
     let mut heading = None;

@@ -1,4 +1,4 @@
-//! What can be said on the command line.
+//! The command line's arguments.
 
 mod common;
 mod kinematics;
@@ -42,7 +42,7 @@ pub(super) enum Command {
     Info(InfoArguments),
     /// Runs a mechanism and writes its motion, a summary and figures.
     Run(Box<RunArguments>),
-    /// Compares a mechanism's kernels, equations and runs with independent ways to the same numbers.
+    /// Compares a mechanism's kernels, equations and runs with independent computations.
     Verify(VerifyArguments),
     /// Assembles the start and prints it, with degrees of freedom and redundant constraints.
     Assemble(AssembleArguments),
@@ -60,7 +60,7 @@ pub(super) enum Command {
     Compare(CompareArguments),
     /// Makes a crate with a mechanism of your own.
     New(NewArguments),
-    /// Prints what installs with a program: shell completions, the man page, the schema of run files.
+    /// Prints files to install with a program: shell completions, the man page, the schema of run files.
     Generate(GenerateArguments),
 }
 
@@ -106,14 +106,14 @@ pub(super) struct PlotArguments {
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  sim compare out/quick-return out/shorter-crank --quantity x6 --out out/compared\n\n\
-    Curves are called after their directories."
+    Curves are named after their directories."
 )]
 pub(super) struct CompareArguments {
     /// The directories of runs, or their trajectory.csv.
     #[arg(required = true, num_args = 2.., value_name = "RUN")]
     pub(super) runs: Vec<PathBuf>,
 
-    /// A quantity to draw, as a column of the tables is called; may be repeated [default: all they share but
+    /// A quantity to draw, as a column of the tables is called; may be repeated [default: all that they share except
     /// accelerations].
     #[arg(long, value_name = "NAME")]
     pub(super) quantity: Vec<String>,
@@ -163,10 +163,8 @@ pub(super) enum Generated {
 
 /// What to verify.
 #[derive(Args)]
-#[command(
-    after_help = "One row for each check: how far two ways to the same numbers are apart, how far they may be, and \
-    the verdict. Exit status 1 if a check fails."
-)]
+#[command(after_help = "One row for each check: the difference between two independent computations, its bound, and \
+    the verdict. Exit status 1 if a check fails.")]
 pub(super) struct VerifyArguments {
     /// The mechanism, as `list` names it.
     pub(super) model: String,
@@ -190,7 +188,7 @@ pub(super) struct AssembleArguments {
     #[command(flatten)]
     pub(super) start: StartArguments,
 
-    /// Lists the loops that close in closed form, and all configurations that have what the start gives: elbow up and elbow
+    /// Lists the loops that close in closed form, and all configurations that satisfy the given start values: elbow up and elbow
     /// down.
     #[arg(long)]
     pub(super) branches: bool,

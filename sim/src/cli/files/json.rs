@@ -1,4 +1,4 @@
-//! JSON in which no name stands twice: the second would silently win.
+//! JSON without duplicate names, of which the second would silently win.
 
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Value};
