@@ -1,4 +1,4 @@
-//! Arrays whose length is a mechanism's business.
+//! Arrays whose lengths depend on the mechanism.
 
 use crate::{Input, Scalar};
 use core::fmt::Debug;
@@ -42,7 +42,7 @@ pub trait Array<T: Element>: Element + AsRef<[T]> + AsMut<[T]> + Index<usize, Ou
 impl<T: Element, const N: usize> Array<T> for [T; N] {
     const LEN: usize = N;
 
-    /// As `core::array::from_fn`, which takes the compiler several times as long.
+    /// Like `core::array::from_fn`, which takes several times as long to compile.
     #[inline(always)]
     fn from_fn(mut f: impl FnMut(usize) -> T) -> Self {
         let mut array = [T::BLANK; N];
