@@ -18,9 +18,9 @@ pub(crate) struct Onset<M: Mechanism> {
     values: M::Events,
     rates: M::Events,
     seconds: M::Events,
-    /// What is no more than the tolerance of constraints and of rounding.
+    /// The tolerance of constraints and rounding.
     pub(crate) noise: M::Events,
-    /// What the change of a condition in the time `d` must exceed to be more than rounding.
+    /// The rounding of the change of a condition in the time `d`.
     significant: M::Events,
     d: f64,
     tolerance: f64,
@@ -32,8 +32,8 @@ const OFFSET: f64 = 4e-12;
 const ROUNDING: f64 = 1e-14;
 
 impl<M: Mechanism> Onset<M> {
-    /// By differences over 1e-5 of the time in which the motion goes a long way, or of the span of the run: third derivatives
-    /// then make less of a rate than rounding.
+    /// By differences over 1e-5 of the time scale of the motion, or of the span of the run: third derivatives then
+    /// contribute less than rounding.
     pub(crate) fn of(motion: &Motion<M>, sample: &Sample<M>, span: f64) -> Result<Onset<M>, Failure> {
         let [fast, sharp] = [&sample.state.speeds, &sample.accelerations].map(|change| motion.measures().size(change));
         let d = 1e-5 * span.min(1.0 / fast.max(sharp.sqrt()));
@@ -72,7 +72,7 @@ impl<M: Mechanism> Onset<M> {
         self.values[event].abs() <= 2.0 * self.tolerance * self.rates[event].abs() + self.noise[event]
     }
 
-    /// The sign that a condition has from here on, if it holds here: that of its first derivative, or of its second.
+    /// The sign of a condition from here on, if it holds here: that of its first derivative, or of its second.
     pub(crate) fn sign(&self, event: usize) -> f64 {
         let (rate, second, least) = (self.rates[event], self.seconds[event], self.significant[event]);
         match () {
@@ -82,7 +82,7 @@ impl<M: Mechanism> Onset<M> {
         }
     }
 
-    /// After which time a condition that leaves zero here is zero again, by its derivatives.
+    /// The time after which a condition that leaves zero here returns to zero, by its derivatives.
     pub(crate) fn returns_after(&self, event: usize) -> f64 {
         let time = -2.0 * self.rates[event] / self.seconds[event];
         if time >= 0.0 { time } else { f64::INFINITY }

@@ -16,8 +16,8 @@ pub(super) struct Headway {
 }
 
 impl Headway {
-    /// So many attempts that lead no further than this part of the longest step each will come to no end: where a load jumps
-    /// to and fro, steps stay short enough to be accepted.
+    /// The number of attempts, and the fraction of the longest step that each must advance: where a load jumps to and
+    /// fro, steps stay short enough to be accepted.
     const ATTEMPTS: u32 = 20_000;
     const LEAST: f64 = 1e-8;
 
@@ -34,12 +34,12 @@ impl Headway {
         bytes.duration(&mut self.longest)
     }
 
-    /// Begins to count anew: a step has ended at a time where it was asked to.
+    /// Restarts the count: a step has ended at a requested time.
     pub(super) fn is_asked_to_stop(&mut self, at: f64) {
         (self.since, self.attempts) = (at, 0);
     }
 
-    /// Takes note of a step.
+    /// Records a step.
     pub(super) fn comes(&mut self, length: f64) {
         self.longest = self.longest.max(length);
     }

@@ -20,7 +20,7 @@ pub struct Tableau {
 }
 
 impl Tableau {
-    /// How many stages the step itself weighs.
+    /// The number of stages that the step itself uses.
     #[inline]
     pub(super) const fn stages_of_step(&self) -> usize {
         let (mut stages, mut i) = (0, 0);
@@ -55,7 +55,7 @@ pub enum ErrorEstimate {
     Embedded53(&'static [Weight], &'static [Weight]),
 }
 
-/// Stages of the largest method, those of its dense output included.
+/// The number of stages of the largest method, including its dense output.
 pub(crate) const MOST_STAGES: usize = 16;
 
 /// Euler's explicit method.

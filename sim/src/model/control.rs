@@ -2,7 +2,7 @@
 
 use sim_kernel::{Description, Mechanism};
 
-/// What a controller changes: by index, in the order of declaration.
+/// The quantity that a controller changes: by index, in the order of declaration.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Control {
     /// An input.

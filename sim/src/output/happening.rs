@@ -1,11 +1,11 @@
-//! Events in words, and what came of them.
+//! Events as text, with their effects.
 
 use crate::events::Crossing;
 use crate::output::outcome::Happening;
 use sim_kernel::Description;
 use sim_kernel::event::{Direction, Event, Step, Target};
 
-/// How a condition passes zero and what is done then: `falling: impact floor, set dot(x)`.
+/// The direction in which a condition passes zero and the actions: `falling: impact floor, set dot(x)`.
 pub(crate) fn happening(event: &Event, description: &Description) -> String {
     let direction = match event.direction {
         Direction::Both => "rising or falling",

@@ -1,9 +1,9 @@
-//! What is known of the motion beside crossings, from the nodes of a step on both sides.
+//! The motion beside crossings, from the nodes of a step on both sides.
 
 use super::series::{NODES, Series};
 use crate::numerics::nearest::{Known, nearest_polynomial};
 
-/// How well what goes through a crossing is known there, beside its largest value; of a pole nothing is known.
+/// The accuracy of quantities that pass through a crossing, relative to their largest value; a pole has none.
 const SMOOTH: f64 = 1e-6;
 
 /// A quantity at the nodes of a step with a crossing.
@@ -25,7 +25,7 @@ impl Beside {
         beside
     }
 
-    /// Its value, and about how far that may be off.
+    /// Its value and approximate error.
     pub(super) fn at(&self, x: f64) -> (f64, f64) {
         let (value, off) = nearest_polynomial(&self.known, x, |value| value[0].abs());
         (value[0], off)

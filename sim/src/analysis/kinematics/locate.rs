@@ -7,7 +7,7 @@ use super::series::{Series, nodes};
 use crate::numerics::root::{find_minimum, find_root};
 use crate::state::failure::Failure;
 
-/// By how much of itself a value may be worse than its polynomial.
+/// The relative amount by which a value may be worse than its polynomial.
 const CORNER: f64 = 1e-12;
 
 impl Search<'_> {
@@ -16,7 +16,7 @@ impl Search<'_> {
         let turn = || self.root_of_rate(k, candidate).or_else(|| self.turn_around(k, candidate));
         let x = if candidate.kind == Kind::Turn { turn()? } else { candidate.x };
         let found = self.extreme_at(k, &candidate.piece, x)?;
-        // What is worse than its polynomial has a corner there.
+        // A quantity worse than its polynomial has a corner there.
         let is_worse = sign * (found.value - candidate.value) > CORNER * candidate.value.abs();
         let better = (is_worse || candidate.kind == Kind::Rough).then(|| self.corner(k, candidate, sign)).flatten();
         Some(better.filter(|better| sign * better.value < sign * found.value).unwrap_or(found))

@@ -1,4 +1,4 @@
-//! What can go wrong with a figure.
+//! Errors of figures.
 
 use crate::WriteError;
 use std::fmt::Display;
@@ -62,7 +62,7 @@ impl From<WriteError> for ShowError {
 }
 
 impl ShowError {
-    /// That a file or directory cannot be written.
+    /// The error if a file or directory cannot be written.
     pub(super) fn write(path: &Path, why: impl Display) -> Self {
         ShowError::Write { path: path.to_owned(), why: why.to_string() }
     }

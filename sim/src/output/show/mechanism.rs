@@ -42,7 +42,7 @@ pub(super) fn scene(title: &str, shapes: Shapes, poses: &[Pose], size: Size, nam
     Ok(scene)
 }
 
-/// Lays out what stands in space, without axes of the sheet: a scale, and where x, y and z point.
+/// Lays out a spatial mechanism, without axes of the sheet: a scale, and the directions of x, y and z.
 fn spatial(
     title: &str,
     poses: &[Pose],
@@ -89,7 +89,7 @@ fn extent(values: impl Iterator<Item = f64>) -> Point {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
 }
 
-/// The times of the poses, of some where they are many.
+/// The times of the poses, or of some if there are many.
 fn entries(poses: &[Pose], placed: &[Placed]) -> Vec<Entry> {
     let last = poses.len().saturating_sub(1);
     let told = poses.len().min(MOST_TIMES);

@@ -43,7 +43,7 @@ enum Column {
     Length(Vector),
 }
 
-/// All values of the unknowns where the residuals are zero; `None` if they are of no known form.
+/// All values of the unknowns where the residuals are zero; `None` if their form is unknown.
 pub(super) fn close(residual: &dyn Fn(&[f64]) -> Vec<f64>, guesses: &[f64]) -> Option<(Form, Vec<Vec<f64>>)> {
     match guesses {
         [guess] => close_one(&|x| residual(&[x])[0], *guess),
@@ -54,8 +54,8 @@ pub(super) fn close(residual: &dyn Fn(&[f64]) -> Vec<f64>, guesses: &[f64]) -> O
     }
 }
 
-/// Two unknowns that the coordinates x and y of a pair are combinations of, as angles may count from a link as well as
-/// from the ground: (x, y) = C (u, v), with C by rows, and its inverse.
+/// Two unknowns of which the coordinates x and y of a pair are combinations, because angles may be measured from a link
+/// as well as from the ground: (x, y) = C (u, v), with C by rows, and its inverse.
 type Choice = ([Vector; 2], [Vector; 2]);
 
 const CHOICES: [Choice; 5] = [
@@ -130,7 +130,7 @@ fn column(f: &dyn Fn(f64) -> Vec<f64>) -> Option<Column> {
     }
 }
 
-/// Whether f(x, y) is a function of x and one of y, added.
+/// Whether f(x, y) is the sum of a function of x and one of y.
 fn is_sum(f: &dyn Fn(f64, f64) -> Vec<f64>) -> bool {
     let origin = f(0.0, 0.0);
     [(0.9, 2.3), (-1.7, 0.4)].into_iter().all(|(x, y)| {

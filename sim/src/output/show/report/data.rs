@@ -1,4 +1,4 @@
-//! What the page's script is given.
+//! The data for the page's script.
 
 use super::rows::{chosen, doubles, floats};
 use crate::output::outcome::{Outcome, Recorded};
