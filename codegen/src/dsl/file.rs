@@ -1,6 +1,6 @@
 //! Rows of tables that stand in files: `from "lift.csv"` becomes the rows in braces, before anything else is read.
 //!
-//! So a declaration that is kept as text, in a built mechanism, needs no file any more.
+//! So the declaration text kept in a built mechanism needs no file.
 
 use super::limits;
 use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, Span, TokenStream, TokenTree};

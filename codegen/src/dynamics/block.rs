@@ -14,15 +14,15 @@ pub struct Block {
     pub matrix: Vec<Vec<Expr>>,
     /// h.
     pub rates: Solution,
-    /// Those u that h depends on, each with the derivative of h by it.
+    /// The u that h depends on, each with the derivative of h by it.
     pub by_speed: Vec<(usize, Solution)>,
     /// h' where u' = 0. Rates stand in its right-hand side, those of other blocks too.
     pub convective: Solution,
 }
 
-/// What B'B times it is the right-hand side, s.
+/// A vector x, s, with B'B x = the right-hand side.
 pub struct Solution {
-    /// Symbols for it.
+    /// Symbols for x.
     pub symbols: Vec<Symbol>,
     /// The right-hand side.
     pub right_hand_side: Vec<Expr>,

@@ -68,7 +68,7 @@ impl Formulation {
             (0..variables.len()).filter(|i| symbols.binary_search(&variables[*i]).is_ok()).collect()
         };
         let rows: Vec<Vec<usize>> = self.rows.iter().map(|row| occurring(row.quantity())).collect();
-        // What a row between speeds constrains are the variables whose speeds stand in it.
+        // A row between speeds constrains the variables whose speeds occur in it.
         let speeds = self.variables(model).speeds;
         let constrained = |(value, constraint): (&Expr, &Constraint)| match constraint.level {
             Level::Positions => occurring(*value),

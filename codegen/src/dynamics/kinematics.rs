@@ -20,7 +20,7 @@ use crate::symbolic::{Differential, Expr, Graph, Node, Number, Symbol, substitut
 pub struct Kinematics {
     /// q', n, as expressions of u, q, t and the unknowns of the blocks.
     pub rates: Vec<Expr>,
-    /// What is solved for at run time.
+    /// The equations solved at run time.
     pub blocks: Vec<Block>,
 }
 

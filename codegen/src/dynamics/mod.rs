@@ -60,9 +60,9 @@ use variables::Derivatives;
 ///
 /// The variables are the coordinates, and in large mechanisms intermediate quantities after them.
 pub struct EquationsOfMotion {
-    /// What they were derived from.
+    /// The model that they were derived from.
     pub model: Model,
-    /// What they are written in.
+    /// The variables that they are written in.
     pub variables: Variables,
     /// The intermediate quantities, each defined by coordinates and those before it.
     pub intermediates: Vec<Intermediate>,

@@ -17,7 +17,7 @@ pub(super) struct Candidates {
 struct Candidate {
     sum: Expr,
     symbols: [Symbol; 4],
-    /// Of how many coordinates it is made.
+    /// The number of coordinates in it.
     depth: usize,
 }
 
@@ -188,7 +188,7 @@ fn length(graph: &Graph, expr: Expr) -> usize {
     }
 }
 
-/// How many terms `sum - part` has.
+/// The number of terms of `sum - part`.
 fn rest_length(graph: &Graph, sum: Expr, part: Expr) -> usize {
     let (Node::Sum { constant: c, terms: a }, Node::Sum { constant: d, terms: b }) =
         (graph.node(sum), graph.node(part))

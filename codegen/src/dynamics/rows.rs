@@ -27,7 +27,7 @@ pub(super) struct LoadRow {
     pub(super) forces: Vec<Expr>,
 }
 
-/// What a row is about.
+/// The kind of a row.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Along {
     /// A quantity x(q, t).
@@ -66,7 +66,7 @@ impl LoadRow {
         LoadRow { along, inertia, coupling: vec![], gyroscopic: zero, weight: None, forces: vec![] }
     }
 
-    /// What the row is made of.
+    /// The expressions of the row.
     pub(super) fn quantity(&self) -> Expr {
         match self.along {
             Along::Position(x) | Along::Rate { velocity: x, .. } => x,

@@ -1,4 +1,4 @@
-//! How the equations of motion change with the state and with the parameters.
+//! The derivatives of the equations of motion with respect to state and parameters.
 //!
 //! With the equations as K z = r, z = (q'', lambda), any derivative of the solution solves K dz = dr - dK z: here are
 //! the right-hand sides, the derivatives of r - K z at fixed z (the implicit function theorem).

@@ -46,13 +46,13 @@ pub(super) fn derive(model: &mut Model, rows: &[LoadRow]) -> Option<SpeedEquatio
     Some(SpeedEquations { kinematics, tmt, rows, jacobian, convective })
 }
 
-/// What turns expressions of q, q' and t into those of q, u and t.
+/// Translates expressions of q, q' and t into expressions of q, u and t.
 struct InSpeeds {
     /// The total time derivative of what is written in q.
     motion: Differential,
     /// Generalised speeds, wherever they occur.
     known: Recognition,
-    /// What is left of the speeds.
+    /// The remaining speeds.
     rates: Vec<(Symbol, Expr)>,
     by_speeds: Vec<Differential>,
     /// The total time derivative where u' = 0 of what is written in u.

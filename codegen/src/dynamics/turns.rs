@@ -115,7 +115,7 @@ impl Turn {
 struct Turned {
     turn: Turn,
     columns: Vec<[Expr; 2]>,
-    /// How many entries are zero, how many of the others depend on parameters alone, and in how many rows the angle's
+    /// The numbers of zero entries, of other entries that depend on parameters alone, and of rows in which the angle's
     /// coordinate occurs.
     rank: (usize, usize, Reverse<usize>),
 }

@@ -25,7 +25,7 @@ impl Variables {
         }
     }
 
-    /// How many there are.
+    /// Their number.
     pub fn len(&self) -> usize {
         self.positions.len()
     }

@@ -172,7 +172,7 @@ fn entries(kernel: &Kernel) -> TokenStream {
     quote! { #(#bindings)* }
 }
 
-/// What a value is bound to: nothing, where it has no name.
+/// The binding of a value; none if it has no name.
 fn pattern(name: &Option<Name>) -> Ident {
     ident(name.as_deref().unwrap_or("_"))
 }
@@ -230,7 +230,7 @@ fn sparse(shape: [usize; 2], entries: &[([usize; 2], Tree)]) -> TokenStream {
     }
 }
 
-/// What a kernel returns: a struct with named fields where there is one.
+/// The type that a kernel returns: a struct with named fields if there is one.
 fn returns(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     match (record_of(model, kernel), &kernel.results) {
         (Some(record), Results::Vector(entries)) => record_type(&record, entries.len()),
@@ -238,7 +238,7 @@ fn returns(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     }
 }
 
-/// What the trait's function of that name returns.
+/// The return type of the trait's function of that name.
 pub(super) fn returned_array(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     let [n, m, p] = [model.coordinates.len(), model.constraints.len(), model.parameters.len()].map(size);
     match &kernel.results {

@@ -67,7 +67,7 @@ fn size(value: usize) -> Literal {
     Literal::usize_unsuffixed(value)
 }
 
-/// What a mechanism is called on the command line: `QuickReturn` is `quick-return`.
+/// The name of a mechanism on the command line: `QuickReturn` is `quick-return`.
 pub fn kebab_case(name: &str) -> String {
     let mut out = String::new();
     let letters: Vec<char> = name.chars().collect();

@@ -1,4 +1,4 @@
-//! What generalised speeds add to a mechanism: their struct, and the impl of their trait.
+//! The items of generalised speeds: their struct, and the impl of their trait.
 
 use super::description::quantity;
 use super::documentation::documented;

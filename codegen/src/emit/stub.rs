@@ -42,7 +42,7 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
     }
 }
 
-/// What the trait's vectors and matrices are: empty.
+/// The trait's vectors and matrices: empty.
 fn types(head: &Head, path: &TokenStream) -> TokenStream {
     let (name, other) = (&head.name, other_scalar(&head.name.to_string()));
     quote! {

@@ -66,7 +66,7 @@ pub(super) fn element(element: &Element, interpreter: &mut Interpreter) -> Optio
     }
 }
 
-/// What an element works along.
+/// The extent of an element.
 struct Along {
     value: Expr,
     /// Its square, where that needs no root.

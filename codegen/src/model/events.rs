@@ -13,7 +13,7 @@ use crate::nearest;
 use crate::symbolic::{Expr, evaluate};
 use syn::Ident;
 
-/// What actions speak of.
+/// The names that actions refer to.
 pub(super) struct Known<'a> {
     pub(super) coordinates: &'a [Coordinate],
     pub(super) parameters: &'a [Parameter],

@@ -1,4 +1,4 @@
-//! What an expression in a given place may depend on.
+//! The variables that an expression in a given place may depend on.
 
 use super::interpreter::Interpreter;
 use super::measured::Measured;

@@ -55,7 +55,7 @@ pub struct Model {
     pub name: String,
     /// Documentation, one line each.
     pub docs: String,
-    /// Where the expressions live.
+    /// The graph of all expressions.
     pub graph: Graph,
     /// What each expression depends on.
     pub dependences: Dependences,
@@ -97,7 +97,7 @@ pub struct Model {
     pub outputs: Vec<Output>,
     /// Which outputs belong in one figure.
     pub groups: Vec<OutputGroup>,
-    /// What to draw.
+    /// The drawing.
     pub drawing: Vec<Shape>,
     /// Whether a kernel is requested for the derivatives of the motion with respect to the state; `None` leaves it
     /// open.
@@ -129,7 +129,7 @@ pub struct Coordinate {
     pub speed: Symbol,
     /// q''
     pub acceleration: Symbol,
-    /// Where it starts.
+    /// Its start.
     pub start: Start,
     /// The speed it starts with, if that is given.
     pub start_speed: Option<Expr>,
@@ -182,7 +182,7 @@ pub struct Body {
     pub mass: Option<(Expr, Point)>,
     /// Moment of inertia, 0 if only the angle is declared, and the angle.
     pub rotation: Option<(Expr, Expr)>,
-    /// How it turns in space, in place of the angle.
+    /// Its rotation in space, in place of the angle.
     pub attitude: Option<Attitude>,
 }
 
@@ -190,7 +190,7 @@ pub struct Body {
 pub struct Force {
     /// The force.
     pub force: Point,
-    /// Where it acts.
+    /// The point at which it acts.
     pub at: Point,
 }
 
@@ -207,7 +207,7 @@ pub struct Effort {
 pub struct Constraint {
     /// Its name; `closure_x` for a row of a vector equation.
     pub name: String,
-    /// What it holds between.
+    /// Whether it holds between positions or speeds.
     pub level: Level,
     /// C = left - right; for a row between speeds w = left - right, linear in q'.
     pub value: Expr,
@@ -248,7 +248,7 @@ pub struct GeneralizedSpeed {
     pub symbol: Symbol,
 }
 
-/// What a constraint holds between.
+/// Whether a constraint holds between positions or speeds.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Level {
     /// Positions: C(q, t) = 0.
@@ -295,7 +295,7 @@ pub enum EventStep {
     Impact(Vec<(usize, Expr)>),
 }
 
-/// What an event sets, by index.
+/// The target of a `set`, by index.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Target {
     /// A parameter.
@@ -324,13 +324,13 @@ pub struct OutputGroup {
     pub name: String,
     /// Its title.
     pub title: String,
-    /// How many outputs it has.
+    /// The number of its outputs.
     pub len: usize,
 }
 
 /// Something to draw.
 pub enum Shape {
-    /// What is drawn through or at points alone.
+    /// Shapes drawn through or at points alone.
     Points(crate::dsl::Mark, Vec<Point>),
     /// A slider at a point, turned by an angle; in space, along a direction.
     Slider(Point, Point),

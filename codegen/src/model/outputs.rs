@@ -61,7 +61,7 @@ pub(super) fn resolve_outputs(
     (outputs, groups)
 }
 
-/// What sweeps record beside the columns of runs.
+/// The columns of sweeps beyond those of runs.
 fn columns_of_sweeps(declaration: &Declaration, coordinates: &[Coordinate]) -> Vec<String> {
     let outputs = declaration.outputs.iter().flat_map(|group| &group.outputs).map(|output| plain(&output.name));
     let outputs: Vec<String> = outputs.collect();

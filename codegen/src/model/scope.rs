@@ -122,7 +122,7 @@ pub(super) fn functions() -> impl Iterator<Item = &'static str> {
     reserved_functions().chain(SPATIAL_FUNCTIONS)
 }
 
-/// Those whose names are no others.
+/// The ones with unique names.
 pub(super) fn reserved_functions() -> impl Iterator<Item = &'static str> {
     Function::ALL.into_iter().map(Function::name).chain(OTHER_FUNCTIONS)
 }

@@ -20,7 +20,7 @@ use crate::dynamics::EquationsOfMotion;
 use crate::symbolic::{Expr, Graph};
 use parts::Equation;
 
-/// How equations are written.
+/// A notation for equations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Notation {
     /// Text, in the notation of the language; names as in the generated code.

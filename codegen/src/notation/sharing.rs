@@ -7,7 +7,7 @@ use super::width::set_width;
 use crate::model::Model;
 use crate::symbolic::{Expr, Graph};
 
-/// What fits on a line.
+/// The width of a line.
 pub(super) const LINE: usize = 90;
 /// The width allowed inside another expression.
 const WIDEST_INSIDE: usize = 60;

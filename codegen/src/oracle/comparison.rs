@@ -24,7 +24,7 @@ pub struct Computed {
     pub constraint_convective: Vec<f64>,
     /// In joules.
     pub kinetic_energy: f64,
-    /// What the actions of events set.
+    /// The values that the actions of events set.
     pub event_values: Vec<f64>,
 }
 

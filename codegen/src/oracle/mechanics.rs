@@ -22,7 +22,7 @@ use syn::Ident;
 pub(super) struct Row {
     /// Its mass or moment of inertia.
     pub(super) inertia: Measured,
-    /// Where it is.
+    /// Its value.
     pub(super) place: Jet,
     /// The quantity whose acceleration multiplies its inertia: the same, except for products of inertia.
     pub(super) partner: Jet,
@@ -44,9 +44,9 @@ pub(super) struct Mechanics {
     pub(super) constraints: Vec<Constraint>,
     /// (q', 1, 0, ..): how the variables (q, t, s) of a position change in time.
     pub(super) rates: Vec<Measured>,
-    /// How many coordinates there are.
+    /// The number of coordinates.
     pub(super) coordinates: usize,
-    /// How many auxiliary displacements there are.
+    /// The number of auxiliary displacements.
     pub(super) auxiliaries: usize,
 }
 

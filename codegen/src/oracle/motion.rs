@@ -97,7 +97,7 @@ impl Terms {
         upper.chain(lower).collect()
     }
 
-    /// What belongs to rows that hold.
+    /// The entries of rows that hold.
     fn held<'t, T>(&'t self, rows: &'t [T]) -> impl Iterator<Item = &'t T> {
         rows.iter().zip(&self.active).filter(|(_, active)| **active).map(|(row, _)| row)
     }

@@ -128,7 +128,7 @@ pub(super) fn add_multiples(values: &mut Values, terms: Vec<(bool, Value)>) -> V
     added.collect()
 }
 
-/// What several terms have in common.
+/// The common factor of several terms.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Common {
     Factor(Value),

@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 pub struct Diagram {
     /// Values, each once.
     pub vertices: Vec<Vertex>,
-    /// What is returned, by vertex.
+    /// The results, by vertex.
     pub results: Vec<usize>,
 }
 

@@ -20,7 +20,7 @@ use rustc_hash::FxBuildHasher;
 
 /// A symmetric linear system; missing entries are zero at every position.
 pub(super) struct System {
-    /// What each unknown is.
+    /// The kind of each unknown.
     pub(super) unknowns: Vec<Unknown>,
     /// Entries (i, j), j <= i.
     pub(super) entries: Vec<(usize, usize, Value)>,
@@ -60,7 +60,7 @@ pub(super) struct Factors {
     pub(super) pivots: Vec<(Value, Value)>,
 }
 
-/// What is done to one unknown.
+/// The elimination of one unknown.
 enum Step {
     /// Rows below with their entries of L, and the reciprocal of the pivot.
     Eliminate { unknown: usize, column: Vec<(usize, Value)>, inverse: Value },

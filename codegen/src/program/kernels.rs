@@ -83,7 +83,7 @@ fn generalized_speeds_kernel(planner: &Planner) -> Option<Kernel> {
     (!speeds.is_empty()).then(|| planner.kernel("generalized_speeds", Arguments::Speeds, docs, kernel))
 }
 
-/// What events set, if any does.
+/// The values that events set, if any.
 fn event_values_kernel(planner: &Planner) -> Option<Kernel> {
     let values = event_values(&planner.equations.model);
     let docs = format!(
@@ -95,7 +95,7 @@ fn event_values_kernel(planner: &Planner) -> Option<Kernel> {
     (!values.is_empty()).then(|| planner.kernel("event_values", Arguments::Speeds, docs, kernel))
 }
 
-/// What inputs are, if there are any.
+/// The values of inputs, if there are any.
 fn input_values_kernel(planner: &Planner) -> Option<Kernel> {
     let model = &planner.equations.model;
     let inputs: Vec<Expr> = model.inputs.iter().filter_map(|input| model.graph.existing(input.symbol)).collect();

@@ -48,9 +48,9 @@ pub struct Program {
 pub struct Kernel {
     /// Its name.
     pub name: &'static str,
-    /// What it computes: formula, shape, units.
+    /// Its documentation: formula, shape, units.
     pub docs: String,
-    /// What it is a method of.
+    /// Its receiver.
     pub receiver: Receiver,
     /// Its arguments.
     pub arguments: Arguments,
@@ -58,15 +58,15 @@ pub struct Kernel {
     pub entries: Entries,
     /// The parts computed before in functions of their own, if the kernel is long.
     pub pieces: Vec<Piece>,
-    /// What is computed, in order.
+    /// The statements, in order.
     pub statements: Vec<Statement>,
-    /// What is returned.
+    /// The results.
     pub results: Results<Tree>,
-    /// What it costs.
+    /// Its operations.
     pub operations: Operations,
 }
 
-/// What a kernel is a method of.
+/// The receiver of a kernel.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Receiver {
     /// The mechanism, a struct of its parameters.

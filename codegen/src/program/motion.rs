@@ -14,7 +14,7 @@ use crate::symbolic::{Expr, Graph};
 /// The equations of motion solved at one state.
 pub(super) struct Motion<'a> {
     equations: &'a EquationsOfMotion,
-    /// What was solved.
+    /// The solved system.
     pub(super) form: &'a Form,
     /// Accelerations, then multipliers.
     unknowns: Vec<Value>,

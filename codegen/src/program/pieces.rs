@@ -12,11 +12,11 @@ const MOST_STATEMENTS: usize = 2200;
 
 /// A part of a program, which runs before the rest and hands on what is still needed.
 pub struct Piece {
-    /// What earlier pieces have handed on.
+    /// The values that earlier pieces have handed on.
     pub given: Vec<Name>,
-    /// What is computed, in order.
+    /// The statements, in order.
     pub statements: Vec<Statement>,
-    /// What later pieces need of all this.
+    /// The values that later pieces need.
     pub handed_on: Vec<Name>,
 }
 

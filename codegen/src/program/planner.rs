@@ -22,10 +22,10 @@ pub(super) struct Head {
     pub(super) arguments: Arguments,
 }
 
-/// What a kernel is written from.
+/// The source of a kernel.
 struct Task<'a> {
     results: Results<Value>,
-    /// What is computed before them.
+    /// The values computed before them.
     first: Vec<Value>,
     wishes: Wishes<'a>,
     leaves: Leaves,

@@ -1,6 +1,6 @@
 //! The results of a kernel, over expressions, values or trees.
 
-/// What a kernel returns.
+/// The results of a kernel.
 pub enum Results<T> {
     /// One number.
     Scalar(T),

@@ -33,7 +33,7 @@ pub(super) struct Schedule<'a> {
     leaves: &'a Leaves,
     /// Names of what is stated.
     names: FxHashMap<Value, Name>,
-    /// What was scheduled, in order.
+    /// The statements, in order.
     pub(super) statements: Vec<Statement>,
 }
 

@@ -84,7 +84,7 @@ struct Products {
     by_value: FxHashMap<Value, usize>,
     /// The products that each pair is in, if there are several.
     containing: FxHashMap<Pair, Vec<usize>>,
-    /// What was taken out.
+    /// The pairs that were taken out.
     pairs: Vec<Pair>,
 }
 

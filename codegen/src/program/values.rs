@@ -12,7 +12,7 @@ use rustc_hash::{FxBuildHasher, FxHashMap};
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub(super) struct Value(u32);
 
-/// Where a value comes from.
+/// The operation of a value.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Operation {
     /// A number that is not negative, by its bits.
@@ -306,7 +306,7 @@ impl Values {
         self.all().filter(|value| seen[value.index()]).collect()
     }
 
-    /// What a value is made of, in order.
+    /// The operands of a value, in order.
     pub(super) fn operands(&self, value: Value) -> impl Iterator<Item = Value> + Clone + use<'_> {
         let (mut all_terms, mut all_factors, mut few) = (&[][..], &[][..], [None; 3]);
         match self.operation(value) {

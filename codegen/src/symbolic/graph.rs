@@ -23,7 +23,7 @@ impl Graph {
         Graph::default()
     }
 
-    /// What `expr` is made of.
+    /// The node of `expr`.
     pub fn node(&self, expr: Expr) -> &Node {
         &self.nodes[expr.index()]
     }
@@ -32,7 +32,7 @@ impl Graph {
         self.nodes.iter()
     }
 
-    /// How many distinct expressions there are.
+    /// The number of distinct expressions.
     pub fn len(&self) -> usize {
         self.nodes.len()
     }

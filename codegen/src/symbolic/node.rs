@@ -68,7 +68,7 @@ pub enum Node {
     /// `base^exponent` for exponents that are not integers. A fraction p/q is kept as the p-th power (in
     /// a product) of `base^(1/q)`.
     Power {
-        /// What is raised.
+        /// The base.
         base: Expr,
         /// A fraction 1/q, or an expression; or any number of which q is not below 2^32.
         exponent: Expr,

@@ -16,7 +16,7 @@ pub struct Table {
     pub is_periodic: bool,
     /// The order of the highest derivative that is not zero: 1 of lines, 3 of cubics.
     pub degree: u8,
-    /// How many derivatives are continuous where pieces join.
+    /// The number of derivatives that are continuous where pieces join.
     pub smoothness: u8,
 }
 

@@ -42,7 +42,7 @@ pub struct Description {
     pub optional_kernels: &'static [&'static str],
     /// 2 if its vectors are planar, 3 if they are spatial.
     pub dimension: usize,
-    /// What to draw, in the order of the numbers of [`crate::Mechanism::drawing`].
+    /// The drawing, in the order of the numbers of [`crate::Mechanism::drawing`].
     pub drawing: &'static [Shape],
 }
 
@@ -111,7 +111,7 @@ pub struct Figure {
     pub name: &'static str,
     /// Its title.
     pub title: &'static str,
-    /// How many outputs it shows.
+    /// The number of outputs it shows.
     pub len: usize,
 }
 
@@ -138,7 +138,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// How many points it has.
+    /// The number of its points.
     pub const fn points(self) -> usize {
         match self {
             Shape::Line(points) | Shape::Curve(points) | Shape::Ground(points) | Shape::Points(points) => points,

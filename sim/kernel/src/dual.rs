@@ -24,7 +24,7 @@ impl<S: Scalar> Dual<S> {
         Dual { value, derivative: S::from_f64(0.0) }
     }
 
-    /// What derivatives are taken by.
+    /// The variable of differentiation.
     #[inline(always)]
     pub fn variable(value: S) -> Self {
         Dual { value, derivative: S::from_f64(1.0) }

@@ -7,7 +7,7 @@ pub struct Conditional {
     pub name: &'static str,
     /// The first of its rows.
     pub first_row: usize,
-    /// How many rows it has.
+    /// The number of its rows.
     pub rows: usize,
     /// Whether it holds at the start.
     pub initially_active: bool,
@@ -54,13 +54,13 @@ pub enum Step {
 /// A value for a parameter, a coordinate or a speed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Assignment {
-    /// What gets it.
+    /// The target.
     pub target: Target,
     /// Which value.
     pub value: usize,
 }
 
-/// What an event sets, by index.
+/// The target of an event's `set`, by index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
     /// A parameter.

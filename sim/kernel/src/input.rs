@@ -23,7 +23,7 @@ impl<S: Copy> Input<S> {
         }
     }
 
-    /// What it is set to, if it is.
+    /// The value it is set to, if any.
     pub fn held(self) -> Option<S> {
         match self {
             Input::Declared => None,

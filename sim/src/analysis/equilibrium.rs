@@ -73,7 +73,7 @@ fn at_rest<M: Mechanism>(start: &Start<M>) -> Start<M> {
     Start { speeds: M::Q::filled(0.0), position_given: none.clone(), speed_given: none, ..start.clone() }
 }
 
-/// How a search ended.
+/// The end of a search.
 enum Ended {
     AtRest(Statics),
     Moving(Statics),

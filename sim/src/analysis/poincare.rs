@@ -17,7 +17,7 @@ use std::f64::consts::TAU;
 /// through it.
 const SAME: f64 = 1e-6;
 
-/// What is asked of a section.
+/// The specification of a section.
 #[derive(Clone, Copy, Debug)]
 pub struct Sectioning {
     /// The event, by index.
@@ -39,7 +39,7 @@ pub struct Section<M: Mechanism> {
     pub period: Option<Period>,
 }
 
-/// How a motion repeats.
+/// The period of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Period {
     /// Seconds from one return to the same state to the next, on average.

@@ -11,7 +11,7 @@ pub use vector::{Vectors, Work};
 /// The number of states evaluated at once: as many as the widest vector instructions hold.
 const LANES: usize = 8;
 
-/// What is found at a state.
+/// The results at a state.
 type Solution<M> = Dynamics<f64, <M as Mechanism>::Q, <M as Mechanism>::L>;
 /// A mechanism with a separate trajectory in each lane.
 type InLanes<M> = <M as Mechanism>::On<Lanes<LANES>>;
@@ -19,7 +19,7 @@ type InLanes<M> = <M as Mechanism>::On<Lanes<LANES>>;
 type Prepared<M> = <InLanes<M> as Mechanism<Lanes<LANES>>>::Prepared;
 /// Its coordinates.
 type Q<M> = <InLanes<M> as Mechanism<Lanes<LANES>>>::Q;
-/// What is found in all lanes.
+/// The results in all lanes.
 type Solutions<M> = Dynamics<Lanes<LANES>, Q<M>, <InLanes<M> as Mechanism<Lanes<LANES>>>::L>;
 
 /// Accelerations, multipliers and power at each of many states: with the same bits as
@@ -119,7 +119,7 @@ fn column<T>([a, b, c, d, e, f, g, h]: &[T; LANES], entry: impl Fn(&T) -> f64) -
     Lanes::from([entry(a), entry(b), entry(c), entry(d), entry(e), entry(f), entry(g), entry(h)])
 }
 
-/// Where anything of a solution is infinite or NaN.
+/// Whether anything of a solution is infinite or NaN.
 #[inline(always)]
 fn is_not_finite<M: Mechanism>(solved: &Solutions<M>) -> LaneMask<LANES> {
     // 0 x is 0 unless x is infinite or NaN, and so is the sum of such products.

@@ -2,7 +2,7 @@
 
 /// Work that is compiled for every width of vector instructions, with the functions that are inlined into it.
 pub trait Work {
-    /// What it gives.
+    /// Its result.
     type Output;
     /// Does it. Implementations are `#[inline(always)]`.
     fn run(self) -> Self::Output;

@@ -77,7 +77,7 @@ enum Started {
     Speed(usize),
 }
 
-/// What the user says of the start.
+/// The user's start values.
 fn started(description: &Description, settings: &[String]) -> Result<Vec<(Started, f64)>, Stop> {
     let mut said = Vec::new();
     for text in settings {

@@ -151,7 +151,7 @@ fn print(text: &str) -> Result<(), Stop> {
     }
 }
 
-/// What this program is called.
+/// The name of this program.
 fn program() -> String {
     let name = std::env::args_os().next().map(std::path::PathBuf::from);
     let name = name.as_ref().and_then(|path| path.file_stem()).map(|name| name.to_string_lossy().into_owned());

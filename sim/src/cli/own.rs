@@ -8,7 +8,7 @@ use clap::{Command, CommandFactory};
 /// The program that examples are written for, with mechanisms that it has.
 const WRITTEN_FOR: &str = "sim ";
 const THEIRS: [&str; 6] = ["quick-return", "four-bar", "slider-crank", "cart-pole", "double-pendulum", "pendulum"];
-/// What only these have.
+/// Words of examples that only these mechanisms have.
 const THEIR_OWN: [&str; 8] = ["O2A", "alpha", "x6", "phi", "--input", "--event", "--drive", "shorter"];
 
 /// The command line of a program with these mechanisms.

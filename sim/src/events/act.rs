@@ -22,7 +22,7 @@ use crate::state::trajectory::State;
 use sim_kernel::event::{Assignment, Event, Hit, Step, Switch, Target};
 use sim_kernel::{Array, Mechanism};
 
-/// What an event has changed.
+/// The changes by an event.
 #[derive(Clone, Copy, Debug)]
 pub struct Change<M: Mechanism> {
     /// The mechanism from then on.

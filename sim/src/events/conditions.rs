@@ -13,7 +13,7 @@ use sim_kernel::{Array, Mechanism};
 pub(super) struct Point<M: Mechanism> {
     pub(super) time: f64,
     pub(super) values: M::Events,
-    /// Of the values, by time.
+    /// The rates of the values in time.
     pub(super) rates: M::Events,
 }
 

@@ -25,7 +25,7 @@ const INSTANT: f64 = 1e-9;
 pub(crate) struct EventHandler<M: Mechanism> {
     search: EventSearch<M>,
     stop: Option<StopAt>,
-    /// How long the motion is to last, in seconds, and when that ends.
+    /// The duration of the motion, in seconds, and its end.
     span: f64,
     end: f64,
     /// How often each event with actions has happened.
@@ -38,7 +38,7 @@ pub(crate) struct EventHandler<M: Mechanism> {
     energy_taken: f64,
     /// The first occurrence whose actions are due.
     acting: Option<usize>,
-    /// What the next phase starts from.
+    /// The start of the next phase.
     next_phase: Option<(M, State<M>)>,
     /// Whether an event has ended the motion.
     has_ended: bool,

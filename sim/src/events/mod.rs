@@ -25,7 +25,7 @@ use onset::Onset;
 use sim_kernel::event::Direction;
 use sim_kernel::{Array, Mechanism};
 
-/// How a condition, left - right, passes zero.
+/// The direction in which a condition, left - right, passes zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Crossing {
     /// From below.
@@ -78,7 +78,7 @@ const TOUCH: f64 = 1e-9;
 /// by a jump or a pole, or where the condition is not finite.
 #[derive(Clone, Debug)]
 pub struct EventSearch<M: Mechanism> {
-    /// What was found.
+    /// The occurrences found.
     pub found: Vec<Occurrence<M>>,
     /// The time from which each condition counts.
     begin: M::Events,

@@ -29,7 +29,7 @@ struct Around<'a, M: Mechanism> {
     state: State<M>,
     /// The accelerations that predict it.
     accelerations: M::Q,
-    /// How far it extends to either side, in seconds.
+    /// Its extent to either side, in seconds.
     reach: f64,
     /// The largest squared length in it of the independent part of each row of C_q D.
     longest: M::L,
@@ -84,8 +84,8 @@ impl<'a, M: Mechanism> Around<'a, M> {
     }
 }
 
-/// How far smooth accelerations may be extrapolated, in seconds. `None` if nothing moves, or if states are not brought onto the
-/// constraints.
+/// The time over which smooth accelerations may be extrapolated, in seconds. `None` if nothing moves, or if states are
+/// not projected.
 fn natural_reach<M: Mechanism>(motion: &Motion<M>, state: &State<M>, accelerations: &M::Q) -> Option<f64> {
     let [speed, acceleration] = [&state.speeds, accelerations].map(|rates| motion.measures().size(rates));
     let reach = (REACH / speed).min((REACH / acceleration).sqrt());

@@ -40,7 +40,7 @@ const LOOKS: usize = 16;
 /// Without special care, sines fall by no more than this factor in a step.
 const FALLS: f64 = 0.5;
 
-/// How to go on.
+/// How to continue.
 pub(super) enum Way {
     /// As if there were no singular position.
     On,

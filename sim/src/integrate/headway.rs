@@ -6,7 +6,7 @@
 
 use crate::state::saved::{Bytes, Damaged};
 
-/// How far attempts have come lately.
+/// The recent progress of attempts.
 #[derive(Clone, Debug)]
 pub(super) struct Headway {
     since: f64,

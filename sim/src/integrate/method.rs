@@ -58,7 +58,7 @@ pub trait Advance<M: Mechanism> {
     }
 }
 
-/// Where a step came to.
+/// The end of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Attempt<M: Mechanism> {
     /// The state at its end.

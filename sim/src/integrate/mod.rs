@@ -37,7 +37,7 @@ use crate::state::trajectory::Sample;
 use sim_kernel::Mechanism;
 use std::ops::ControlFlow;
 
-/// How many steps were made.
+/// The number of steps made.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Steps {
     /// Accepted.
@@ -70,11 +70,11 @@ fn transfer_singularities<M: Mechanism>(list: &mut Vec<Singularity>, bytes: &mut
 /// When and how far to integrate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Course {
-    /// Where equal steps are counted from, in seconds.
+    /// The time from which equal steps are counted, in seconds.
     pub begin: f64,
     /// The end, in seconds.
     pub end: f64,
-    /// How long the steps are.
+    /// The length of the steps.
     pub stepping: Stepping,
 }
 

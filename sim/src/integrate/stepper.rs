@@ -32,7 +32,7 @@ pub(crate) struct Stepper<M: Mechanism> {
     pace: Pace,
 }
 
-/// How the last step was made.
+/// The kind of the last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Made {
     /// By the method.
@@ -41,7 +41,7 @@ enum Made {
     Across,
 }
 
-/// How long steps are.
+/// The length of steps.
 #[derive(Clone, Debug)]
 enum Pace {
     /// The index of the next equal step.
@@ -56,7 +56,7 @@ struct Adaptive {
     controller: Controller,
     /// The length of the next step, in seconds.
     h: f64,
-    /// That of the first.
+    /// The length of the first step.
     first: f64,
     headway: Headway,
 }
@@ -105,14 +105,14 @@ impl<M: Mechanism> Stepper<M> {
             bytes.index(from, 2)?;
             let mut has_moved = last.is_some();
             bytes.flag(&mut has_moved)?;
-            // Of that step itself no more is needed.
+            // Nothing else of that step is needed.
             *last = has_moved.then_some(Made::Normally);
             crossing.transfer(bytes, &ends[usize::from(has_moved) ^ *from].state)?;
             pace.transfer(bytes)
         })
     }
 
-    /// Where its course ends, in seconds.
+    /// The end of its course, in seconds.
     pub(crate) fn end(&self) -> f64 {
         self.course.end
     }
@@ -155,7 +155,7 @@ impl<M: Mechanism> Stepper<M> {
         Ok(self.last_step(motion, method))
     }
 
-    /// Where the motion is, as the last step has it.
+    /// The present state, according to the last step.
     ///
     /// # Errors
     /// As dense output.
@@ -255,7 +255,7 @@ fn shortest(now: f64) -> f64 {
     16.0 * f64::EPSILON * now.abs()
 }
 
-/// Where the next of so many equal steps ends.
+/// The end of the next of so many equal steps.
 fn next_goal(course: &Course, count: usize, step: &mut usize, now: f64) -> Option<f64> {
     let Course { begin, end, .. } = *course;
     let length = (end - begin) / count as f64;

@@ -15,7 +15,7 @@ pub struct Tableau {
     pub c: &'static [f64],
     /// Order of convergence.
     pub order: usize,
-    /// What estimates the error.
+    /// The error estimate.
     pub error: ErrorEstimate,
 }
 
@@ -44,7 +44,7 @@ impl Tableau {
     }
 }
 
-/// How the error of a step is estimated, from weights of its stages.
+/// The error estimate of a step, from weights of its stages.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ErrorEstimate {
     /// Not at all.

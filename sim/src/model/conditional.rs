@@ -13,7 +13,7 @@ pub(crate) fn is_row_active(description: &Description, activities: &[f64], row: 
     !released.any(|(conditional, _)| (conditional.first_row..conditional.first_row + conditional.rows).contains(&row))
 }
 
-/// How many rows are released.
+/// The number of released rows.
 pub(crate) fn released_rows<M: Mechanism>(mechanism: &M) -> usize {
     (0..M::L::LEN).filter(|row| !is_active(mechanism, *row)).count()
 }

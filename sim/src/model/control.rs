@@ -1,4 +1,4 @@
-//! What a controller changes.
+//! The quantities that a controller changes.
 
 use sim_kernel::{Description, Mechanism};
 

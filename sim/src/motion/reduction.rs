@@ -18,7 +18,7 @@ pub(crate) struct Reduction<M: Mechanism> {
 }
 
 impl<M: Mechanism> Reduction<M> {
-    /// That of C_q to so many rows.
+    /// The reduction of C_q to this many rows.
     ///
     /// Rows are orthonormalised with pivoting, which finds the row space up to the deviation of C_q from its rank; one
     /// step of orthogonal iteration (Golub and Van Loan, Matrix Computations, 2013, section 8.2.4) leaves the square of

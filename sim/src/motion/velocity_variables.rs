@@ -43,7 +43,7 @@ impl<M: Mechanism> Integrated<M> {
     }
 }
 
-/// Where speeds follow from velocity variables.
+/// The relation of speeds to velocity variables.
 impl<M: Mechanism> Motion<M> {
     /// A state as what is integrated.
     #[inline(always)]

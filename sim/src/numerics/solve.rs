@@ -21,7 +21,7 @@ pub(crate) struct Solved<R> {
     pub(crate) solution: R,
     /// The unknowns in the order of their pivots.
     order: R,
-    /// How many have one.
+    /// The number of unknowns with a pivot.
     rank: usize,
     /// Whether the equations without a pivot agree with the others.
     pub(crate) is_consistent: bool,

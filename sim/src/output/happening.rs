@@ -18,7 +18,7 @@ pub(crate) fn happening(event: &Event, description: &Description) -> String {
     }
 }
 
-/// What is done at an event.
+/// The actions of an event.
 pub(crate) fn does(event: &Event, description: &Description) -> String {
     let conditional = |index: usize| description.conditionals[index].name;
     let mut words = Vec::new();
@@ -43,7 +43,7 @@ pub(crate) fn does(event: &Event, description: &Description) -> String {
     words.join(", ")
 }
 
-/// How it was crossed.
+/// The direction of the crossing.
 pub(crate) fn crossing(crossing: Crossing) -> &'static str {
     match crossing {
         Crossing::Rising => "rising",

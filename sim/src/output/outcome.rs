@@ -21,7 +21,7 @@ pub(crate) struct Outcome {
     pub(crate) start: Option<Row>,
     /// The time of the last sample.
     pub(crate) reached: f64,
-    /// How many samples there are.
+    /// The number of samples.
     pub(crate) samples: usize,
     pub(crate) failure: Option<Failure>,
     pub(crate) events: Vec<Happening>,
@@ -49,7 +49,7 @@ pub(crate) struct Happening {
     pub(crate) change: Option<Done>,
 }
 
-/// What an event has done.
+/// The effects of an event.
 pub(crate) struct Done {
     /// The lost kinetic energy, in joules.
     pub(crate) energy_taken: f64,

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 /// such as devices, are written directly.
 ///
 /// # Errors
-/// Those of `write`, and if the file cannot be made, flushed or renamed.
+/// The errors of `write`, and if the file cannot be made, flushed or renamed.
 pub(crate) fn whole<E: From<Error>>(path: &Path, write: impl FnOnce(&mut File) -> Result<(), E>) -> Result<(), E> {
     let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     if fs::metadata(&place).is_ok_and(|there| !there.is_file()) {

@@ -48,7 +48,7 @@ pub(super) struct DeadPoints<M: Mechanism> {
 }
 
 impl<M: Mechanism> DeadPoints<M> {
-    /// Of a motion that starts there; `None` where there are none to be found.
+    /// For a motion that starts there; `None` if no dead points can be found.
     pub(super) fn new(mechanism: &M, start: &State<M>, mobility: &Mobility) -> Option<DeadPoints<M>> {
         let description = const { &M::DESCRIPTION };
         let is_plain = description.conditionals.is_empty()

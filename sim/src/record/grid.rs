@@ -28,7 +28,7 @@ pub(super) struct Grid {
     next: u64,
     /// The place of each row that is held, while the level is above 0.
     places: Vec<Option<u64>>,
-    /// How many of them have one.
+    /// The number of places with a row.
     held: usize,
     /// The steps until now.
     steps: usize,

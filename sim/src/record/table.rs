@@ -30,7 +30,7 @@ impl Column {
 pub struct Table {
     /// The columns, time first.
     pub columns: Vec<Column>,
-    /// Where the outputs start.
+    /// The index of the first output.
     first_output: usize,
 }
 

@@ -23,7 +23,7 @@ impl<'c, M: Mechanism> Controller<'c, M> {
         (period > 0.0).then(|| Controller { period, law: Box::new(law) })
     }
 
-    /// How long inputs are held, in seconds.
+    /// The time for which inputs are held, in seconds.
     pub fn period(&self) -> f64 {
         self.period
     }

@@ -26,12 +26,12 @@ use std::time::{Duration, Instant};
 /// Relative change of energy from which a result deserves doubt.
 pub const DOUBTFUL_BALANCE: f64 = 1e-3;
 
-/// What a run found.
+/// The results of a run.
 #[derive(Clone, Debug)]
 pub struct Run<M: Mechanism> {
     /// The mechanism with its parameters.
     pub mechanism: M,
-    /// How it was run.
+    /// Its settings.
     pub settings: Settings,
     /// The motion, as far as it came.
     pub trajectory: Trajectory<M>,
@@ -41,7 +41,7 @@ pub struct Run<M: Mechanism> {
     pub dead_points: Vec<DeadPoint<M>>,
     /// Degrees of freedom and dependent constraints at the start.
     pub mobility: Mobility,
-    /// How many steps were made.
+    /// The number of steps made.
     pub steps: Steps,
     /// The number of evaluations of the right-hand side, for steps, dense output and records.
     pub evaluations: u64,

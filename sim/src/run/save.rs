@@ -25,9 +25,9 @@ pub enum NotRestored {
     Other {
         /// The difference: the version of this library, the mechanism, its declaration, a setting.
         what: String,
-        /// What it was.
+        /// The saved value.
         saved: String,
-        /// What it is.
+        /// The present value.
         here: String,
     },
 }

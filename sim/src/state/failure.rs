@@ -7,7 +7,7 @@ use std::fmt;
 /// A failure with the time and state at which it happened.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Failure {
-    /// What went wrong.
+    /// The kind of failure.
     pub what: What,
     /// When, in seconds.
     pub time: f64,

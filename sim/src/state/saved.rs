@@ -61,7 +61,7 @@ impl Bytes<'_> {
         if *count < 1 << 48 { Ok(()) } else { Err(Damaged) }
     }
 
-    /// How long something lasts, in seconds.
+    /// A duration, in seconds.
     pub(crate) fn duration(&mut self, duration: &mut f64) -> Result<(), Damaged> {
         self.number(duration)?;
         if *duration >= 0.0 && duration.is_finite() { Ok(()) } else { Err(Damaged) }

@@ -58,7 +58,7 @@ impl Method {
     }
 }
 
-/// How long the steps are.
+/// The length of the steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stepping {
     /// This many steps of equal length.
@@ -141,9 +141,9 @@ pub struct Settings {
     pub method: Method,
     /// Its steps.
     pub stepping: Stepping,
-    /// What keeps the constraints.
+    /// The stabilisation of the constraints.
     pub stabilisation: Stabilisation,
-    /// What is recorded.
+    /// The record.
     pub rows: Rows,
     /// The event that ends the run early.
     pub stop: Option<StopAt>,

@@ -58,7 +58,7 @@ impl<M: Mechanism> Sample<M> {
         Sample { state, accelerations, multipliers, power, inputs }
     }
 
-    /// How the state changes in time.
+    /// The rates of the state in time.
     pub fn rates(&self) -> Rates<M> {
         Rates { positions: self.state.speeds, speeds: self.accelerations, work: self.power }
     }

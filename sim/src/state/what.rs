@@ -2,7 +2,7 @@
 
 use crate::numerics::eigen::NoEigenvalues;
 
-/// What went wrong.
+/// The kind of failure.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum What {
     /// No configuration near the guesses satisfies the constraints.
@@ -126,7 +126,7 @@ pub enum What {
     ImpossibleInertia {
         /// The body.
         body: String,
-        /// What is wrong with it.
+        /// The reason.
         why: String,
     },
     /// No equilibrium was found.
@@ -144,7 +144,7 @@ pub enum What {
              or drive another quantity through it"
     )]
     LimitPosition {
-        /// What is driven.
+        /// The driven quantity.
         driven: &'static str,
         /// Where it has to turn back, with its unit.
         value: String,
@@ -155,7 +155,7 @@ pub enum What {
              cross. Begin elsewhere, or drive another quantity"
     )]
     DriveSingular {
-        /// What is driven.
+        /// The driven quantity.
         driven: &'static str,
     },
     /// A degree of freedom without a drive, or a drive without one.
@@ -198,7 +198,7 @@ pub enum What {
              domain here, or several branches of the motion meet"
     )]
     NotFollowed {
-        /// What is driven.
+        /// The driven quantity.
         driven: &'static str,
     },
     /// The samples would not fit in memory.
@@ -303,7 +303,7 @@ pub enum What {
     InEvent {
         /// The event.
         event: &'static str,
-        /// What failed.
+        /// The cause.
         what: Box<What>,
     },
     /// The run was interrupted.

@@ -22,7 +22,7 @@ const MOST_AT_A_PLACE: usize = 2;
 /// Writes out fragments and repetitions, and names the instance of each mistake that `check` finds.
 ///
 /// # Errors
-/// Those of writing out, and those of `check`.
+/// The mistakes of writing out, and those of `check`.
 pub fn attributed<T>(tokens: TokenStream, check: impl Fn(TokenStream) -> Result<T>) -> Result<T> {
     limits::check(tokens.clone())?;
     let mut places = Places::default();
@@ -33,7 +33,7 @@ pub fn attributed<T>(tokens: TokenStream, check: impl Fn(TokenStream) -> Result<
     })
 }
 
-/// Where a mistake starts and what it says.
+/// The start of a mistake and its message.
 type Finding = (LineColumn, String);
 
 fn finding(mistake: &Error) -> Finding {

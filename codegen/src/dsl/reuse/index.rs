@@ -6,7 +6,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 use syn::{Ident, LitInt, Token};
 
-/// What the names of indices and constants stand for; later ones hide earlier ones.
+/// The values of indices and constants; later ones hide earlier ones.
 #[derive(Clone, Default)]
 pub(super) struct Indices(Vec<(String, i64)>);
 

@@ -47,7 +47,7 @@ struct Instance {
     body: Body,
 }
 
-/// What is put in for a name.
+/// The replacement of a name.
 struct Argument {
     name: Ident,
     words: Vec<TokenTree>,
@@ -64,7 +64,7 @@ impl Argument {
     }
 }
 
-/// What names stand for.
+/// The replacements of names.
 #[derive(Default)]
 struct Scope {
     prefix: String,

@@ -87,10 +87,10 @@ fn expand_at(tokens: TokenStream, places: &mut Places) -> syn::Result<TokenStrea
     mistakes.or(expanded.unwrap_or_default().into_iter().collect())
 }
 
-/// What is known while a declaration is written out.
+/// The state while a declaration is written out.
 struct Expander<'p> {
     fragments: IndexMap<String, Fragment>,
-    /// What `const`s stand for.
+    /// The values of `const`s.
     constants: Indices,
     places: &'p mut Places,
     /// Prefixes of the instances so far.

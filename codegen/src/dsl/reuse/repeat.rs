@@ -29,7 +29,7 @@ impl Expander<'_> {
         Ok(out)
     }
 
-    /// Copies what stands at `at`, and gives its number of words.
+    /// Copies the item at `at`, and gives its number of words.
     fn unroll_next(
         &mut self,
         tokens: &[TokenTree],

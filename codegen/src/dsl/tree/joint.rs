@@ -10,7 +10,7 @@ pub struct Joint {
     pub docs: String,
     /// Its name, which its constraints take, or its coordinates.
     pub name: Ident,
-    /// What it is.
+    /// Its kind.
     pub kind: JointKind,
     /// `initially released`, on a joint that events switch.
     pub initially: Option<Activity>,
@@ -52,7 +52,7 @@ pub struct Guide {
 
 /// `hinge: revolute arm at [l, 0, 0] axis [0, 0, 1] to ground at [0, 0, 0] axis [0, 0, 1];`
 pub struct SpatialJoint {
-    /// What it is.
+    /// Its kind.
     pub kind: SpatialKind,
     /// The body that holds.
     pub first: Side,

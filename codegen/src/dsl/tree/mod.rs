@@ -128,7 +128,7 @@ pub struct Parameter {
 pub struct Let {
     /// The name it gives.
     pub name: Ident,
-    /// What it names.
+    /// The named expression.
     pub value: Expression,
 }
 
@@ -150,15 +150,15 @@ pub struct Body {
 
 /// One line of `initial`.
 pub struct Initial {
-    /// The coordinate it speaks of.
+    /// Its coordinate.
     pub coordinate: Ident,
-    /// What it says of it.
+    /// What is fixed.
     pub kind: InitialKind,
     /// The value.
     pub value: Expression,
 }
 
-/// What a line of `initial` fixes.
+/// The kind of a line of `initial`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum InitialKind {
     /// `alpha = 0;` the coordinate itself.

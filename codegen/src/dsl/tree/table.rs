@@ -13,17 +13,17 @@ pub struct Table {
     pub unit: Option<Unit>,
     /// The unit of its arguments.
     pub over: Option<Unit>,
-    /// What is between rows.
+    /// The interpolation between rows.
     pub between: Between,
     /// The end condition of a cubic at the first and last row, and its place in the text.
     pub ends: Option<(Ends, Region)>,
-    /// What it is outside of its rows.
+    /// The extension beyond the rows.
     pub outside: Outside,
     /// Arguments and values, row by row.
     pub rows: Vec<[Expression; 2]>,
 }
 
-/// What a table is between its rows.
+/// The interpolation of a table between its rows.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Between {
     /// `linear`: straight lines.

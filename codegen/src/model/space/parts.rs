@@ -37,7 +37,7 @@ impl Tensor {
     }
 }
 
-/// How a body turns in space.
+/// The rotation of a body in space.
 pub struct Attitude {
     /// About its centre of mass, in its own frame.
     pub inertia: Tensor,
@@ -47,7 +47,7 @@ pub struct Attitude {
     pub spin: Rates,
     /// Velocity and acceleration of its centre of mass, in the frame where they are shorter: the body's or the world's.
     pub centre: Option<Rates>,
-    /// How gravity acts on its mass.
+    /// The action of gravity on its mass.
     pub fall: Option<Fall>,
 }
 
@@ -70,13 +70,13 @@ pub struct Push {
     pub in_world: Pushed,
 }
 
-/// What pushes, in the world's frame.
+/// A load in world components.
 pub enum Pushed {
     /// A force at a point.
     Force {
         /// The force.
         force: Point,
-        /// Where it acts.
+        /// The point at which it acts.
         at: Point,
     },
     /// A torque on a body with an attitude.

@@ -108,7 +108,7 @@ impl<'d> Interpreter<'d> {
         known.cloned().ok_or_else(|| OracleError::new("coordinates are not known here"))
     }
 
-    /// What a name stands for.
+    /// The value of a name.
     pub(super) fn named(&mut self, name: &Ident) -> Result<Value> {
         let declaration = self.declaration;
         if let Some((_, value)) = self.local.iter().find(|(word, _)| name == word) {

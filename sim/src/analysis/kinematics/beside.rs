@@ -13,7 +13,7 @@ pub(super) struct Beside {
 }
 
 impl Beside {
-    /// That which is known at nodes.
+    /// The values at nodes.
     pub(super) fn new(known: Vec<Known<[f64; 1]>>, crossings: &[f64]) -> Beside {
         let largest = known.iter().fold(0.0f64, |most, known| most.max(known.values[0].abs()));
         let values: Option<[f64; NODES]> =

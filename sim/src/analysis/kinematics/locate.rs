@@ -37,7 +37,7 @@ impl Search<'_> {
         self.extreme_at(k, piece, place(found.ok()?.0))
     }
 
-    /// Where the rate of an output that has one is zero, next to a candidate.
+    /// The zero of the rate of an output that has one, next to a candidate.
     fn root_of_rate(&self, k: usize, candidate: &Candidate) -> Option<f64> {
         let rated = self.path.system.mechanism.description().rated_outputs.iter().position(|output| *output == k)?;
         let (width, ratio) = (0.01 * candidate.reach, self.layout.ratios.start + rated);
@@ -47,7 +47,7 @@ impl Search<'_> {
         (before * after < 0.0).then(|| find_root(before, after, 1e-15, &mut { rate }).ok().map(place))?
     }
 
-    /// Where a polynomial through nodes close around a candidate turns.
+    /// The turning point of a polynomial through nodes close around a candidate.
     fn turn_around(&self, k: usize, candidate: &Candidate) -> Option<f64> {
         let last = candidate.piece.limit.unwrap_or(1.0);
         let width = 0.5 * candidate.reach;

@@ -43,7 +43,7 @@ pub(crate) use {stand_in::prescribed_coordinate, tabulate::quotient};
 pub struct Kinematics<M: Mechanism> {
     /// The mechanism with its parameters.
     pub mechanism: M,
-    /// How it was driven.
+    /// The specification of the sweep.
     pub sweep: Sweep,
     /// The motion, with the reactions of the constraints. It ends with a failure in a limit position of the drive.
     pub trajectory: Trajectory<M>,
@@ -65,7 +65,7 @@ pub struct Kinematics<M: Mechanism> {
     pub mobility: Mobility,
     /// The positions where other branches cross the one that was followed.
     pub branches: Vec<SpecialPosition>,
-    /// Where the drive can go no further.
+    /// The limit position of the drive.
     pub limit: Option<SpecialPosition>,
     /// The least and greatest values of all quantities, and their positions.
     pub extremes: Extremes,

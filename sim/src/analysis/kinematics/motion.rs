@@ -35,7 +35,7 @@ impl Piece {
 }
 
 impl Path<'_> {
-    /// Where in a step p has a value.
+    /// The place in a step where p has a value.
     pub(super) fn locate(&self, piece: &Piece, p: f64) -> f64 {
         let (n, last) = (piece.curve.len() - 1, piece.limit.unwrap_or(1.0));
         let place = |s: f64| s * (1.0 + last) - 1.0;

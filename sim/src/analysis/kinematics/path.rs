@@ -47,7 +47,7 @@ pub(super) struct Limits {
 pub(super) struct Path<'s> {
     pub(super) system: &'s System<'s>,
     pub(super) sizes: Sizes,
-    /// Where it ends, as p.
+    /// Its end, as p.
     pub(super) end: f64,
 }
 
@@ -73,7 +73,7 @@ impl<'s> Path<'s> {
         self.place(&piece.to.z).1
     }
 
-    /// Where the curve starts, with p growing.
+    /// The start of the curve, with p growing.
     ///
     /// # Errors
     /// [`What::DriveSingular`] where the drive does not determine the motion.

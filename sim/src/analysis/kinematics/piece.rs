@@ -23,9 +23,9 @@ pub(super) struct Piece {
     pub(super) length: f64,
     /// z(x).
     pub(super) curve: Vec<Series>,
-    /// Where other branches cross, in order.
+    /// The places where other branches cross, in order.
     pub(super) crossings: Vec<f64>,
-    /// Where the drive turns back.
+    /// The place where the drive turns back.
     pub(super) limit: Option<f64>,
     /// The values computed once for a step in which another branch crosses.
     pub(super) beside: OnceCell<Option<Vec<Beside>>>,

@@ -281,7 +281,7 @@ impl<'s> Search<'s> {
         }
     }
 
-    /// What was found, located to rounding.
+    /// The extremes found, located to rounding.
     pub(super) fn conclude(self) -> Found {
         let range = |k: usize| {
             let tracked = &self.tracked[k];

@@ -62,7 +62,7 @@ impl Series {
         self.0[NODES - 1].abs().max(self.0[NODES - 2].abs())
     }
 
-    /// Where it turns between -1 and 1, in order.
+    /// Its turning points between -1 and 1, in order.
     pub(super) fn turns(&self) -> Vec<f64> {
         let rate = self.rate();
         let place = |i: usize| 2.0 * i as f64 / LOOKS as f64 - 1.0;

@@ -15,10 +15,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// The driven quantity has arrived when less than this fraction of the way is missing.
 const THERE: f64 = 1e-14;
 
-/// How a mechanism is driven.
+/// The specification of a sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sweep {
-    /// What is driven.
+    /// The driven quantity.
     pub driven: Driven,
     /// From where, in SI units.
     pub from: f64,
@@ -53,7 +53,7 @@ pub struct SpecialPosition {
     pub positions: Vec<f64>,
 }
 
-/// What the sweep met.
+/// The special positions of the sweep.
 pub(super) struct Swept<'m> {
     pub(super) system: System<'m>,
     pub(super) mobility: Mobility,

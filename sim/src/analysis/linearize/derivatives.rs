@@ -95,7 +95,7 @@ impl<'m> Derivatives<'m> {
         })
     }
 
-    /// How z changes with an input.
+    /// The derivative of z by an input.
     fn by_input(&self, control: Control) -> Result<DVector<f64>, Failure> {
         let [positions, speeds] = [self.at.positions, self.at.speeds].map(constants);
         let still = At::moving(Dual::constant(self.at.time), &positions, &speeds);

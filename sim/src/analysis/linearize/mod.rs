@@ -38,7 +38,7 @@ pub struct Linearization<M: Mechanism> {
     /// coordinates that nothing depends on, A is constant, and its eigenvalues are those of all small motions about it.
     /// Rest is steady.
     pub unsteady: Vec<usize>,
-    /// What u changes.
+    /// The quantities that u changes.
     pub inputs: Vec<Control>,
     /// A, h + f square with h independent coordinates and f independent speeds.
     pub a: DMatrix<f64>,

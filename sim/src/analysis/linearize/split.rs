@@ -51,7 +51,7 @@ impl Split {
         Split { independent, pivots }
     }
 
-    /// How many are dependent.
+    /// The number of dependent columns.
     pub(super) fn rank(&self) -> usize {
         self.pivots.len()
     }

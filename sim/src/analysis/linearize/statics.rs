@@ -68,7 +68,7 @@ impl Statics {
         self.root.tr_mul(&self.accelerations.select_rows(self.reduction.independent_speeds()))
     }
 
-    /// How it changes with y, f x f.
+    /// Its derivative by y, f x f.
     fn stiffness(&self) -> DMatrix<f64> {
         let accelerations = self.by_positions.select_rows(self.reduction.independent_speeds());
         self.root.tr_mul(&accelerations) * self.moves.select_rows(self.reduction.independent())

@@ -55,7 +55,7 @@ pub(super) fn unsteady(
     if bent.is_empty() {
         return Ok(moving);
     }
-    // Of a quaternion that turns some entries are at their turning points.
+    // Some entries of a turning quaternion may be at their turning points.
     let quaternions = quaternions(mechanism);
     let turns = |j: &usize| quaternions.iter().any(|four| four.contains(j) && four.iter().any(|k| bent.contains(k)));
     Ok((0..sizes.len()).filter(|j| bent.contains(j) || moving.contains(j) && turns(j)).collect())

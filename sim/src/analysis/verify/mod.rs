@@ -38,14 +38,14 @@ use crate::state::trajectory::{Sample, Trajectory};
 use sim_kernel::{Array, Mechanism};
 use std::ops::ControlFlow;
 
-/// What a check found.
+/// The result of a check.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
-    /// What was compared with what.
+    /// The compared computations.
     pub name: &'static str,
     /// The difference; none if there was nothing to compare.
     pub figure: Option<f64>,
-    /// How far apart they may be.
+    /// The largest allowed difference.
     pub bound: f64,
     /// The meaning of the figure, and its place.
     pub meaning: String,

@@ -71,7 +71,7 @@ pub(super) struct InfoArguments {
     pub(super) model: String,
 }
 
-/// What to draw of a run.
+/// The arguments of `plot`.
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  sim plot out/quick-return x6 x6_velocity\n  sim plot out/quick-return alpha_dot --against alpha\n\n\
@@ -102,7 +102,7 @@ pub(super) struct PlotArguments {
     pub(super) size: Size,
 }
 
-/// What to compare.
+/// The arguments of `compare`.
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  sim compare out/quick-return out/shorter-crank --quantity x6 --out out/compared\n\n\
@@ -127,7 +127,7 @@ pub(super) struct CompareArguments {
     pub(super) size: Size,
 }
 
-/// What to make.
+/// The arguments of `new`.
 #[derive(Args)]
 pub(super) struct NewArguments {
     /// The directory to make; its last part is the crate's name.
@@ -139,7 +139,7 @@ pub(super) struct NewArguments {
     pub(super) linkwright: Option<String>,
 }
 
-/// What to print.
+/// The arguments of `generate`.
 #[derive(Args)]
 pub(super) struct GenerateArguments {
     /// Which of them.
@@ -161,7 +161,7 @@ pub(super) enum Generated {
     Schema,
 }
 
-/// What to verify.
+/// The arguments of `verify`.
 #[derive(Args)]
 #[command(after_help = "One row for each check: the difference between two independent computations, its bound, and \
     the verdict. Exit status 1 if a check fails.")]
@@ -182,7 +182,7 @@ pub(super) struct VerifyArguments {
     pub(super) initial: Vec<String>,
 }
 
-/// What to assemble.
+/// The arguments of `assemble`.
 #[derive(Args)]
 pub(super) struct AssembleArguments {
     #[command(flatten)]

@@ -1,11 +1,11 @@
-//! Which section of which motion.
+//! The arguments of `poincare`.
 
 use super::common::{StartArguments, WrittenArguments};
 use crate::Crossing;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
-/// Which section of which motion.
+/// The arguments of `poincare`.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  sim poincare pendulum --event bottom --direction rising --count 50\n  \
     sim poincare slider-crank --event dead_point --count 200\n\n\

@@ -1,11 +1,11 @@
-//! How to run.
+//! The arguments of `run`.
 
 use super::common::WrittenArguments;
 use crate::cli::settings::SettingsArguments;
 use clap::Args;
 use std::path::PathBuf;
 
-/// How to run.
+/// The arguments of `run`.
 #[derive(Args)]
 #[command(
     args_override_self = true,

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use sim_kernel::event::Event;
 use sim_kernel::{Coordinate, Description, Mechanism, Quantity, Start};
 
-/// What is known of a mechanism.
+/// The facts about a mechanism.
 pub(in crate::cli) struct Facts {
     description: &'static Description,
     /// Defaults of the parameters, in SI units.

@@ -164,7 +164,7 @@ impl<'a> Found<'a> {
         }
     }
 
-    /// What is driven.
+    /// The driven quantity.
     fn driven(&self) -> &'static Quantity {
         self.sweep.driven.quantity(self.description)
     }
@@ -212,7 +212,7 @@ fn drive(found: &Found) -> Value {
     })
 }
 
-/// What was found, in declared units.
+/// The results, in declared units.
 fn summary(found: &Found) -> Value {
     let (description, driven) = (found.description, found.driven());
     let value = |si: f64| si / driven.factor;

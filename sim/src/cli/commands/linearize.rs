@@ -74,7 +74,7 @@ fn tell(found: &Found, arguments: &LinearizeArguments, voice: Voice) -> Result<(
     }
 }
 
-/// What is named, or all inputs.
+/// The named inputs, or all.
 fn controls(description: &'static Description, named: &[String]) -> Result<Vec<Control>, Stop> {
     let inputs = description.inputs.iter().enumerate().map(|(i, input)| (input.name, Control::Input(i)));
     if named.is_empty() {

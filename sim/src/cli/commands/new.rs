@@ -16,7 +16,7 @@ const FILES: [(&str, &str); 6] = [
     (".gitignore", include_str!("../../../assets/new/gitignore.txt")),
 ];
 
-/// Where this program was built from, if that is still there.
+/// The folder that this program was built from, if it still exists.
 const HERE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
 /// Names that Cargo refuses, or those of the crate's own dependencies.

@@ -199,7 +199,7 @@ fn happened(run: &Outcome) -> Vec<Line> {
     rows
 }
 
-/// How good the numbers are.
+/// The accuracy of the numbers.
 fn quality(run: &Outcome) -> Vec<Line> {
     let mut rows = Vec::new();
     if !run.description.constraints.is_empty() {

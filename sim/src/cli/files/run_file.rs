@@ -15,13 +15,13 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 
-/// What a run file says of itself.
+/// The format of run files.
 const FORMAT: &str = "linkwright run 1";
 
 /// Options about where to write, not what.
 const NOT_OF_A_RUN: [&str; 8] = ["set", "initial", "input", "out", "json", "quiet", "help", "version"];
 
-/// How a run is made again.
+/// How a run is repeated.
 pub(in crate::cli) struct Reproduction {
     /// The run file.
     pub(in crate::cli) file: Value,
@@ -294,7 +294,7 @@ fn has_equal_steps_method(own: &[String]) -> bool {
     Method::ALL.iter().any(|method| !method.is_adaptive() && Some(method.name()) == name)
 }
 
-/// What a value is.
+/// The kind of a value.
 fn kind(value: &Value) -> &'static str {
     match value {
         Value::Null => "null",

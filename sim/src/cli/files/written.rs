@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 /// others.
 pub(in crate::cli) struct Files {
     directory: PathBuf,
-    /// Where they are written.
+    /// The folder they are written to.
     unfinished: PathBuf,
     /// The names of those that were written.
     pub(in crate::cli) names: Vec<String>,
@@ -53,7 +53,7 @@ impl Files {
         }
     }
 
-    /// Where they come to.
+    /// Their final folder.
     pub(in crate::cli) fn directory(&self) -> &Path {
         &self.directory
     }

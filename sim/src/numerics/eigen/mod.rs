@@ -41,9 +41,9 @@ pub enum NoEigenvalues {
     /// The iteration did not end.
     #[error("the QR iteration did not converge: {found} of {size} eigenvalues were found in {sweeps} sweeps")]
     NotConverged {
-        /// How many were found.
+        /// The number found.
         found: usize,
-        /// Of how many.
+        /// The total number.
         size: usize,
         /// Sweeps made.
         sweeps: usize,

@@ -12,7 +12,7 @@ pub(super) const POSES: usize = 6;
 /// Samples among which they are chosen.
 const MOST_CANDIDATES: usize = 2000;
 
-/// What came of drawing.
+/// The outcome of drawing.
 #[derive(Debug, Default)]
 pub struct Figures {
     /// The names of those that were drawn.

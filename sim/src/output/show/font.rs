@@ -32,7 +32,7 @@ impl Font {
         }
     }
 
-    /// How wide a text is, in em.
+    /// The width of a text, in em.
     pub(super) fn width(&self, text: &str) -> f64 {
         text.chars().map(|letter| self.advance(self.glyph(letter))).sum()
     }

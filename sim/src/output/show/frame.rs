@@ -51,7 +51,7 @@ pub(super) struct Entry {
     pub(super) style: Style,
 }
 
-/// How a line is broken.
+/// The dashes of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Style {
     Solid,
@@ -166,7 +166,7 @@ pub(super) fn left_room(y: &Axis) -> Result<f64, ShowError> {
     Ok(MARGIN + NAME + 12.0 + numbers.max(20.0) + TICK + 5.0)
 }
 
-/// The room right of the data area, but for the legend.
+/// The room right of the data area, without the legend.
 pub(super) fn right_room(x: &Axis) -> Result<f64, ShowError> {
     let number = x.ticks.last().map_or(Ok(0.0), |tick| room(&tick.label, NUMBER))?;
     Ok(MARGIN.max(number / 2.0) + 4.0)
@@ -179,7 +179,7 @@ pub(super) fn top_room(title: &str, y: &Axis) -> f64 {
     MARGIN + title + note
 }
 
-/// The room below the data area, but for the legend.
+/// The room below the data area, without the legend.
 pub(super) fn bottom_room() -> f64 {
     TICK + 4.0 + NUMBER + 10.0 + NAME + MARGIN
 }

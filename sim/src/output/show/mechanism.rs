@@ -14,7 +14,7 @@ const LARGEST: (f64, f64) = (0.75, 10.0 / 9.0);
 const LEAST: f64 = 300.0;
 /// The most poses a legend tells the times of.
 const MOST_TIMES: usize = 10;
-/// Around what stands in space.
+/// The margin around a spatial mechanism.
 const MARGIN: f64 = 14.0;
 /// The height of the strip below it.
 const FOOT: f64 = 60.0;

@@ -53,7 +53,7 @@ pub struct Shapes<'a> {
 }
 
 impl Shapes<'static> {
-    /// What a mechanism shows of itself.
+    /// The drawn parts of a mechanism.
     pub fn of(description: &Description) -> Self {
         Shapes { dimension: description.dimension, shapes: description.drawing }
     }
@@ -113,7 +113,7 @@ fn parts(Shapes { dimension, shapes }: Shapes, mut numbers: &[f64]) -> Vec<Part>
     parts
 }
 
-/// What is drawn through or at points.
+/// Shapes drawn through or at points.
 fn through(shape: Shape, points: &[Point], colour: Colour) -> Vec<Part> {
     let finite = |point: &Point| shown(point.0) && shown(point.1);
     let pieces = points.split(|point| !finite(point)).filter(|piece| !piece.is_empty()).map(<[Point]>::to_vec);

@@ -102,7 +102,7 @@ fn check(plot: &Plot, name: &str) -> Result<(), ShowError> {
     }
 }
 
-/// What the axes are called.
+/// The labels of the axes.
 fn names(plot: &Plot) -> (String, String) {
     let y = match plot.curves.as_slice() {
         [curve] if plot.y_label.is_empty() => curve.label,

@@ -14,7 +14,7 @@ pub(super) struct Scene {
     pub(super) width: f64,
     /// Its height.
     pub(super) height: f64,
-    /// What is on it.
+    /// The marks on it.
     pub(super) marks: Vec<Mark>,
 }
 
@@ -48,7 +48,7 @@ pub(super) struct Label {
     pub(super) colour: Colour,
 }
 
-/// What of a text is at its place.
+/// The anchor of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Anchor {
     Start,

@@ -141,7 +141,7 @@ fn between([from, to]: [Point; 2]) -> (f64, f64) {
     (right.hypot(down), (-down).atan2(right))
 }
 
-/// Where x, y and z point.
+/// The directions of x, y and z.
 pub(super) fn axes(scene: &mut Scene, at: Point) {
     for (name, axis) in [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0]), ("z", [0.0, 0.0, 1.0])] {
         let (right, up) = view::seen(&axis);

@@ -6,7 +6,7 @@ use std::fmt;
 /// Matrices of a dyad are turned and scaled unit matrices up to this.
 const ROUNDING: f64 = 1e-12;
 
-/// How a loop is closed.
+/// The form of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// One equation in an angle: a link whose end is on a line.
@@ -35,7 +35,7 @@ impl fmt::Display for Form {
 
 type Vector = [f64; 2];
 
-/// How both rows of a pair depend on an unknown.
+/// The dependence of both rows of a pair on an unknown.
 enum Column {
     /// By cosine and sine: the columns of a matrix by rows.
     Angle([Vector; 2]),
@@ -120,7 +120,7 @@ impl Column {
     }
 }
 
-/// How both rows depend on one unknown.
+/// The dependence of both rows on one unknown.
 fn column(f: &dyn Fn(f64) -> Vec<f64>) -> Option<Column> {
     let harmonic = |row: usize| fit_harmonic(&|x| f(x)[row]).map(|(Harmonic { cosine, sine }, _)| [cosine, sine]);
     let linear = |row: usize| fit_linear(&|x| f(x)[row]).map(|(slope, _)| slope);

@@ -75,7 +75,7 @@ fn figure(group: &Group) -> Value {
     json!({ "title": typeset(&group.title), "columns": group.columns })
 }
 
-/// The columns of the table but for the time.
+/// The columns of the table except time.
 fn labelled(description: &Description, table: &Table) -> Vec<Labelled> {
     let outputs = description.outputs.len();
     let first_output = table.columns.len() - outputs;
