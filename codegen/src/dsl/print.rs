@@ -1,4 +1,4 @@
-//! Expressions as text, for messages: with the spaces of the documents and no more parentheses than needed.
+//! Expressions as text, for messages: spaced as in the documents, with the fewest parentheses.
 
 use super::{Comparison, Expression, Kind, Operator};
 use std::fmt::{Display, Formatter, Result};

@@ -2,8 +2,8 @@
 //!
 //! The definitions u = W q' + w and the rows that hold whatever u is (norms of quaternions, constraints between speeds)
 //! are as many linear equations A q' + b = 0 as there are rates. Where a rate stands with a number as its coefficient
-//! it is eliminated in symbols, by pivots that never vanish. What is left, B h + c = 0, is brought into the form B'B h
-//! = -B'c. There a number on the diagonal that stands alone gives a rate at once; the rest is solved by elimination at
+//! it is eliminated in symbols, by pivots that never vanish. The rest, B h + c = 0, is brought into the form B'B h =
+//! -B'c. There a number on the diagonal that stands alone gives a rate at once; the rest is solved by elimination at
 //! run time, of which every pivot is positive as long as B is regular: where it is not, as at the singular positions of
 //! Euler's angles, no speeds determine the rates. B'B of Euler's angles, of quaternions and of directions in a plane is
 //! diagonal.

@@ -22,7 +22,7 @@ pub(super) struct Solved {
 }
 
 /// Solves as many equations as have a number for a coefficient, each for a rate that stands in few others; gives them
-/// in order, and what is left.
+/// in order, and the remaining equations.
 pub(super) fn eliminate(graph: &mut Graph, mut equations: Vec<Equation>) -> (Vec<Solved>, Vec<Equation>) {
     let mut solved = Vec::new();
     while let Some((row, unknown)) = pivot(graph, &equations) {

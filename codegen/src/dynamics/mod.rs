@@ -78,7 +78,7 @@ pub struct EquationsOfMotion {
     pub energy: Energy,
     /// Outputs and their rates.
     pub outputs: Outputs,
-    /// The forces that a motion takes, if they are wanted and there are no intermediates.
+    /// Inverse dynamics, if requested and without intermediates.
     pub inverse: Option<Inverse>,
     /// The equations in generalised speeds, if there are any, in the coordinates alone.
     pub speeds: Option<SpeedEquations>,

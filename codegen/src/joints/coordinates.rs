@@ -42,7 +42,7 @@ impl JointCoordinates<'_> {
     /// Gives the joint its coordinates. The pose is that of the body that it places.
     ///
     /// # Errors
-    /// Axes that are none.
+    /// Invalid axes.
     pub(super) fn pose(&self, given: &mut Given) -> Result<Pose> {
         let SpatialJoint { kind, first, second, .. } = self.joint;
         let crossed = if *kind == SpatialKind::Universal { Marks::crossed(first, second)? } else { None };

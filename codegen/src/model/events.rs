@@ -1,4 +1,4 @@
-//! The `events` block: conditions, and what happens when they come to hold.
+//! The `events` block: conditions and their actions.
 
 use super::equations::equation_sides;
 use super::interpreter::Interpreter;

@@ -92,7 +92,7 @@ fn take_known_sums(values: &Values, mut terms: Vec<Term>) -> Vec<Term> {
     terms
 }
 
-/// The sum of two terms with a factor in common, if what is left of them is added or subtracted somewhere.
+/// The sum of two terms with a factor in common, if the rest of both is added or subtracted somewhere.
 fn known_sum(values: &Values, a: &Term, b: &Term) -> Option<Term> {
     let is_common = |factor: &&Value| a.factors.contains(factor) && b.factors.contains(factor);
     let rest = |term: &Term| values.known_product(term.factors.iter().filter(|factor| !is_common(factor)).copied());

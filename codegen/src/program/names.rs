@@ -17,7 +17,7 @@ impl Names {
         Names { taken: reserved.into_iter().map(|name| (name.into(), 1)).collect() }
     }
 
-    /// The wished name, or the first of `name_2`, `name_3` .. that is free.
+    /// The preferred name, or the first of `name_2`, `name_3` .. that is free.
     ///
     /// A name in the style of Rust's constants and types gets a `_`, since a binding could otherwise match the user's
     /// item.

@@ -64,7 +64,7 @@ pub(super) struct Planner<'a> {
     alternatives: &'a FxHashMap<Expr, Expr>,
     /// The squares of the norms of quaternions.
     divisors: Vec<Expr>,
-    /// Names wished for values of the model.
+    /// Preferred names for values of the model.
     labels: Vec<(Expr, String)>,
 }
 

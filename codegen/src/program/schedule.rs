@@ -15,7 +15,7 @@ const LONGEST_EXPRESSION: usize = 14;
 /// The order of the highest derivative of a table that is not zero.
 const HIGHEST_DERIVATIVE: u8 = 3;
 
-/// Names wished for values.
+/// Preferred names for values.
 pub(super) type Wishes<'a> = FxHashMap<Value, Cow<'a, str>>;
 
 /// A schedule for the values that `roots` need.
@@ -38,8 +38,8 @@ pub(super) struct Schedule<'a> {
 }
 
 impl<'a> Schedule<'a> {
-    /// Schedules `roots` with all of their operands, and before them the needed values of `first`. `labels` are names
-    /// wished for, `local_names` those still free.
+    /// Schedules `roots` with all of their operands, and before them the needed values of `first`. `labels` are
+    /// preferred names, `local_names` those still free.
     pub(super) fn new(
         values: &'a Values,
         first: &[Value],

@@ -2,7 +2,7 @@
 
 use sim_kernel::{Array, Description, Mechanism};
 
-/// Whether a row of the constraints holds: all do but those of released ones.
+/// Whether a row of the constraints holds: all do except those of released constraints.
 pub fn is_active<M: Mechanism>(mechanism: &M, row: usize) -> bool {
     is_row_active(const { &M::DESCRIPTION }, mechanism.activities().as_ref(), row)
 }

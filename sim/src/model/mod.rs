@@ -69,7 +69,7 @@ pub(crate) trait AnyMechanism {
 }
 
 impl dyn AnyMechanism + '_ {
-    /// Whether a row of the constraints holds: all do but those of released ones.
+    /// Whether a row of the constraints holds: all do except those of released constraints.
     pub(crate) fn is_active(&self, row: usize) -> bool {
         is_row_active(self.description(), &self.activities(), row)
     }

@@ -2,7 +2,7 @@
 //!
 //! Branches of the configuration space cross there. Speeds do not jump, so the motion continues on its own branch; but
 //! with s the sine of the angle between a row of C_q and those before it, rounding of positions is amplified by 1/s and
-//! that of speeds by 1/s^2. Steps are therefore laid so that such a position falls between stages.
+//! that of speeds by 1/s^2. Steps are therefore placed so that such a position falls between stages.
 //!
 //! Sines are those of C_q D, with each coordinate in its scale, so they are the same for a linkage of 1 mm and for one
 //! of 100 m.

@@ -1,4 +1,4 @@
-//! The lines of `events`: conditions, and what happens when they come to hold.
+//! The lines of `events`: conditions and their actions.
 
 use super::equation::equation;
 use super::expression::expression;

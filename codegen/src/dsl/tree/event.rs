@@ -1,4 +1,4 @@
-//! Conditions, and what happens when they come to hold.
+//! Event conditions and their actions.
 
 use super::{Activity, Equation};
 use crate::dsl::{Expression, Region};

@@ -11,7 +11,7 @@ use crate::oracle::interpret::Interpreter;
 use crate::oracle::jet::Jet;
 use crate::oracle::measured::Measured;
 
-/// A point moves with a body where its velocities differ from the body's by no more than rounding.
+/// A point moves with a body if its velocities differ from the body's only by rounding.
 const RIGID: f64 = 1e-11;
 
 /// A motion without its magnitudes. Along a chain of rotations these are many times the errors visible in the forces;

@@ -13,7 +13,7 @@ const MOST_STEPS: usize = 20;
 /// A state this close to a singular position, in the scales of the coordinates, counts as singular: rounding of 1e-16
 /// is amplified by the square of the distance.
 const BESIDE: f64 = 1e-6;
-/// The step of the differences used to search such a position.
+/// The step of the differences used to search for such a position.
 const STEP: f64 = 1e-4;
 
 /// dq = H dq_i, dq' = N dq_i' + S dq_i. Where constraints hold between speeds alone there are more independent coordinates
@@ -102,7 +102,7 @@ impl Reduction {
         let moved = |way: f64| -> Vec<f64> { q.iter().zip(direction).map(|(q, part)| q + way * part).collect() };
         let pivots = |way: f64| self.of_speeds.pivot_values(&mechanism.constraint_jacobian(time, &moved(way)));
         let (mut way, mut step) = (0.0, STEP);
-        // Three steps of the secant method square what is left three times.
+        // Three steps of the secant method square the error three times.
         for _ in 0..3 {
             let roots = pivots(way).into_iter().zip(pivots(way + step)).map(|(a, b)| -a * step / (b - a));
             step = roots.filter(|root| root.is_finite()).min_by(|a, b| a.abs().total_cmp(&b.abs()))?;

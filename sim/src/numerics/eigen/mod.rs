@@ -50,7 +50,7 @@ pub enum NoEigenvalues {
     },
 }
 
-/// A real Schur form in the making: A = Z T Z^-1.
+/// A real Schur form under construction: A = Z T Z^-1.
 struct Form {
     /// T, n x n.
     t: DMatrix<f64>,
