@@ -1,10 +1,10 @@
-//! Arrays whose length is a mechanism's business.
+//! Arrays whose lengths depend on the mechanism.
 
 use crate::{Input, Scalar};
 use core::fmt::Debug;
 use core::ops::{Index, IndexMut};
 
-/// What arrays are made of.
+/// The elements of arrays.
 pub trait Element: Copy + Debug {
     /// A value to begin with.
     const BLANK: Self;
@@ -24,7 +24,7 @@ impl<T: Element, const N: usize> Element for [T; N] {
 
 /// A fixed-size array, named by an associated type because `[S; Self::N]` cannot be.
 pub trait Array<T: Element>: Element + AsRef<[T]> + AsMut<[T]> + Index<usize, Output = T> + IndexMut<usize> {
-    /// How many elements it has.
+    /// The number of elements.
     const LEN: usize;
 
     /// The array of `f(0), f(1), ..`
@@ -42,7 +42,7 @@ pub trait Array<T: Element>: Element + AsRef<[T]> + AsMut<[T]> + Index<usize, Ou
 impl<T: Element, const N: usize> Array<T> for [T; N] {
     const LEN: usize = N;
 
-    /// As `core::array::from_fn`, which takes the compiler several times as long.
+    /// Like `core::array::from_fn`, which takes several times as long to compile.
     #[inline(always)]
     fn from_fn(mut f: impl FnMut(usize) -> T) -> Self {
         let mut array = [T::BLANK; N];

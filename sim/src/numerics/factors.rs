@@ -1,4 +1,4 @@
-//! What factors of a symmetric matrix tell, however they are stored.
+//! The interface of factors of a symmetric matrix, independent of storage.
 
 use sim_kernel::Array;
 

@@ -1,6 +1,7 @@
-//! How the rows of C_q are stored and C_q C_q' is factorised: all entries, or those alone that need not be 0.
+//! How the rows of C_q are stored and C_q C_q' is factorised: all entries, or only those that may be nonzero.
 //!
-//! Both give the same numbers: what sparse rows leave out is 0. Which is used is known when a mechanism is compiled.
+//! Both give the same numbers, since the entries that sparse rows omit are 0. The choice is made when a mechanism is
+//! compiled.
 
 mod dense;
 mod sparse;
@@ -36,8 +37,8 @@ pub(crate) trait Rows<M: Mechanism> {
     fn terms(jacobian: &Self::Jacobian, row: usize, x: &M::Q) -> f64;
     /// A' y.
     fn transposed_times(jacobian: &Self::Jacobian, y: &M::L) -> M::Q;
-    /// The factors of A A', put where others were: moving them about would take as long as finding them.
+    /// The factors of A A', computed in place: moving them would take as long as computing them.
     fn factorise(jacobian: &Self::Jacobian, factors: &mut Self::Factors) -> Result<(), Undefined>;
-    /// Which constraint a row of the factors belongs to.
+    /// The constraint of a row of the factors.
     fn constraint(k: usize) -> usize;
 }

@@ -1,4 +1,4 @@
-//! Rows by their entries that need not be 0, and factors within the envelope.
+//! Rows by their entries that may be nonzero, and factors within the envelope.
 //!
 //! Rows are taken in the order of elimination.
 
@@ -9,10 +9,10 @@ use crate::numerics::factors::{Factors, Undefined};
 use crate::numerics::solve::LEAST_INDEPENDENCE;
 use sim_kernel::{Array, Mechanism, SparseRow};
 
-/// Rows by their entries that need not be 0.
+/// Rows by their entries that may be nonzero.
 pub(crate) struct Sparse;
 
-/// Whether the rows of a mechanism are stored so.
+/// Whether the rows of a mechanism are stored this way.
 pub(crate) const fn is_sparse<M: Mechanism>() -> bool {
     !M::DESCRIPTION.sparsity.is_empty()
 }
