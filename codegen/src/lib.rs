@@ -1,8 +1,8 @@
 //! Mechanism declarations to specialised Rust kernels.
 //!
-//! [`generate`] is the whole path, and its body names the stages: the macro, the command and the tests all call
-//! it. The folder list is the data flow, and no stage imports a later one; [`symbolic`] serves them all and
-//! knows no mechanics; [`oracle`] shares nothing with what it checks.
+//! [`generate`] runs the whole path, and its body names the stages. The macro, the command and the tests all call it.
+//! The folders follow the data flow, and no stage imports a later one. [`symbolic`] serves them all and knows no
+//! mechanics; [`oracle`] shares only the parsed declaration with the code that it checks.
 
 pub mod dsl;
 pub mod dynamics;
@@ -49,7 +49,7 @@ pub fn generate(tokens: TokenStream, path: &TokenStream) -> syn::Result<TokenStr
 /// }
 /// ```
 ///
-/// Files that tables are in are sought in the crate's folder; `cargo::rerun-if-changed` of them is the script's.
+/// Files of tables are sought in the crate's folder; the script must print `cargo::rerun-if-changed` for them.
 ///
 /// # Errors
 /// As [`generate`], for the first declaration with mistakes; and if there is none.
@@ -76,7 +76,7 @@ fn crate_folder() -> PathBuf {
     std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default()
 }
 
-/// The equations of motion of a declaration, as far as the symbols go.
+/// The symbolic equations of motion of a declaration.
 ///
 /// # Errors
 /// As [`generate`].
@@ -84,7 +84,7 @@ pub fn equations(tokens: TokenStream) -> syn::Result<dynamics::EquationsOfMotion
     Ok(dynamics::derive(resolved(tokens)?.1))
 }
 
-/// What a declaration says, its joints written out: the first two stages.
+/// The first two stages: a parsed declaration with its joints written out.
 ///
 /// # Errors
 /// All mistakes of the first stage that finds any, each at the user's own word.
@@ -109,7 +109,7 @@ pub fn equations_as(notation: Notation, declaration: &str) -> syn::Result<Vec<Pa
     Ok(notation::equations(&equations(declaration.parse()?)?, notation))
 }
 
-/// What the procedural macro does: `path; declaration` to items, or to the mistakes and a stand-in.
+/// The body of the procedural macro: `path; declaration` to items, or to errors and a stub.
 pub fn expand(input: TokenStream) -> TokenStream {
     let mut tokens = input.into_iter();
     let is_semicolon = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ';');
@@ -117,7 +117,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
     let declaration: TokenStream = tokens.collect();
     let generated = dsl::read_files(declaration.clone(), &crate_folder()).and_then(|(declaration, files)| {
         let items = generate(declaration, &path)?;
-        // So that cargo builds again when a file has changed.
+        // So that cargo rebuilds when a file has changed.
         Ok(quote! {
             #items
             #(const _: &[::core::primitive::u8] =

@@ -21,7 +21,7 @@ pub struct Mistakes {
 }
 
 impl Mistakes {
-    /// Takes note of one more. What is written out at several places is one mistake.
+    /// Adds one. A mistake that is written out at several places is added once.
     pub fn add(&mut self, mistake: syn::Error) {
         let words = |e: &syn::Error| (format!("{:?}", e.span()), e.to_string());
         if self.known.contains(&words(&mistake)) {
@@ -39,7 +39,7 @@ impl Mistakes {
         self.all.is_none()
     }
 
-    /// The value, or what was wrong with it, taken note of.
+    /// The value, or `None` with its mistakes recorded.
     pub fn note<T>(&mut self, result: syn::Result<T>) -> Option<T> {
         result.map_err(|mistake| self.add(mistake)).ok()
     }

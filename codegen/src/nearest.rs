@@ -1,4 +1,4 @@
-//! "Did you mean": the nearest of the names that would have been right.
+//! "Did you mean": the nearest valid name.
 
 /// ` (did you mean `name`?)`, or nothing where no candidate is near.
 pub fn suggestion<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> String {
@@ -8,7 +8,7 @@ pub fn suggestion<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>)
     }
 }
 
-/// As [`suggestion`], for the blocks of a declaration, which are often called otherwise.
+/// As [`suggestion`], for the blocks of a declaration, which have common other names.
 pub fn block(word: &str, blocks: &[&str]) -> String {
     let usual = match word {
         "body" => "bodies",
@@ -21,7 +21,7 @@ pub fn block(word: &str, blocks: &[&str]) -> String {
 }
 
 /// The candidate that a typing mistake turns into `word`: at most one edit in three letters, letter case apart. Names
-/// of one or two letters are too near to each other for more than that.
+/// of one or two letters are too similar for more than that.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let lower = word.to_lowercase();
     candidates

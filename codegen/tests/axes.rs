@@ -43,7 +43,7 @@ fn what_is_no_axis_is_said_at_its_name() {
             codegen::generate(text.parse().unwrap(), &quote::quote!(k)).unwrap_err().into_iter().collect();
         let first = mistakes[0].span().start();
         let word = text.lines().nth(first.line - 1).unwrap()[first.column..].chars().next();
-        assert!(mistakes[0].to_string().contains("or is a name of such a vector"), "{lets}: {}", mistakes[0]);
+        assert!(mistakes[0].to_string().contains("or as the name of such a vector"), "{lets}: {}", mistakes[0]);
         assert_eq!(word, Some('s'), "{lets}");
     }
 }

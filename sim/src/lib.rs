@@ -1,9 +1,9 @@
 //! The runtime of mechanisms declared with [`mechanism!`]: assemble a start, integrate on the constraints, locate
 //! events, record, write and draw.
 //!
-//! Whatever can fail returns an error that says what, when and where; what was computed until then is kept.
+//! Every function that can fail returns an error that says what, when and where; results up to then are kept.
 
-// Without the command line, some of what it shares with the rest has no other user.
+// Without the command line, some shared code has no user.
 #![cfg_attr(not(feature = "cli"), allow(dead_code, unused_imports))]
 
 mod analysis;

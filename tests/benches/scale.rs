@@ -2,6 +2,9 @@
 //! written by hand, in one run. `cargo bench -p tests --features scale --bench scale`
 //!
 //! The sizes stand in `tests/src/declarations.rs`.
+//!
+//! The time of a long kernel depends on where its code lies, by half its value from build to build. Compare figures of
+//! several builds.
 
 #![allow(missing_docs, clippy::unwrap_used)]
 

@@ -305,7 +305,7 @@ fn new_says_what_is_in_the_way() {
     let place = scratch("new");
     let taken = place.to_str().unwrap();
     let rows: [(&[&str], &str); 3] = [
-        (&["new", taken], "is there already"),
+        (&["new", taken], "exists already"),
         (&["new", "2bars"], "start with a letter"),
         (&["new", "bars", "--linkwright", "/nowhere"], "--linkwright PATH|URL"),
     ];

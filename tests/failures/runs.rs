@@ -65,7 +65,7 @@ fn events_that_chatter() {
     let parts = ["event `rattle` chatters", "Its condition changes faster than the motion", "make it smooth"];
     check("rattle", &["rattle", "--method", "rk4", "--steps", "100"], &parts, 0.48..=0.5);
     // The bounces of a ball accumulate at sqrt(2 h/g) (1 + e)/(1 - e) = 1.355 s.
-    let parts = ["event `landing` chatters", "accumulate here", "Let it stop the run (`stop`)"];
+    let parts = ["event `landing` chatters", "accumulate here", "Stop the run (`stop`)"];
     check("bounces", &["bouncing-ball", "--set", "rebound=0.5"], &parts, 1.35..=1.36);
 }
 

@@ -1,4 +1,4 @@
-//! Where two texts differ.
+//! The differences between two texts.
 
 use similar::TextDiff;
 
@@ -7,7 +7,7 @@ const CONTEXT: usize = 2;
 /// Changes beyond these are only counted.
 const SHOWN: usize = 8;
 
-/// What has changed, as a unified diff headed by the place of the first change; nothing if nothing has.
+/// The changes as a unified diff, headed by the place of the first one; empty if there are none.
 pub(super) fn difference(file: &str, expected: &str, found: &str) -> Option<String> {
     if expected == found {
         return None;

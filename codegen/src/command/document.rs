@@ -1,4 +1,4 @@
-//! Equations of motion as a document that stands by itself.
+//! Equations of motion as a standalone document.
 
 use super::Notation;
 use super::source::Source;
@@ -57,7 +57,7 @@ fn latex_section(mechanism: &EquationsOfMotion) -> String {
     })
 }
 
-/// Text with LaTeX's special characters as themselves.
+/// Text with LaTeX's special characters escaped.
 fn latex_text(text: &str) -> String {
     let mut out = String::new();
     for c in text.chars() {

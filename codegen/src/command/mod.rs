@@ -45,7 +45,7 @@ enum Notation {
     Mathml,
 }
 
-/// What came of a command that could be carried out.
+/// The outcome of a command that could be carried out.
 pub(crate) enum Outcome {
     Done,
     /// `--check` has found a difference.
@@ -68,7 +68,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome> {
     }
 }
 
-/// What is asked for, as text.
+/// The requested view, as text.
 fn view(arguments: &Arguments, source: &Source) -> Result<String> {
     let of_each = |view: &dyn Fn(TokenStream) -> syn::Result<String>| source.located(source.each(view));
     if let Some(notation) = arguments.equations {

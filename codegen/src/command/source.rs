@@ -12,7 +12,7 @@ pub(super) struct Source {
     /// For messages.
     name: String,
     pub(super) text: String,
-    /// Where the files of tables are: in the folder of the crate that a file is in, or here.
+    /// The folder of the files of tables: that of the crate that a file is in, or the current one.
     pub(super) folder: PathBuf,
 }
 

@@ -1,4 +1,4 @@
-//! What a mechanism's kernels cost, and what it costs to make them.
+//! The cost of a mechanism's kernels and of their derivation.
 
 use codegen::program::{Diagram, Kernel};
 use codegen::{dsl, dynamics, emit, model, program};

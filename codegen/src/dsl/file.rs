@@ -1,19 +1,19 @@
 //! Rows of tables that stand in files: `from "lift.csv"` becomes the rows in braces, before anything else is read.
 //!
-//! So a declaration that is kept as text, in a built mechanism, needs no file any more.
+//! So the declaration text kept in a built mechanism needs no file.
 
 use super::limits;
 use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use std::path::Path;
 use syn::{Error, Result};
 
-/// Puts the rows of files in place of their names, which are relative to `folder`. Gives the names of the files too.
+/// Replaces the names of files, which are relative to `folder`, by their rows. Gives the names of the files too.
 ///
 /// A row is a line of two numbers, with a comma, a semicolon, a tab or spaces between them. Empty lines, what follows a `#`,
 /// and a first line of words are left out.
 ///
 /// # Errors
-/// Files that cannot be read, and lines that are no rows; what is beyond the limits of a declaration.
+/// Files that cannot be read, and lines that are no rows; declarations beyond the limits.
 pub fn read_files(tokens: TokenStream, folder: &Path) -> Result<(TokenStream, Vec<String>)> {
     limits::check(tokens.clone())?;
     let mut files = Vec::new();
@@ -35,7 +35,7 @@ fn put_in(tokens: TokenStream, folder: &Path, files: &mut Vec<String>) -> Result
                 let before = files.len();
                 let mut inner = Group::new(group.delimiter(), put_in(group.stream(), folder, files)?);
                 inner.set_span(group.span());
-                // Where nothing is put in the brackets keep their places.
+                // Brackets without a replacement keep their places.
                 out.push(TokenTree::Group(if files.len() == before { group } else { inner }));
             }
             other => out.push(other),
@@ -55,7 +55,7 @@ fn name(literal: &Literal) -> Option<String> {
 /// The rows of a file in braces.
 fn rows(name: &str, folder: &Path, span: Span) -> std::result::Result<TokenTree, String> {
     if Path::new(name).is_absolute() {
-        return Err("a file of rows is named from the crate's folder on: `from \"data/lift.csv\"`".into());
+        return Err("the path of a table's file starts at the crate's folder: `from \"data/lift.csv\"`".into());
     }
     let path = folder.join(name);
     let text = std::fs::read_to_string(&path).map_err(|e| format!("cannot read {}: {e}", path.display()))?;
@@ -76,7 +76,7 @@ fn rows(name: &str, folder: &Path, span: Span) -> std::result::Result<TokenTree,
             }
             cells => {
                 return Err(format!(
-                    "{name}, line {}: a row is two numbers, an argument and a value; here are {}",
+                    "{name}, line {}: a row has two numbers, an argument and a value; this one has {}",
                     at + 1,
                     cells.len()
                 ));

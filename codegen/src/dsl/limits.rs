@@ -1,11 +1,11 @@
-//! Bounds on what is parsed, so that no text can exhaust the stack or the patience of who waits for it.
+//! Bounds on what is parsed, so that no text can exhaust the stack or take unreasonably long.
 
 use super::Region;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use syn::{Error, Result};
 
-/// Words of one line of the language that follow each other in the same brackets, with those of the brackets around and inside: as
-/// deep can an expression be.
+/// Words of one line in the same brackets, with those of the brackets around and inside: a bound of an expression's
+/// depth.
 const LONGEST_LINE: usize = 1500;
 /// Brackets inside brackets.
 const DEEPEST: usize = 64;
@@ -14,8 +14,7 @@ const DEEPEST_IN_FILE: usize = 200;
 /// Characters of a number. One of `f64` has at most 767 digits that count.
 const LONGEST_NUMBER: usize = 1000;
 
-/// Refuses brackets nested too deeply, and lines too long, for an expression to be taken apart recursively; and numbers that no
-/// computer would work with.
+/// Refuses brackets nested too deeply, and lines too long, for recursion over an expression; and absurdly long numbers.
 pub(super) fn check(tokens: TokenStream) -> Result<()> {
     check_line(tokens, DEEPEST).map(|_| ())
 }
@@ -25,7 +24,7 @@ pub(super) fn check_file(tokens: TokenStream) -> Result<()> {
     check_nesting(tokens, DEEPEST_IN_FILE)
 }
 
-/// The most words that an expression of these tokens can be deep.
+/// The largest depth of an expression made of these tokens, in words.
 fn check_line(tokens: TokenStream, levels: usize) -> Result<usize> {
     let (mut deepest, mut words, mut inside) = (0, 0, 0);
     for token in tokens {

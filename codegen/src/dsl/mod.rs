@@ -23,7 +23,7 @@ pub use tree::*;
 
 use proc_macro2::TokenStream;
 
-/// Reads a whole declaration, its joints as they are written.
+/// Reads a whole declaration, with its joints as written.
 ///
 /// # Errors
 /// All mistakes of form, each at the user's own word, combined into one error.

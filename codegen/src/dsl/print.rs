@@ -1,9 +1,9 @@
-//! Expressions as text, for messages: with the spaces of the documents and no more parentheses than needed.
+//! Expressions as text, for messages: spaced as in the documents, with the fewest parentheses.
 
 use super::{Comparison, Expression, Kind, Operator};
 use std::fmt::{Display, Formatter, Result};
 
-/// How tightly an expression holds together, as the parser reads it.
+/// The precedence of an expression in the parser.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Binding {
     Choice,
@@ -68,7 +68,7 @@ fn binding(expression: &Expression) -> Binding {
 }
 
 impl Expression {
-    /// Its text, the middle left out where it is long.
+    /// Its text, with the middle left out if it is long.
     pub fn excerpt(&self) -> String {
         let text: Vec<char> = self.to_string().chars().collect();
         match text.len() {

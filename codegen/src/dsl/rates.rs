@@ -1,10 +1,11 @@
-//! Which equations speak of speeds.
+//! Which equations contain speeds.
 
 use super::{Declaration, Equation, Expression, Kind};
 use syn::Ident;
 
 impl Declaration {
-    /// Whether `dot(..)` or an angular velocity stands in an equation, or in what a `let` names in it: then it holds between speeds.
+    /// Whether an equation contains `dot(..)` or an angular velocity, directly or through a `let`: then it holds
+    /// between speeds.
     pub fn has_rates(&self, equation: &Equation) -> bool {
         let mut rated: Vec<&Ident> = Vec::new();
         for definition in &self.lets {

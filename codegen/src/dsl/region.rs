@@ -1,4 +1,4 @@
-//! Where in the user's text something stands.
+//! Regions of the user's text.
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::quote_spanned;
@@ -16,12 +16,12 @@ impl Region {
         Region { first: self.first, last: end.last }
     }
 
-    /// Where the region starts.
+    /// The start of the region.
     pub fn start(self) -> Span {
         self.first
     }
 
-    /// Where its last word stands.
+    /// The end of the region.
     pub fn end(self) -> Span {
         self.last
     }

@@ -2,8 +2,8 @@
 
 use proc_macro2::{Delimiter, LineColumn, TokenStream, TokenTree};
 
-/// The tokens as text, on the lines and columns where they stood; comments other than documentation are
-/// gone. Where the tokens have no place in a file, one space stands between any two.
+/// The tokens as text, on the lines and columns where they stood; comments other than documentation are gone. Tokens
+/// without a place in a file are separated by one space.
 pub fn source_text(tokens: TokenStream) -> String {
     let margin = leaves(tokens.clone()).iter().map(|leaf| leaf.start.column).min().unwrap_or(0);
     let mut writer = Writer { text: String::new(), at: None, margin };
@@ -80,7 +80,7 @@ struct Writer {
 impl Writer {
     fn put(&mut self, leaf: &Leaf) {
         if let Some((at, closed)) = self.at {
-            // More than one empty line says no more than one.
+            // Several empty lines become one.
             let lines = leaf.start.line.saturating_sub(at.line).min(2).max(closed.into());
             let spaces = match lines {
                 0 if at.line > 0 && leaf.start.line == at.line => leaf.start.column.checked_sub(at.column).unwrap_or(1),

@@ -6,9 +6,9 @@ use syn::Ident;
 /// A scalar, vector or rotation.
 #[derive(Clone)]
 pub struct Expression {
-    /// Where it stands.
+    /// Its place in the text.
     pub region: Region,
-    /// What it is.
+    /// Its kind.
     pub kind: Kind,
 }
 
@@ -31,7 +31,7 @@ impl Expression {
     }
 }
 
-/// What an expression is.
+/// The kind of an expression.
 #[derive(Clone)]
 pub enum Kind {
     /// `0.2` or `75 [rpm]`
@@ -62,11 +62,11 @@ pub enum Kind {
 /// `if left > right then yes else no`
 #[derive(Clone)]
 pub struct Choice {
-    /// What is compared.
+    /// The left side.
     pub left: Expression,
     /// How.
     pub comparison: Comparison,
-    /// What it is compared with.
+    /// The right side.
     pub right: Expression,
     /// The value where it is so.
     pub yes: Expression,
@@ -98,7 +98,7 @@ pub enum Operator {
 /// `[kg*m^2]`
 #[derive(Clone)]
 pub struct Unit {
-    /// Where it stands.
+    /// Its place in the text.
     pub region: Region,
     /// Names with their exponents, in order.
     pub factors: Vec<(Ident, i32)>,

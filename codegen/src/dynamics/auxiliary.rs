@@ -1,8 +1,9 @@
 //! Forces conjugate to auxiliary displacements, by virtual work.
 //!
-//! A displacement s that is held at zero takes the force R with R delta s = sum of (M x'' - F).delta x + lambda.delta C, that
-//! is R = sum of (dx/ds)' (M x'' - F) + (dC/ds)' lambda at s = 0: what a joint, cut by s, does to what s moves. (Kane and
-//! Levinson, Dynamics: Theory and Applications, 1985, section 4.9, who give it as an auxiliary generalised speed.)
+//! A displacement s that is held at zero takes the force R with R delta s = sum of (M x'' - F).delta x + lambda.delta
+//! C, that is R = sum of (dx/ds)' (M x'' - F) + (dC/ds)' lambda at s = 0: the force of a joint, cut by s, on the parts
+//! that s moves. (Kane and Levinson, Dynamics: Theory and Applications, 1985, section 4.9, who give it as an auxiliary
+//! generalised speed.)
 
 use super::rows::{Along, LoadRow, load_rows};
 use super::variables::inner;
@@ -77,7 +78,7 @@ fn virtual_work(displaced: &mut Model, rows: &[LoadRow], auxiliary: &Auxiliary) 
     displaced.graph.sum(&terms)
 }
 
-/// What each symbol of one model is in the other, of the same declaration.
+/// The corresponding symbols of two models of the same declaration.
 fn same_symbols(from: &Model, to: &mut Model) -> FxHashMap<Symbol, Expr> {
     let mut pairs = vec![(from.time, to.time)];
     for (a, b) in from.coordinates.iter().zip(&to.coordinates) {

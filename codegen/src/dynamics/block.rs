@@ -1,12 +1,12 @@
-//! What is left of the kinematic equations of generalised speeds where no coefficient is a number: B h + c = 0, in the
-//! form B'B h = -B'c, in the parts that it falls into.
+//! The rest of the kinematic equations of generalised speeds, in which no coefficient is a number: B h + c = 0 in the
+//! form B'B h = -B'c, decoupled into blocks.
 
 use super::linear::{Equation, expanded};
 use super::variables::inner;
 use crate::model::Model;
 use crate::symbolic::{Differential, Expr, Graph, Number, Symbol};
 
-/// Linear equations for some of the rates, s of them: h. They are solved at run time.
+/// Linear equations for s of the rates, h, which are solved at run time.
 pub struct Block {
     /// Which coordinates they are the rates of.
     pub coordinates: Vec<usize>,
@@ -14,15 +14,15 @@ pub struct Block {
     pub matrix: Vec<Vec<Expr>>,
     /// h.
     pub rates: Solution,
-    /// Those u that h depends on, each with the derivative of h by it.
+    /// The u that h depends on, each with the derivative of h by it.
     pub by_speed: Vec<(usize, Solution)>,
     /// h' where u' = 0. Rates stand in its right-hand side, those of other blocks too.
     pub convective: Solution,
 }
 
-/// What B'B times it is the right-hand side, s.
+/// A vector x, s, with B'B x = the right-hand side.
 pub struct Solution {
-    /// Symbols for it.
+    /// Symbols for x.
     pub symbols: Vec<Symbol>,
     /// The right-hand side.
     pub right_hand_side: Vec<Expr>,
@@ -70,14 +70,14 @@ impl Part {
         places.into_iter().map(part).collect()
     }
 
-    /// A rate that a number stands with alone.
+    /// A rate with only a number as its coefficient.
     pub(super) fn known(&self, graph: &mut Graph) -> Option<(usize, Expr)> {
         let [coordinate] = self.coordinates.as_slice() else { return None };
         let inverse = graph.as_number(self.matrix[0][0]).and_then(Number::recip)?;
         Some((*coordinate, graph.scale(&inverse, self.of_rates[0])))
     }
 
-    /// The part solved for `h`. Where u' = 0 the left-hand sides of all equations change at `changing`, but for h'.
+    /// The part solved for `h`. Where u' = 0, `changing` is the rate of the left-hand sides without h'.
     pub(super) fn block(self, model: &mut Model, h: Vec<Symbol>, rests: &[Expr], changing: &[Expr]) -> Block {
         let mut by_speed = Vec::new();
         for k in 0..model.speeds.len() {

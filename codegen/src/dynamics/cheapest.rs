@@ -10,16 +10,16 @@ use super::parts::Candidates;
 use super::rows::LoadRow;
 use crate::model::Model;
 
-/// With fewer coordinates the equations are short whatever is done.
+/// With fewer coordinates the equations are short in any form.
 const FEWEST_COORDINATES: usize = 5;
 
-/// Of how many coordinates an intermediate must be made to be tried.
+/// The least number of coordinates in a candidate for an intermediate.
 const DEPTHS: [usize; 4] = [2, 3, 4, 6];
 
 /// The cheapest way to write rows and constraints.
 pub(super) fn cheapest(model: &mut Model, rows: Vec<LoadRow>) -> Formulation {
     let plain = Formulation::without(model, rows);
-    // Along chains of bodies in space velocities are carried from frame to frame, which is as short.
+    // In chains of spatial bodies velocities are carried from frame to frame, which is as short.
     if model.coordinates.len() < FEWEST_COORDINATES || model.dimension == 3 {
         return plain;
     }

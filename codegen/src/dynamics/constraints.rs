@@ -7,6 +7,10 @@
 //!
 //! The rows of a constraint that events switch are scaled by its activity, or chosen by it where they may have no value, so that a
 //! released one is 0 = 0 everywhere.
+//!
+//! A constraint that events switch is one kernel, not two. Its multiplier has the diagonal entry activity - 1, so that
+//! it is 0 while the constraint is released, and every other number is as without the constraint. Activities change
+//! only at events, so `prepare` may use them.
 
 use super::variables::{Derivatives, Variables};
 use crate::model::{Level, Model};
@@ -65,7 +69,7 @@ impl Constraints {
     }
 }
 
-/// What stands in a row while it is active, and 0 while it is released: a multiple, unless it may have no value.
+/// The value of a row while it is active, and 0 while it is released: by a factor, unless the row may have no value.
 pub(super) fn switched(graph: &mut Graph, activity: Expr, expr: Expr) -> Expr {
     let zero = graph.zero();
     match graph.has_value_everywhere(expr) {

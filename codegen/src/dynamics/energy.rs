@@ -55,7 +55,7 @@ impl Energy {
     }
 }
 
-/// T_t (M x'' - F): what a drive does that moves the row in time.
+/// T_t (M x'' - F): the power of a drive that moves the row in time.
 fn drive_power(model: &mut Model, variables: &Variables, drifts: &[Expr], rows: &[Row], row: &Row) -> Expr {
     let driven = total_time_derivative(model, &row.motion, drifts);
     if model.graph.is_zero(driven) {

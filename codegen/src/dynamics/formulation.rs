@@ -1,4 +1,4 @@
-//! The rows and the constraints in terms of coordinates and intermediates, and what it costs to solve them so.
+//! The rows and the constraints in terms of coordinates and intermediates, and the cost of solving them in this form.
 
 use super::intermediates::{Intermediate, total_time_derivative};
 use super::order::{Entry, Kind, Multipliers, Pattern, cost, order};
@@ -59,7 +59,7 @@ impl Formulation {
         intermediates
     }
 
-    /// About how many multiplications it takes to form and to solve the equations.
+    /// The approximate number of multiplications to form and solve the equations.
     pub(super) fn cost(&self, model: &Model) -> usize {
         let variables = self.variables(model).positions;
         let (n, p) = (model.coordinates.len(), self.symbols.len());
@@ -68,7 +68,7 @@ impl Formulation {
             (0..variables.len()).filter(|i| symbols.binary_search(&variables[*i]).is_ok()).collect()
         };
         let rows: Vec<Vec<usize>> = self.rows.iter().map(|row| occurring(row.quantity())).collect();
-        // What a row between speeds constrains are the variables whose speeds stand in it.
+        // A row between speeds constrains the variables whose speeds occur in it.
         let speeds = self.variables(model).speeds;
         let constrained = |(value, constraint): (&Expr, &Constraint)| match constraint.level {
             Level::Positions => occurring(*value),

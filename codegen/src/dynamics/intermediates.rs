@@ -1,4 +1,8 @@
 //! Intermediate quantities: variables that stand for parts of long sums.
+//!
+//! Coordinates are eliminated from the tip inwards and intermediates substituted: the articulated-body method. Joint
+//! forces as further unknowns would do the same, but would need multipliers for the cut joints; by substitution all
+//! pivots stay positive. Equations for readers are always in coordinates alone.
 
 use super::variables::{Differentiated, inner};
 use crate::model::Model;

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 
 /// The forces that a motion takes.
 pub struct Inverse {
-    /// q'' of that motion, n: variables beside those that the equations of motion are solved for.
+    /// q'' of that motion, n: variables distinct from those that the equations of motion are solved for.
     pub accelerations: Vec<Symbol>,
     /// M q'' + h - Q, n.
     pub forces: Vec<Expr>,
@@ -76,7 +76,7 @@ fn backwards(graph: &mut Graph, pairs: &[(Expr, Expr)], speeds: &[Symbol]) -> Op
     }
     let zero = graph.zero();
     let mut found = vec![zero; speeds.len()];
-    // What is made of others stands behind them.
+    // Expressions stand after their operands.
     while let Some((expr, forces)) = passed.pop_last() {
         if !depends[&expr] {
             continue;

@@ -2,11 +2,14 @@
 //!
 //! The definitions u = W q' + w and the rows that hold whatever u is (norms of quaternions, constraints between speeds)
 //! are as many linear equations A q' + b = 0 as there are rates. Where a rate stands with a number as its coefficient
-//! it is eliminated in symbols, by pivots that never vanish. What is left, B h + c = 0, is brought into the form B'B h
-//! = -B'c. There a number on the diagonal that stands alone gives a rate at once; the rest is solved by elimination at
+//! it is eliminated in symbols, by pivots that never vanish. The rest, B h + c = 0, is brought into the form B'B h =
+//! -B'c. There a number on the diagonal that stands alone gives a rate at once; the rest is solved by elimination at
 //! run time, of which every pivot is positive as long as B is regular: where it is not, as at the singular positions of
 //! Euler's angles, no speeds determine the rates. B'B of Euler's angles, of quaternions and of directions in a plane is
 //! diagonal.
+//!
+//! The form B'B is used because pivots chosen for B itself when the mechanism is built would vanish at some positions
+//! where B is regular. Where B'B is not diagonal, its condition is the square of B's.
 
 use super::block::{Block, Part};
 use super::linear::{Equation, Solved, eliminate, expanded};
@@ -15,14 +18,14 @@ use crate::symbolic::{Differential, Expr, Graph, Node, Number, Symbol, substitut
 
 /// q' = N u + n.
 pub struct Kinematics {
-    /// q', n, of u, q, t and what the blocks are solved for.
+    /// q', n, as expressions of u, q, t and the unknowns of the blocks.
     pub rates: Vec<Expr>,
-    /// What is solved for at run time.
+    /// The equations solved at run time.
     pub blocks: Vec<Block>,
 }
 
-/// Rates that are 0 whatever the generalised speeds are: of constraints between speeds, and of q.q/2 for each norm,
-/// whose coefficients are orthogonal to those of angular velocities.
+/// Rates that are 0 for all generalised speeds: those of constraints between speeds, and of q.q/2 for each norm, whose
+/// coefficients are orthogonal to those of angular velocities.
 pub(super) fn satisfied(model: &mut Model, motion: &mut Differential) -> Vec<Expr> {
     let rows = model.satisfied_rows();
     let rate = |row: usize| {
@@ -72,7 +75,7 @@ impl Kinematics {
             let opposite = expanded(&mut model.graph, left_hand_side);
             rates[*unknown] = model.graph.neg(opposite);
         }
-        // What other parts change at is orthogonal to the columns of this.
+        // The rates of change of the other parts are orthogonal to the columns of this one.
         let mut onwards = motion(model, &rates, vec![]);
         let left_hand_sides = equations.iter().map(|equation| equation.left_hand_side(model, &rates));
         let left_hand_sides: Vec<Expr> = left_hand_sides.collect();
@@ -114,7 +117,7 @@ fn equations(model: &mut Model, satisfied: &[Expr]) -> Vec<Equation> {
     let equation = |expr: Expr| {
         let coefficients = by_rate.iter_mut().map(|by| {
             let coefficient = by.of(graph, expr);
-            // Squares of speeds may cancel only when they are multiplied out.
+            // Some squares of speeds cancel only when multiplied out.
             substitute(graph, &[coefficient], &at_rest)[0]
         });
         let coefficients = coefficients.collect();

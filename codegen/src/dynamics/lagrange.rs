@@ -1,12 +1,13 @@
 //! Lagrange's equations, as a check of the TMT method.
 //!
-//! The left-hand sides come from the kinetic energy by the Euler-Lagrange operator, the forces from the power of the loads,
-//! and the constraints from their second rate along the motion, whose coefficients of q'' are C_q. Neither T_q' M T_q nor
-//! convective accelerations nor derivatives with respect to coordinates of what the TMT method differentiates so are used, and
-//! in space neither frames nor angular velocities: energy and power of what turns are those of its matrix.
+//! The left-hand sides come from the kinetic energy by the Euler-Lagrange operator, the forces from the power of the
+//! loads, and the constraints from their second rate along the motion, whose coefficients of q'' are C_q. It uses
+//! neither T_q' M T_q, nor convective accelerations, nor the derivatives with respect to coordinates that the TMT
+//! method takes; and in space neither frames nor angular velocities: rotational energy and power follow from the
+//! rotation matrix.
 //!
-//! Shared with what it checks are the resolved model (names, units, joints, `let`s, and in constraints between speeds the
-//! velocities that the declaration writes) and the engine's derivatives and rewriting.
+//! It shares with the TMT method the resolved model (names, units, joints, `let`s, and in constraints between speeds
+//! the velocities that the declaration writes) and the engine's derivatives and rewriting.
 
 use crate::model::{Attitude, Body, Level, Model, Pushed};
 use crate::symbolic::{Differential, Expr, Graph, Number, substitute};
@@ -20,7 +21,7 @@ pub struct Lagrange {
     pub right_hand_side: Vec<Expr>,
     /// C_q, m x n, as if every constraint were active; w_q' for a row w = 0 between speeds.
     pub constraint_jacobian: Vec<Vec<Expr>>,
-    /// What C'' is without accelerations, m; w' for a row between speeds.
+    /// C'' without accelerations, m; w' for a row between speeds.
     pub constraint_convective: Vec<Expr>,
 }
 
@@ -60,7 +61,7 @@ pub fn lagrange(model: &mut Model) -> Lagrange {
     result
 }
 
-/// The coefficients of q'' of what is linear in it, which are its derivatives, and the rest, its value at 0.
+/// The coefficients of q'' in expressions linear in it (their derivatives), and the rest (their value at 0).
 fn linear_in_accelerations(model: &mut Model, expr: Expr) -> (Vec<Expr>, Expr) {
     let graph = &mut model.graph;
     let accelerations: Vec<_> = model.coordinates.iter().map(|c| c.acceleration).collect();
@@ -94,7 +95,7 @@ fn kinetic_energy(model: &mut Model, rate: &mut Differential) -> Expr {
     model.graph.linear_combination(&terms)
 }
 
-/// tr(R' S R'^T), twice the energy of turning, with S = tr(J)/2 - J of the distribution of mass; no angular velocity is
+/// tr(R' S R'^T), twice the rotational energy, with S = tr(J)/2 - J of the distribution of mass; no angular velocity is
 /// used.
 fn turning_energy(graph: &mut Graph, attitude: &Attitude, rate: &mut Differential) -> Expr {
     let inertia = &attitude.inertia;
@@ -114,7 +115,7 @@ fn turning_energy(graph: &mut Graph, attitude: &Attitude, rate: &mut Differentia
     graph.sum(&terms)
 }
 
-/// Q_j: how fast the work of the loads grows with q'_j. The loads themselves do not count as changing.
+/// Q_j: the derivative of the power of the loads with respect to q'_j, at fixed loads.
 fn generalized_forces(model: &mut Model, rate: &mut Differential) -> Vec<Expr> {
     let mut works: Vec<(Expr, Expr)> = Vec::new();
     works.extend(model.forces.iter().flat_map(|force| force.force.iter().copied().zip(force.at.iter().copied())));
@@ -145,8 +146,8 @@ fn generalized_forces(model: &mut Model, rate: &mut Differential) -> Vec<Expr> {
         .collect()
 }
 
-/// Forces with what they work along. A torque M works on what R turns by half of M x r on each column r of R, as it turns by
-/// half the sum of r x dr.
+/// Forces with what they work along. A torque M acts on a body with rotation R as half of M x r on each column r of R,
+/// since the body turns by half the sum of r x dr.
 fn pushed(graph: &mut Graph, bodies: &[Body], push: &Pushed) -> Vec<(Expr, Expr)> {
     match push {
         Pushed::Force { force, at } => force.iter().copied().zip(at.iter().copied()).collect(),

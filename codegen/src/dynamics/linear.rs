@@ -22,7 +22,7 @@ pub(super) struct Solved {
 }
 
 /// Solves as many equations as have a number for a coefficient, each for a rate that stands in few others; gives them
-/// in order, and what is left.
+/// in order, and the remaining equations.
 pub(super) fn eliminate(graph: &mut Graph, mut equations: Vec<Equation>) -> (Vec<Solved>, Vec<Equation>) {
     let mut solved = Vec::new();
     while let Some((row, unknown)) = pivot(graph, &equations) {
@@ -73,7 +73,7 @@ impl Equation {
         }
     }
 
-    /// Takes away that multiple of an equation, whose coefficient there is 1, which makes a coefficient 0.
+    /// Subtracts the multiple of an equation, whose coefficient there is 1, that makes a coefficient 0.
     fn take(&mut self, graph: &mut Graph, unknown: usize, equation: &Equation) {
         let factor = self.coefficients[unknown];
         if graph.is_zero(factor) {
@@ -88,7 +88,7 @@ impl Equation {
     }
 }
 
-/// Multiplied out where terms cancel then.
+/// Multiplied out if terms then cancel.
 pub(super) fn expanded(graph: &mut Graph, expr: Expr) -> Expr {
     graph.expand(expr, LONGEST_EXPANSION).unwrap_or(expr)
 }

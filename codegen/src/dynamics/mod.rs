@@ -60,11 +60,11 @@ use variables::Derivatives;
 ///
 /// The variables are the coordinates, and in large mechanisms intermediate quantities after them.
 pub struct EquationsOfMotion {
-    /// What they were derived from.
+    /// The model that they were derived from.
     pub model: Model,
-    /// What they are written in.
+    /// The variables that they are written in.
     pub variables: Variables,
-    /// What stands for parts of long sums, each defined by coordinates and those before it.
+    /// The intermediate quantities, each defined by coordinates and those before it.
     pub intermediates: Vec<Intermediate>,
     /// Mass matrix, convective and generalised forces.
     pub tmt: Tmt,
@@ -78,13 +78,13 @@ pub struct EquationsOfMotion {
     pub energy: Energy,
     /// Outputs and their rates.
     pub outputs: Outputs,
-    /// The forces that a motion takes, if they are wanted and there are no intermediates.
+    /// Inverse dynamics, if requested and without intermediates.
     pub inverse: Option<Inverse>,
     /// The equations in generalised speeds, if there are any, in the coordinates alone.
     pub speeds: Option<SpeedEquations>,
 }
 
-/// Derives the equations of motion in the coordinates alone: what a reader wants to see.
+/// Derives the equations of motion in the coordinates alone, for readers.
 pub fn derive(mut model: Model) -> EquationsOfMotion {
     let rows = rows::load_rows(&mut model);
     let speeds = speeds::derive(&mut model, &rows);
@@ -134,7 +134,7 @@ fn derive_in(mut model: Model, formulation: Formulation, speeds: Option<SpeedEqu
         inverse,
         speeds,
     };
-    // Last, so that nothing above notices.
+    // Last, so that nothing above is affected.
     auxiliary::enter(&mut equations.model, &mut equations.outputs.values);
     equations
 }

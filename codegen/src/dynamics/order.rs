@@ -1,17 +1,29 @@
-//! In which order the equations of motion are solved, by structure alone.
+//! The order in which the equations of motion are solved, chosen by structure alone.
+//!
+//! Coordinates with the fewest neighbours come first, a multiplier when all of its coordinates are gone, and among
+//! equals the one that waits for the fewest others. A row of linkages is thus eliminated from both ends at once, which
+//! halves the chain of dependent operations. A multiplier eliminated earlier could meet a pivot that vanishes at some
+//! position; late multipliers also keep rounding small where masses are small. Where loops are turned (`turns`), a
+//! multiplier whose pivot depends on parameters alone may come early.
+//!
+//! A pivot is refused at run time if cancellation has taken half of its digits. The runtime then solves that state by
+//! complete pivoting. Where no order exists, as for a coordinate without inertia, every state is solved that way.
+//!
+//! Each step comes just before the step that needs it: two independent chains of operations then lie within the
+//! processor's reach, and run in parallel.
 
 use std::collections::BTreeSet;
 
-/// Where a symmetric system has entries.
+/// The sparsity pattern of a symmetric system.
 pub struct Pattern {
     kinds: Vec<Kind>,
-    /// For each unknown those that it has an entry with, itself included.
+    /// For each unknown, those that share an entry with it, itself included.
     linked: Vec<BTreeSet<usize>>,
-    /// Those entries that depend on more than parameters, the smaller index first.
+    /// The entries that depend on more than parameters, the smaller index first.
     moving: BTreeSet<(usize, usize)>,
-    /// In how many definitions of what is left each unknown occurs.
+    /// The number of remaining definitions in which each unknown occurs.
     occurrences: Vec<usize>,
-    /// How many steps, each needing the one before, must be done before each unknown can be.
+    /// The length of the longest chain of steps before each unknown.
     levels: Vec<usize>,
 }
 
@@ -36,7 +48,7 @@ impl Kind {
     }
 }
 
-/// The next unknown to be solved for, with those that it has entries with at that time.
+/// The next unknown to be solved for, with those that share entries with it at that time.
 pub struct Action {
     /// The unknown.
     pub unknown: usize,
@@ -61,8 +73,8 @@ pub enum Multipliers {
     /// When what they constrain is gone, or as soon as they have a pivot that depends on parameters alone; before
     /// coordinates with as many neighbours.
     ///
-    /// A multiplier's pivot is the sum of what its coordinates have left there, all of one sign: one that is there and
-    /// depends on parameters alone is zero at no position.
+    /// A multiplier's pivot is the sum of what its coordinates have left there, all of one sign: if it exists and
+    /// depends on parameters alone, it is zero at no position.
     Soon,
 }
 
@@ -89,11 +101,11 @@ impl Pattern {
     }
 }
 
-/// Coordinates with the fewest neighbours first, as soon as no definition is left that they occur in; intermediate
+/// Coordinates with the fewest neighbours first, as soon as they occur in no remaining definition; intermediate
 /// quantities, the last defined first, when nothing else can be done. `None` if an unknown is left without a pivot.
 pub fn order(mut pattern: Pattern, multipliers: Multipliers) -> Option<Vec<Action>> {
     let mut left: BTreeSet<usize> = (0..pattern.kinds.len()).collect();
-    // What each multiplier constrains; what elimination links it with does not count.
+    // What each multiplier constrains, without the links added by elimination.
     let mut constrained = pattern.linked.clone();
     constrained.iter_mut().enumerate().for_each(|(k, links)| {
         links.remove(&k);
@@ -136,7 +148,7 @@ pub fn substitutions(mut pattern: Pattern) -> Vec<Action> {
     intermediates.into_iter().map(|unknown| Action { unknown, neighbours: pattern.remove(unknown) }).collect()
 }
 
-/// About how many multiplications a solution in the given order takes.
+/// The approximate number of multiplications of a solution in the given order.
 pub fn cost(pattern_kinds: &[Kind], actions: &[Action]) -> usize {
     let each = actions.iter().map(|Action { unknown, neighbours }| match &pattern_kinds[*unknown] {
         Kind::Intermediate(definition) => definition.len() * (neighbours.len() + definition.len() + 2),
@@ -242,7 +254,7 @@ mod tests {
         Entry { place, is_moving: false }
     }
 
-    /// How many steps, each needing the one before, there are.
+    /// The length of the longest chain of steps.
     fn longest_wait(actions: &[Action], unknowns: usize) -> usize {
         let mut waits = vec![1; unknowns];
         for Action { unknown, neighbours } in actions {

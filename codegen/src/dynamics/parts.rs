@@ -1,4 +1,4 @@
-//! Parts of sums that sums have in common, found by their terms, and expressions written with them.
+//! Common parts of sums, found by their terms, and expressions written with them.
 
 use super::formulation::Formulation;
 use super::rows::{Along, LoadRow};
@@ -17,7 +17,7 @@ pub(super) struct Candidates {
 struct Candidate {
     sum: Expr,
     symbols: [Symbol; 4],
-    /// Of how many coordinates it is made.
+    /// The number of coordinates in it.
     depth: usize,
 }
 
@@ -72,7 +72,7 @@ impl Candidates {
     }
 }
 
-/// What functions are applied to in expressions.
+/// The arguments of functions in expressions.
 fn arguments(graph: &Graph, exprs: &[Expr]) -> Vec<Expr> {
     let all = graph.reachable(exprs).into_iter();
     let arguments = all.filter_map(|expr| match graph.node(expr) {
@@ -87,7 +87,7 @@ fn name(model: &Model, sum: Expr, number: usize) -> String {
     named.map_or_else(|| format!("part_{number}"), |(name, _)| name.clone())
 }
 
-/// The definitions in an order in which each needs only those before it; none if they go round in a circle.
+/// The definitions in an order in which each needs only those before it; none if they are circular.
 fn definition_order(graph: &Graph, definitions: &[Expr], symbols: &[[Symbol; 4]]) -> Option<Vec<usize>> {
     let place: FxHashMap<Symbol, usize> =
         symbols.iter().enumerate().map(|(i, [position, ..])| (*position, i)).collect();
@@ -106,7 +106,7 @@ fn definition_order(graph: &Graph, definitions: &[Expr], symbols: &[[Symbol; 4]]
     Some(order)
 }
 
-/// Writes expressions with intermediates in place of what they stand for.
+/// Writes expressions in terms of intermediates.
 struct Writer {
     /// From short to long.
     parts: Vec<Expr>,
@@ -180,7 +180,7 @@ fn longest_part(graph: &Graph, sum: Expr, parts: &[Expr]) -> Option<Expr> {
     rests.filter(|(rest, _)| rest + 1 < length_of_sum).min_by_key(|(rest, part)| (*rest, *part)).map(|(_, part)| part)
 }
 
-/// How many terms a sum has; 0 for what is no sum.
+/// The number of terms of a sum; 0 for anything else.
 fn length(graph: &Graph, expr: Expr) -> usize {
     match graph.node(expr) {
         Node::Sum { constant, terms } => terms.len() + usize::from(!constant.is_zero()),
@@ -188,7 +188,7 @@ fn length(graph: &Graph, expr: Expr) -> usize {
     }
 }
 
-/// How many terms `sum - part` has.
+/// The number of terms of `sum - part`.
 fn rest_length(graph: &Graph, sum: Expr, part: Expr) -> usize {
     let (Node::Sum { constant: c, terms: a }, Node::Sum { constant: d, terms: b }) =
         (graph.node(sum), graph.node(part))

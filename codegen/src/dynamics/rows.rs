@@ -1,4 +1,14 @@
 //! The rows of x = T(q, t) with their inertias and loads, before differentiation.
+//!
+//! Points that loads act at have rows too, with zero inertia. So forces, torques and weights all act along rows, and
+//! the reduced equations need no other case; a row that exists is reused. A load along a scalar is a row of T as well:
+//! a spring acts along its length, a potential V is a force of -1 along V, and a dissipation function gives a force
+//! along each coordinate. Work and power need no special case for them.
+//!
+//! The angular velocity of a spatial body is linear in the speeds but is no derivative of a position. Such a row is a
+//! velocity with its acceleration, in components of the body's frame, where the inertia is constant. The terms w x J w
+//! and the products of inertia are all that this adds to the equations. The mass of a body moves in its frame too, or
+//! in the world's where the centre of mass is declared there.
 
 use crate::model::{Attitude, Model, Rates};
 use crate::symbolic::Expr;
@@ -10,30 +20,30 @@ pub(super) struct LoadRow {
     pub(super) inertia: Expr,
     /// Inertias that it shares with other rows, by index: products of inertia.
     pub(super) coupling: Vec<(usize, Expr)>,
-    /// The force that its inertia takes without acceleration: of w x J w its component.
+    /// The force of its inertia without acceleration: its component of w x J w.
     pub(super) gyroscopic: Expr,
     /// Weight, apart from other forces.
     pub(super) weight: Option<Weight>,
     pub(super) forces: Vec<Expr>,
 }
 
-/// What a row is about.
+/// The kind of a row.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Along {
     /// A quantity x(q, t).
     Position(Expr),
-    /// A speed A q' + b that need be no rate of anything, with its acceleration.
+    /// A speed A q' + b that need not be a rate, with its acceleration.
     Rate {
         velocity: Expr,
         acceleration: Expr,
-        /// Angular velocities of the frame with velocities in it: the acceleration is the rate of the velocity plus the product
-        /// of the first pair less that of the second, of w x v the component.
+        /// Angular velocities of the frame with velocities in it: the acceleration is the rate of the velocity plus the
+        /// component of w x v, the product of the first pair less that of the second.
         transport: [(Expr, Expr); 2],
     },
 }
 
 impl Along {
-    /// A component of what moves in a frame.
+    /// A component of a moving quantity in a frame.
     fn component(rates: &Rates, i: usize) -> Along {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         let Rates { velocity, acceleration, turning } = rates;
@@ -56,7 +66,7 @@ impl LoadRow {
         LoadRow { along, inertia, coupling: vec![], gyroscopic: zero, weight: None, forces: vec![] }
     }
 
-    /// What the row is made of.
+    /// The expressions of the row.
     pub(super) fn quantity(&self) -> Expr {
         match self.along {
             Along::Position(x) | Along::Rate { velocity: x, .. } => x,

@@ -1,7 +1,10 @@
-//! How the equations of motion change with the state and with the parameters.
+//! The derivatives of the equations of motion with respect to state and parameters.
 //!
 //! With the equations as K z = r, z = (q'', lambda), any derivative of the solution solves K dz = dr - dK z: here are
 //! the right-hand sides, the derivatives of r - K z at fixed z (the implicit function theorem).
+//!
+//! The factors are those of `dynamics`. Where no kernel is generated, and always with intermediate quantities, the
+//! trait gives the same numbers by running `dynamics` on dual numbers.
 
 use super::column::Column;
 use super::tmt::Tmt;
@@ -10,8 +13,8 @@ use super::variables::{Derivatives, inner};
 use crate::model::Model;
 use crate::symbolic::{Differential, Expr, Symbol};
 
-/// Above, the kernel of the derivatives with respect to the state is made only if it is asked for: it grows with the
-/// square of the number of coordinates.
+/// With more coordinates, the kernel of the derivatives with respect to the state is generated only on request: it
+/// grows with the square of the number of coordinates.
 const MOST_COORDINATES: usize = 12;
 
 /// Enters the derivatives that the model asks for.

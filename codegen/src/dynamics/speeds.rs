@@ -3,8 +3,8 @@
 //! With u in place of q' the equations are those of the TMT method with partial velocities, the derivatives of the
 //! velocities of T's rows by u, for T_q: Kane's equations (Kane and Levinson, Dynamics: Theory and Applications, 1985,
 //! chapters 2, 4 and 6; Wittenburg, Dynamics of Multibody Systems, 2nd ed., chapter 5). A velocity that is a
-//! generalised speed becomes that variable wherever it is seen, so that a body whose speeds are the components of its
-//! angular velocity has Euler's equations. Only what is left of q' is N u + n. Norms of quaternions and constraints
+//! generalised speed becomes that variable wherever it occurs, so that a body whose speeds are the components of its
+//! angular velocity has Euler's equations. The remaining q' become N u + n. Norms of quaternions and constraints
 //! between speeds hold by construction.
 
 use super::constraints::switched;
@@ -46,13 +46,13 @@ pub(super) fn derive(model: &mut Model, rows: &[LoadRow]) -> Option<SpeedEquatio
     Some(SpeedEquations { kinematics, tmt, rows, jacobian, convective })
 }
 
-/// What turns expressions of q, q' and t into those of q, u and t.
+/// Translates expressions of q, q' and t into expressions of q, u and t.
 struct InSpeeds {
     /// The total time derivative of what is written in q.
     motion: Differential,
-    /// Generalised speeds, wherever they are seen.
+    /// Generalised speeds, wherever they occur.
     known: Recognition,
-    /// What is left of the speeds.
+    /// The remaining speeds.
     rates: Vec<(Symbol, Expr)>,
     by_speeds: Vec<Differential>,
     /// The total time derivative where u' = 0 of what is written in u.

@@ -12,7 +12,7 @@ pub struct Row {
     pub inertia: Expr,
     /// Entries of M in this row beside the diagonal: products of inertia.
     pub coupling: Vec<(usize, Expr)>,
-    /// Of w x J w its component along the row.
+    /// The component of w x J w along the row.
     pub gyroscopic: Expr,
     /// F_i, a force or torque along the row.
     pub force: Expr,
@@ -22,7 +22,7 @@ pub struct Row {
     pub motion: Differentiated,
 }
 
-/// What moves, reduced to the variables: n coordinates and what stands for parts of long sums.
+/// The moving system, reduced to the variables: n coordinates and intermediate quantities.
 pub struct Tmt {
     /// The rows of T.
     pub rows: Vec<Row>,

@@ -10,6 +10,10 @@
 //! Along and across a link at the angle phi, the link's own coordinate stands in one row alone, mostly with a coefficient of
 //! parameters: one entry less to eliminate, and a pivot that no position makes zero. As the turn is orthonormal the
 //! equations stay as well conditioned as they were.
+//!
+//! Both forms are planned, and the one with fewer operations is taken: rows of four-bars gain, Andrews' squeezer stays
+//! as declared. Derivatives are taken of the turned rows. Their multipliers turn back with -lambda_y and lambda_x times
+//! the change of the angle. Kernels other than `dynamics` and its derivatives do not know of turned rows.
 
 use super::column::Column;
 use super::constraints::Constraints;
@@ -34,9 +38,9 @@ pub struct Form {
     pub convective: Vec<Expr>,
     /// The multipliers of these rows, m.
     pub multipliers: Vec<Symbol>,
-    /// How the residual changes with coordinates and with speeds, if that is wanted and there are no intermediates.
+    /// The derivatives of the residual by coordinates and speeds, on request and without intermediates.
     pub by_state: Option<[Vec<Column>; 2]>,
-    /// How it changes with the parameters, likewise.
+    /// Its derivatives by the parameters, likewise.
     pub by_parameters: Option<Vec<Column>>,
 }
 
@@ -107,17 +111,17 @@ impl Turn {
     }
 }
 
-/// A turn, and what becomes of its rows: their entries, column by column.
+/// A turn, and the entries of its rows, column by column.
 struct Turned {
     turn: Turn,
     columns: Vec<[Expr; 2]>,
-    /// How many entries are zero, how many of the others depend on parameters alone, and in how many rows the coordinate
-    /// stands whose angle it is.
+    /// The numbers of zero entries, of other entries that depend on parameters alone, and of rows in which the angle's
+    /// coordinate occurs.
     rank: (usize, usize, Reverse<usize>),
 }
 
-/// The turn that makes most entries zero, and of several the one that makes most of the others depend on parameters
-/// alone, by the angle of a coordinate that stands in the fewest rows.
+/// The turn that makes most entries zero; among equals, the one that makes most other entries depend on parameters
+/// alone, by the angle of a coordinate that occurs in the fewest rows.
 fn best_turn(model: &mut Model, jacobian: &[Vec<Expr>], rows: [usize; 2]) -> Option<Turned> {
     let graph = &mut model.graph;
     let moving: Vec<Symbol> = model.coordinates.iter().map(|c| c.position).chain([model.time]).collect();

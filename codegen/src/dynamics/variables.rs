@@ -1,5 +1,5 @@
-//! What the rows of T are differentiated by: the coordinates, and the intermediate quantities that stand for parts of
-//! long sums.
+//! The variables of the derivatives of T: the coordinates, and the intermediate quantities that stand for parts of long
+//! sums.
 
 use super::rows::Along;
 use crate::model::Model;
@@ -25,7 +25,7 @@ impl Variables {
         }
     }
 
-    /// How many there are.
+    /// Their number.
     pub fn len(&self) -> usize {
         self.positions.len()
     }
@@ -36,7 +36,7 @@ impl Variables {
     }
 }
 
-/// A quantity as the derivation needs it: its derivatives up to what accelerations do not determine.
+/// A quantity with the derivatives that the derivation needs, up to those that accelerations do not enter.
 pub struct Differentiated {
     /// x(q, t).
     pub position: Expr,
@@ -50,7 +50,7 @@ pub struct Differentiated {
     pub convective: Expr,
 }
 
-/// The derivatives that the equations are made of, each kept for all expressions.
+/// The derivatives in the equations, each shared by all expressions.
 pub(super) struct Derivatives {
     /// One for each variable.
     pub(super) by_variable: Vec<Differential>,
@@ -107,7 +107,7 @@ impl Derivatives {
     }
 
     /// A quantity w(q, q', t) linear in the speeds, as if it were the velocity of some position: with w_q' for its
-    /// Jacobian and what is left without speeds for its time derivative.
+    /// Jacobian, and the part without speeds for its time derivative.
     pub(super) fn of_rate(&mut self, model: &mut Model, variables: &Variables, rate: Expr) -> Differentiated {
         let graph = &mut model.graph;
         let jacobian =

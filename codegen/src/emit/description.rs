@@ -1,4 +1,4 @@
-//! What the mechanism says of itself.
+//! The description of the mechanism.
 
 use super::{kebab_case, size};
 use crate::dsl::Mark;
@@ -127,7 +127,7 @@ pub(super) fn quantity(name: &str, unit: &Unit, docs: &str, path: &TokenStream) 
     quote! { #path::Quantity { name: #name, unit: #text, factor: #factor, is_length: #is_length, docs: #docs } }
 }
 
-/// Events with their actions. What a step sets is counted through, as in the kernel that computes it.
+/// Events with their actions. The quantities that a step sets are numbered as in the kernel that computes them.
 fn events(model: &Model, path: &TokenStream) -> Vec<TokenStream> {
     let mut values = 0..;
     let mut event = |event: &Event| {

@@ -1,4 +1,4 @@
-//! What generated fields say of themselves.
+//! The documentation of generated fields.
 
 use crate::model::Unit;
 

@@ -3,11 +3,11 @@
 use crate::dynamics::EquationsOfMotion;
 use crate::notation::{self, Notation};
 
-/// Larger systems fill a page, and are better read from the command.
+/// Larger systems fill a page and are better read from the command's output.
 const LARGEST_SYSTEM: usize = 16;
 
-/// Lines of documentation: the equations as text, under the names of the kernels that compute them. Where they
-/// are many, or not written in the coordinates alone, the way to them.
+/// Lines of documentation: the equations as text, under the names of the kernels that compute them. If they are many,
+/// or not in the coordinates alone, a pointer to the command.
 pub(super) fn equations(equations: &EquationsOfMotion) -> Vec<String> {
     let size = equations.model.coordinates.len() + equations.model.constraints.len();
     if size > LARGEST_SYSTEM || !equations.intermediates.is_empty() {

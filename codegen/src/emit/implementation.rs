@@ -50,7 +50,7 @@ pub(super) fn implementation(
     }
 }
 
-/// What the trait's vectors and matrices are.
+/// The types of the trait's vectors and matrices.
 fn types(equations: &EquationsOfMotion, program: &Program, path: &TokenStream) -> TokenStream {
     let model = &equations.model;
     let (name, prepared, other) = (ident(&model.name), prepared_name(model), other_scalar(&model.name));
@@ -87,7 +87,7 @@ fn types(equations: &EquationsOfMotion, program: &Program, path: &TokenStream) -
     }
 }
 
-/// How parameters are read and changed, and what they are with another scalar.
+/// Reading, changing and converting parameters.
 fn parameters(model: &Model, path: &TokenStream) -> TokenStream {
     let (name, other) = (ident(&model.name), other_scalar(&model.name));
     let p = size(model.parameters.len());
@@ -121,7 +121,7 @@ fn parameters(model: &Model, path: &TokenStream) -> TokenStream {
     }
 }
 
-/// How inputs are read and set.
+/// Reading and setting inputs.
 fn inputs(model: &Model, path: &TokenStream) -> TokenStream {
     let inputs: Vec<_> = model.inputs.iter().map(|input| ident(&input.name)).collect();
     let (places, len): (Vec<_>, _) = ((0..inputs.len()).map(size).collect(), size(inputs.len()));
@@ -140,7 +140,7 @@ fn inputs(model: &Model, path: &TokenStream) -> TokenStream {
     }
 }
 
-/// How activities are read and changed, if there are any.
+/// Reading and changing activities, if there are any.
 fn switched(model: &Model) -> Option<TokenStream> {
     let fields: Vec<Ident> = model.conditionals.iter().map(|c| ident(&c.field)).collect();
     let (len, places) = (size(fields.len()), (0..fields.len()).map(size));

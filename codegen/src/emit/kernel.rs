@@ -1,4 +1,4 @@
-//! Each program as a function of the mechanism.
+//! Each program as a method of the mechanism.
 
 use super::names::{output_rates_name, outputs_name, prepared_name};
 use super::record::record_type;
@@ -48,7 +48,7 @@ fn function(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     }
 }
 
-/// Words one after the other in braces, none of which is copied.
+/// Tokens in braces, without copying.
 fn braces(words: impl Iterator<Item = TokenStream>) -> Group {
     Group::new(Delimiter::Brace, words.collect())
 }
@@ -57,7 +57,7 @@ fn piece_name(kernel: &Kernel, i: usize) -> Ident {
     format_ident!("{}_part_{}", kernel.name, i + 1)
 }
 
-/// A part of a long kernel: what the parts before have found, to what the parts after need.
+/// A part of a long kernel: from the results of the parts before to the values that later parts need.
 fn piece_function(model: &Model, kernel: &Kernel, i: usize, piece: &Piece) -> TokenStream {
     let name = piece_name(kernel, i);
     let mut arguments = arguments(model, kernel.arguments);
@@ -77,7 +77,7 @@ fn piece_function(model: &Model, kernel: &Kernel, i: usize, piece: &Piece) -> To
     }
 }
 
-/// The parts of a long kernel one after the other, and what they have found by name.
+/// The parts of a long kernel in order, and their results by name.
 fn calls(kernel: &Kernel) -> TokenStream {
     let mut calls = TokenStream::new();
     for (i, piece) in kernel.pieces.iter().enumerate() {
@@ -96,7 +96,7 @@ fn calls(kernel: &Kernel) -> TokenStream {
     calls
 }
 
-/// The kernel of batches, unless it is long, is compiled for the vector instructions of the function that it is inlined into.
+/// Unless it is long, the kernel for batches is compiled for the vector instructions of the function that inlines it.
 fn inline(kernel: &Kernel) -> TokenStream {
     if kernel.name == "dynamics" && kernel.pieces.is_empty() {
         quote! { #[inline(always)] }
@@ -172,7 +172,7 @@ fn entries(kernel: &Kernel) -> TokenStream {
     quote! { #(#bindings)* }
 }
 
-/// What a value is bound to: nothing, where it has no name.
+/// The binding of a value; none if it has no name.
 fn pattern(name: &Option<Name>) -> Ident {
     ident(name.as_deref().unwrap_or("_"))
 }
@@ -215,7 +215,7 @@ fn sparse(shape: [usize; 2], entries: &[([usize; 2], Tree)]) -> TokenStream {
         let [i, j] = place.map(size);
         quote! { [#i, #j] }
     });
-    // Entries come first, as they may speak of names that the rest would hide.
+    // Entries come first, as they may use names that the rest would hide.
     let entries = entries.iter().map(|(_, entry)| entry);
     quote! {
         {
@@ -230,7 +230,7 @@ fn sparse(shape: [usize; 2], entries: &[([usize; 2], Tree)]) -> TokenStream {
     }
 }
 
-/// What a kernel returns: a struct with named fields where there is one.
+/// The type that a kernel returns: a struct with named fields if there is one.
 fn returns(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     match (record_of(model, kernel), &kernel.results) {
         (Some(record), Results::Vector(entries)) => record_type(&record, entries.len()),
@@ -238,7 +238,7 @@ fn returns(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     }
 }
 
-/// What the trait's function of that name returns.
+/// The return type of the trait's function of that name.
 pub(super) fn returned_array(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     let [n, m, p] = [model.coordinates.len(), model.constraints.len(), model.parameters.len()].map(size);
     match &kernel.results {

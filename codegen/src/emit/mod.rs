@@ -1,5 +1,5 @@
-//! Stage 6: programs to Rust tokens. Nothing about numbers is decided here, so that another language could print
-//! the same programs.
+//! Stage 6: programs to Rust tokens. No numerical decision is made here, so the same programs could be printed in
+//! another language.
 
 mod description;
 mod documentation;
@@ -25,8 +25,8 @@ use crate::dynamics::EquationsOfMotion;
 use crate::program::Program;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 
-/// Everything a mechanism is made of in Rust: its type with its parameters, named coordinates and outputs, its
-/// kernels, and the impl of the runtime's trait. `path` is where `sim_kernel` is found.
+/// All Rust items of a mechanism: its type with its parameters, named coordinates and outputs, its kernels, and the
+/// impl of the runtime's trait. `path` is where `sim_kernel` is found.
 pub fn emit(
     head: &Head,
     declaration: &str,
@@ -41,9 +41,9 @@ pub fn emit(
     [types, kernels, mechanism].into_iter().chain(speeds).collect()
 }
 
-/// A name of the user's, raw where it is a keyword.
+/// A name of the user's, raw if it is a keyword.
 fn ident(name: &str) -> Ident {
-    // Few names are of small letters alone, as all keywords are.
+    // Few names consist of lower-case letters alone, as all keywords do.
     if name.bytes().all(|letter| letter.is_ascii_lowercase()) && KEYWORDS.contains(&name) {
         return Ident::new_raw(name, Span::call_site());
     }
@@ -54,7 +54,7 @@ fn ident(name: &str) -> Ident {
     }
 }
 
-/// Words that a name cannot be unless it is raw (The Rust Reference, edition 2024, chapter Keywords).
+/// Words that must be raw as names (The Rust Reference, edition 2024, chapter Keywords).
 const KEYWORDS: [&str; 48] = [
     "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "do", "dyn", "else", "enum",
     "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "match", "mod", "move",
@@ -67,7 +67,7 @@ fn size(value: usize) -> Literal {
     Literal::usize_unsuffixed(value)
 }
 
-/// What a mechanism is called on the command line: `QuickReturn` is `quick-return`.
+/// The name of a mechanism on the command line: `QuickReturn` is `quick-return`.
 pub fn kebab_case(name: &str) -> String {
     let mut out = String::new();
     let letters: Vec<char> = name.chars().collect();

@@ -1,4 +1,4 @@
-//! What generated types are called.
+//! The names of generated types.
 
 use super::ident;
 use crate::model::Model;
@@ -17,7 +17,7 @@ pub(super) fn prepared_name(model: &Model) -> Ident {
     format_ident!("{}Prepared", ident(&model.name))
 }
 
-/// What the scalar that a mechanism is converted to is called.
+/// The name of the scalar that a mechanism is converted to.
 pub(super) fn other_scalar(mechanism: &str) -> Ident {
     ident(if mechanism == "T" { "U" } else { "T" })
 }

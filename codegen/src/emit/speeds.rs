@@ -1,4 +1,4 @@
-//! What generalised speeds add to a mechanism: their struct, and the impl of their trait.
+//! The items of generalised speeds: their struct, and the impl of their trait.
 
 use super::description::quantity;
 use super::documentation::documented;
@@ -16,7 +16,7 @@ pub(super) fn is_of_speeds(kernel: &Kernel) -> bool {
     ["generalized_speeds", "kinematics", "speed_dynamics"].contains(&kernel.name)
 }
 
-/// What the runtime's trait says of them; nothing where there are none.
+/// Their items in the runtime's trait; empty if there are none.
 pub(super) fn velocity_variables(equations: &EquationsOfMotion, path: &TokenStream) -> Option<TokenStream> {
     let n = size(equations.model.coordinates.len());
     equations.speeds.as_ref().map(|_| {

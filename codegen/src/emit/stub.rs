@@ -1,4 +1,4 @@
-//! What stands in for a mechanism whose declaration has mistakes, so that uses of it are not mistakes too, as far as they go through the trait.
+//! A stub for a mechanism whose declaration has mistakes, so that uses of it through the trait cause no further errors.
 
 use super::ident;
 use super::names::other_scalar;
@@ -6,7 +6,7 @@ use crate::dsl::Head;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The type and the trait's impl, of size zero, never to be run.
+/// The type and the trait's impl, of size zero; the code never runs.
 pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
     let Head { visibility, name, .. } = head;
     let types = types(head, path);
@@ -42,7 +42,7 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
     }
 }
 
-/// What the trait's vectors and matrices are: empty.
+/// The trait's vectors and matrices: empty.
 fn types(head: &Head, path: &TokenStream) -> TokenStream {
     let (name, other) = (&head.name, other_scalar(&head.name.to_string()));
     quote! {
@@ -70,7 +70,7 @@ fn types(head: &Head, path: &TokenStream) -> TokenStream {
     }
 }
 
-/// The trait's functions that are no kernels of a time.
+/// The trait's functions that are not kernels of a time.
 fn functions(head: &Head, path: &TokenStream) -> TokenStream {
     let (name, other) = (&head.name, other_scalar(&head.name.to_string()));
     quote! {

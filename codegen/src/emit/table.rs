@@ -1,4 +1,4 @@
-//! Tables as constants of the mechanism, which its kernels look values up in.
+//! Tables as constants of the mechanism, in which its kernels look values up.
 
 use super::tree::number;
 use crate::model::Model;
@@ -6,7 +6,7 @@ use crate::symbolic::Table;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-/// What the constant of a table is called.
+/// The name of a table's constant.
 pub(super) fn constant(table: &str) -> Ident {
     format_ident!("TABLE_{table}")
 }

@@ -15,7 +15,7 @@ enum Binding {
     Atom,
 }
 
-/// An expression, written where it is to stand: streams that are put into streams are copied word by word.
+/// An expression, written in place: nested token streams would be copied token by token.
 impl ToTokens for Tree {
     fn to_tokens(&self, out: &mut TokenStream) {
         match self {
@@ -99,7 +99,7 @@ fn constant(value: f64) -> TokenStream {
 /// A number of Rust.
 pub(super) fn number(value: f64) -> TokenStream {
     match value {
-        // What overflows in the derivation behaves as it would in arithmetic.
+        // Overflow in the derivation behaves as in arithmetic.
         _ if value.is_nan() => quote! { ::core::f64::NAN },
         _ if value.is_infinite() => quote! { ::core::f64::INFINITY },
         _ if value == PI => quote! { ::core::f64::consts::PI },
@@ -115,7 +115,7 @@ pub(super) fn number(value: f64) -> TokenStream {
 /// The shortest text that reads back as the same number.
 fn literal(value: f64) -> Literal {
     let digits = || Literal::f64_unsuffixed(value);
-    // Outside of this there would be zeros upon zeros.
+    // Outside this range there would be many zeros.
     match (1e-4..1e16).contains(&value) {
         true => digits(),
         false => format!("{value:?}").parse().unwrap_or_else(|_| digits()),

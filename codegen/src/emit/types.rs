@@ -96,7 +96,7 @@ fn mechanism(head: &Head, equations: &EquationsOfMotion, path: &TokenStream) -> 
     }
 }
 
-/// What the kernels of each step need of the parameters.
+/// The values that the kernels of each step need of the parameters.
 fn prepared(head: &Head, model: &Model, program: &Program, path: &TokenStream) -> TokenStream {
     let (visibility, name) = (&head.visibility, prepared_name(model));
     let fields: Vec<Ident> = program.kernels.iter().flat_map(prepared_fields).map(ident).collect();

@@ -1,9 +1,10 @@
-//! Axes of joints by name: `let s = [0.6, 0, 0.8]; .. axis s` is what `axis [0.6, 0, 0.8]` is. Later stages know only that.
+//! Axes of joints by name: `let s = [0.6, 0, 0.8]; .. axis s` means `axis [0.6, 0, 0.8]`. Later stages see only the
+//! latter.
 
 use super::made::negated;
 use crate::dsl::{Declaration, Expression, JointKind, Kind, Let};
 
-/// Puts what names stand for in place of them in the axes of joints and the normals of planes.
+/// Replaces names by their definitions in the axes of joints and the normals of planes.
 pub(super) fn write_out(declaration: &mut Declaration) {
     let Declaration { joints, lets, .. } = declaration;
     for joint in joints {
@@ -18,7 +19,7 @@ pub(super) fn write_out(declaration: &mut Declaration) {
     }
 }
 
-/// An axis with the vectors and the numbers that are named in it. What depends on parameters keeps its name.
+/// An axis with named vectors and numbers written out. Expressions that depend on parameters keep their names.
 fn written(axis: &Expression, lets: &[Let]) -> Expression {
     let kind = match &axis.kind {
         Kind::Name(name) => lets.iter().rposition(|definition| definition.name == *name).and_then(|at| {

@@ -1,9 +1,10 @@
-//! Joints as coordinates: where the one body of a joint is and how it is turned, by the frame of the other.
+//! Joints as coordinates: position and attitude of one body of a joint relative to the frame of the other.
 //!
-//! With A1, A2 the attitudes of the bodies, B1 = [t1, t2, n] the marks in the frame of the first and B2 those in the frame of
-//! the second, A2 = A1 J B1 B2', where J is what the joint turns, in the frame of the first. So the marks of both sides are
-//! aligned where all coordinates are 0; of a universal joint whose axes are at right angles as they are written, both frames. The second point is shifted against the first along the marks of the first
-//! (Wittenburg, Dynamics of Multibody Systems, 2008, section 5.3).
+//! With A1, A2 the attitudes of the bodies, B1 = [t1, t2, n] the marks in the frame of the first and B2 those in the
+//! frame of the second, A2 = A1 J B1 B2', where J is the rotation of the joint, in the frame of the first. So the marks
+//! of both sides are aligned where all coordinates are 0; for a universal joint whose axes are at right angles as
+//! written, both frames are. The second point is shifted against the first along the marks of the first (Wittenburg,
+//! Dynamics of Multibody Systems, 2008, section 5.3).
 
 use super::given::{Given, with_suffix};
 use super::made::{attitude, call, difference, named, negated, number, pi, product, quotient, sum, vector, zero};
@@ -23,7 +24,7 @@ pub(super) struct JointCoordinates<'a> {
     pub(super) is_grounded: bool,
 }
 
-/// Where a body is and how it is turned.
+/// The position and attitude of a body.
 pub(super) struct Pose {
     /// Its centre of mass.
     pub(super) position: Expression,
@@ -31,7 +32,7 @@ pub(super) struct Pose {
     pub(super) attitude: Expression,
 }
 
-/// What a joint lets the second body do, in the frame of the first.
+/// The relative motion that a joint allows the second body, in the frame of the first.
 struct Freedom {
     turns: Vec<Expression>,
     shift: Option<Expression>,
@@ -41,7 +42,7 @@ impl JointCoordinates<'_> {
     /// Gives the joint its coordinates. The pose is that of the body that it places.
     ///
     /// # Errors
-    /// Axes that are none.
+    /// Invalid axes.
     pub(super) fn pose(&self, given: &mut Given) -> Result<Pose> {
         let SpatialJoint { kind, first, second, .. } = self.joint;
         let crossed = if *kind == SpatialKind::Universal { Marks::crossed(first, second)? } else { None };
@@ -69,7 +70,7 @@ impl JointCoordinates<'_> {
         Region::from(self.name)
     }
 
-    /// The pose of a body that is turned against the holder so, and whose point is at that of the holder.
+    /// The pose of a body with this attitude relative to the holder, and with its point at the holder's point.
     fn placed(&self, holder: (&Ident, Expression), turns: Vec<Expression>, own: (&Ident, Expression)) -> Pose {
         let (holder, point) = (named(holder.0, holder.0.into()), holder.1);
         let (before, point) = match self.is_grounded {
@@ -132,13 +133,13 @@ impl JointCoordinates<'_> {
         }
     }
 
-    /// A coordinate with the joint's own name, or with what tells it from the others.
+    /// A coordinate with the joint's name, and a suffix if there are several.
     fn coordinate(&self, suffix: &str, unit: &str, what: &str, given: &mut Given) -> Expression {
         let name = if suffix.is_empty() { self.name.clone() } else { with_suffix(self.name, suffix) };
         given.coordinate(name, unit, self.docs(what), self.at())
     }
 
-    /// What is said of the joint, and what the coordinate is.
+    /// The joint's documentation, and the meaning of the coordinate.
     fn docs(&self, what: &str) -> String {
         let [first, second] = [&self.joint.first, &self.joint.second].map(|side| side.body.unraw());
         let own = format!("{what} of `{second}` against `{first}`.");

@@ -1,11 +1,11 @@
-//! Bodies as frames: where they are and how they are turned.
+//! Bodies as frames: their positions and attitudes.
 
 use super::made::{attitude, call, called, vector, zero};
 use crate::dsl::{Expression, Region};
 use crate::nearest;
 use syn::{Ident, Result};
 
-/// Where bodies are and how they are turned.
+/// The positions and attitudes of bodies.
 pub(super) struct Frames {
     pub(super) bodies: Vec<Frame>,
     /// The names of tables.
@@ -39,7 +39,7 @@ impl Frames {
     pub(super) fn position(&self, body: &Ident) -> Result<Expression> {
         let missing = || {
             Region::from(body)
-                .error(format!("body `{body}` has no place; write `mass m at P` in its line, or let it be `free`"))
+                .error(format!("body `{body}` has no position; write `mass m at P` in its line, or make it `free`"))
         };
         self.find(body)?.position.clone().ok_or_else(missing)
     }
@@ -47,14 +47,14 @@ impl Frames {
     pub(super) fn angle(&self, body: &Ident) -> Result<Expression> {
         let missing = || {
             Region::from(body)
-                .error(format!("body `{body}` has no angle; write `angle phi` in its line, or let it be `free`"))
+                .error(format!("body `{body}` has no angle; write `angle phi` in its line, or make it `free`"))
         };
         self.find(body)?.angle.clone().ok_or_else(missing)
     }
 
     pub(super) fn attitude(&self, body: &Ident) -> Result<Expression> {
         let missing = || {
-            let message = format!("body `{body}` has no attitude; write `attitude R` in its line, or let it be `free`");
+            let message = format!("body `{body}` has no attitude; write `attitude R` in its line, or make it `free`");
             Region::from(body).error(message)
         };
         let rotation = self.find(body)?.attitude.clone().ok_or_else(missing)?;

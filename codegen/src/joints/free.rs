@@ -1,6 +1,6 @@
-//! Bodies with a place and an angle of their own: `rod: free, mass m, inertia J;` has the coordinates `rod_x`, `rod_y` and
-//! `rod_phi`. One of space, `rod: free, mass m, inertia [A, B, C];`, has `rod_x`, `rod_y`, `rod_z` and the quaternion `rod_q0`
-//! to `rod_q3`, which the constraint `rod_norm` keeps at length 1. Later stages know only these.
+//! Bodies with their own position and angle: `rod: free, mass m, inertia J;` has the coordinates `rod_x`, `rod_y` and
+//! `rod_phi`. One of space, `rod: free, mass m, inertia [A, B, C];`, has `rod_x`, `rod_y`, `rod_z` and the quaternion
+//! `rod_q0` to `rod_q3`, which the constraint `rod_norm` keeps at length 1. Later stages see only these.
 
 use super::given::{Given, with_suffix};
 use super::made::vector;
@@ -11,7 +11,7 @@ use syn::Result;
 /// Gives free bodies their coordinates, after those that are declared.
 ///
 /// # Errors
-/// Free bodies that have a place or an angle already.
+/// Free bodies that also declare a position or an angle.
 pub(super) fn give_coordinates(declaration: &mut Declaration) -> Result<()> {
     let mut mistakes = Mistakes::default();
     let mut given = Given::to(declaration);
@@ -45,7 +45,7 @@ fn place_twice(body: &Body, free: Region) -> Option<syn::Error> {
             Some(free.error(format!("the mass of free body `{name}` is missing: `{name}: free, mass m, inertia J;`")))
         }
         (Some((_, Some(place))), _) => Some(place.region.error(format!(
-            "body `{name}` is free and has its place of its own, [{name}_x, {name}_y]; leave out `at ..`, or `free`"
+            "body `{name}` is free and has a position of its own, [{name}_x, {name}_y]; leave out `at ..`, or `free`"
         ))),
         (_, Some(angle)) => Some(angle.region.error(format!(
             "body `{name}` is free and has an angle of its own, {name}_phi; leave out `angle ..`, or `free`"

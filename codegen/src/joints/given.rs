@@ -1,4 +1,4 @@
-//! Coordinates that the language itself gives, to free bodies and in joints.
+//! Coordinates that the language adds for free bodies and joints.
 
 use super::made::{binary, call, named, number, sum};
 use crate::dsl::{Coordinate, Declaration, Equation, Expression, Initial, InitialKind, Operator, Region, Unit};
@@ -6,7 +6,7 @@ use crate::mistakes::Mistakes;
 use syn::Ident;
 use syn::ext::IdentExt;
 
-/// Coordinates to be added to those of a declaration, with what keeps quaternions of them at length 1.
+/// Coordinates to be added to a declaration, with the norm constraints of their quaternions.
 pub(super) struct Given {
     /// A declaration without units stays one.
     has_units: bool,
@@ -52,12 +52,12 @@ impl Given {
         call(at, "quaternion", components.into())
     }
 
-    /// Adds them after those that are declared. A name that something else has is a mistake.
+    /// Adds them after those that are declared. A name that is already taken is a mistake.
     pub(super) fn add(self, declaration: &mut Declaration, mistakes: &mut Mistakes) {
         for Coordinate { name, .. } in &self.coordinates {
             if let Some(other) = names(declaration).find(|other| *other == name) {
                 let mut mistake = Region::from(name).error(format!(
-                    "`{name}` is a coordinate that comes with this; choose another name for this, or for the other `{name}`"
+                    "`{name}` is the name of a coordinate that this adds; rename this, or the other `{name}`"
                 ));
                 mistake.combine(Region::from(other).error(format!("the other `{name}` is here")));
                 mistakes.add(mistake);
@@ -71,7 +71,7 @@ impl Given {
     }
 }
 
-/// The names of what expressions can speak of.
+/// The names that expressions can refer to.
 fn names(declaration: &Declaration) -> impl Iterator<Item = &Ident> {
     let valued = declaration.parameters.iter().chain(&declaration.inputs).map(|p| &p.name);
     let moving = declaration.coordinates.iter().map(|c| &c.name).chain(declaration.auxiliary.iter().map(|a| &a.name));
@@ -81,7 +81,7 @@ fn names(declaration: &Declaration) -> impl Iterator<Item = &Ident> {
         .chain(declaration.tables.iter().map(|t| &t.name))
 }
 
-/// A quaternion whose start is not given starts near where it turns nothing.
+/// A quaternion without a given start is guessed as the identity.
 fn start_upright(initial: &mut Vec<Initial>, coordinate: Ident, at: Region) {
     let is_given = initial.iter().any(|line| line.coordinate == coordinate && line.kind != InitialKind::Speed);
     if !is_given {

@@ -1,6 +1,6 @@
 //! The axis of a joint, and the marks across it.
 //!
-//! From an axis n follow two marks t1 and t2, t1 x t2 = n: of the axes of a frame the next two, in turn.
+//! An axis n determines two marks t1 and t2 with t1 x t2 = n: for an axis of the frame, the next two axes in turn.
 
 use super::made::{call, number, quotient, vector, zero};
 use crate::dsl::{Expression, Kind, Operator, Region, Side};
@@ -28,8 +28,8 @@ impl Marks {
         let at = axis.region;
         let form = || {
             at.error(
-                "the axis of a joint is written in the frame of its body, of numbers, `[0.6, 0, 0.8]`, or with a plain 0 among its \
-                 components, `[0, sin(a), cos(a)]`, or is a name of such a vector; turn the body's frame instead",
+                "the axis of a joint is written in the frame of its body, with numbers, `[0.6, 0, 0.8]`, or with a plain 0 among its \
+                 components, `[0, sin(a), cos(a)]`, or as the name of such a vector; turn the body's frame instead",
             )
         };
         let Kind::Vector(components) = &axis.kind else { return Err(form()) };
@@ -37,7 +37,7 @@ impl Marks {
             return Err(form());
         }
         let Some(values) = components.iter().map(value).collect::<Option<Vec<f64>>>() else {
-            // Of what parameters make only an axis across a known one has marks.
+            // Among axes made of parameters, only those across a known axis have marks.
             let across = components.iter().position(|x| value(x) == Some(0.0)).ok_or_else(form)?;
             let axis = unit(axis.clone());
             let first = coordinate_axis(at, across, false);
@@ -46,7 +46,7 @@ impl Marks {
         };
         let length = values.iter().map(|x| x * x).sum::<f64>().sqrt();
         if !(length > 0.0) {
-            return Err(at.error("an axis without length has no direction; write `[0, 0, 1]`"));
+            return Err(at.error("an axis of length 0 has no direction; write `[0, 0, 1]`"));
         }
         let aligned = (0..3).find(|k| values[*k].abs() == length);
         if let Some(k) = aligned {
@@ -60,8 +60,8 @@ impl Marks {
         Ok(Marks { axis, across: [first, second] })
     }
 
-    /// About the axis n of the first side, with the axis m of the second across it, where both are of numbers and at right angles
-    /// as they are written: n, m and n x m, in either frame.
+    /// About the axis n of the first side, with the axis m of the second across it, if both are numbers at right angles
+    /// as written: n, m and n x m, in either frame.
     pub(super) fn crossed(first: &Side, second: &Side) -> Result<Option<Marks>> {
         let [n, m] = [Marks::of(first)?.axis, Marks::of(second)?.axis];
         let [a, b] = [direction(first), direction(second)];
@@ -78,7 +78,7 @@ impl Marks {
         call(at, "axes", vec![t1, t2, self.axis.clone()])
     }
 
-    /// The same three in turn: n, t1, t2 in the places of t1, t2, n.
+    /// The same three permuted: n, t1, t2 in the places of t1, t2, n.
     pub(super) fn in_turn(self) -> Marks {
         let [t1, t2] = self.across;
         Marks { axis: t2, across: [self.axis, t1] }

@@ -1,5 +1,8 @@
-//! Stage 2: joints, free bodies and points on bodies, written out as coordinates, equations and ordinary expressions. Later
-//! stages know none of them.
+//! Stage 2: joints, free bodies and points on bodies, written out as coordinates, equations and ordinary expressions.
+//! Later stages do not see joints.
+//!
+//! The rewritten parts carry the user's spans. A body placed by joints has a pose that is a product of rotations along
+//! the tree, as a user would write it, so its kernels are no longer than those written by hand.
 
 mod axes;
 mod coordinates;
@@ -22,8 +25,8 @@ use expressions::expressions;
 /// Writes out all joints, free bodies and points on bodies.
 ///
 /// # Errors
-/// Bodies that are not there or that nothing places, or that have no position or no angle; axes that are none; names that
-/// coordinates would take from others.
+/// Unknown bodies, bodies that nothing places or that lack a position or an angle, invalid axes, and names of
+/// coordinates that are already taken.
 pub fn write_out(mut declaration: Declaration) -> syn::Result<Declaration> {
     axes::write_out(&mut declaration);
     free::give_coordinates(&mut declaration)?;

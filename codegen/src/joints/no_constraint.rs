@@ -1,4 +1,4 @@
-//! Joints that have become coordinates, spoken of as the constraints that they are not.
+//! Refuses to treat joints that have become coordinates as constraints.
 
 use super::expressions::expressions;
 use super::spatial::ADDED_TO_NAMES;
@@ -7,7 +7,7 @@ use crate::mistakes::Mistakes;
 use syn::Ident;
 use syn::ext::IdentExt;
 
-/// Refuses reactions of these joints, and that they be released or hit.
+/// Refuses reactions, releases and impacts of these joints.
 pub(super) fn refuse(joints: &[Joint], declaration: &mut Declaration, mistakes: &mut Mistakes) {
     for joint in joints.iter().filter(|joint| joint.initially.is_some()) {
         mistakes.add(fixed(joint, &joint.name));
@@ -40,14 +40,14 @@ fn is_of(name: &Ident, joint: &Joint) -> bool {
 
 fn fixed(joint: &Joint, place: &Ident) -> syn::Error {
     Region::from(place).error(format!(
-        "joint `{}` places a body, and events cannot switch it; let the body be `free`, and the joint is a constraint",
+        "joint `{}` places a body, so events cannot switch it; make the body `free`, and the joint becomes a constraint",
         joint.name
     ))
 }
 
 fn unfelt(joint: &Joint, place: &Ident) -> syn::Error {
     Region::from(place).error(format!(
-        "joint `{}` places a body and has no reaction of its own; let the body be `free`, and the joint is a constraint, or \
+        "joint `{}` places a body, so it has no reaction of its own; make the body `free`, and the joint becomes a constraint, or \
          put an `auxiliary` displacement into its point and take the reaction of that",
         joint.name
     ))

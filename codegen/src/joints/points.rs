@@ -7,7 +7,7 @@ use super::made::{binary, call, component, product};
 use crate::dsl::{Body, Declaration, Expression, Kind, Operator, Region};
 use syn::Result;
 
-/// The frames of the bodies, each written out by those before it.
+/// The frames of the bodies, each expressed by those before it.
 pub(super) fn frames(declaration: &Declaration) -> Result<Frames> {
     let tables = declaration.tables.iter().map(|table| table.name.to_string()).collect();
     let mut frames = Frames { bodies: Vec::new(), tables };

@@ -1,8 +1,8 @@
-//! Bodies that joints place: those joints become coordinates, a tree that spans them, and the others stay constraints, which
-//! cut the loops. Later stages know neither.
+//! Bodies that joints place: those joints become coordinates and form a spanning tree; the others stay constraints,
+//! which cut the loops. Later stages see neither.
 //!
-//! A body of space, `link: mass m, inertia [A, B, C];`, that is not `free` and has no pose of its own is placed by the first joint,
-//! in the order of declaration, that leads to it from the ground or from a body that is placed; and so on from there.
+//! A spatial body, `link: mass m, inertia [A, B, C];`, that is not `free` and has no pose is placed by the first joint,
+//! in the order of declaration, that leads to it from the ground or from a placed body, and so on from there.
 
 use super::coordinates::{JointCoordinates, Pose};
 use super::frames::unknown_body;
@@ -17,7 +17,7 @@ use syn::{Ident, Result};
 /// poses. Bodies then stand in the order in which they are placed.
 ///
 /// # Errors
-/// Bodies that no joint leads to, names that coordinates would take from others, and joints that are spoken of as constraints
+/// Bodies that no joint leads to, names of coordinates that are already taken, and references to joints as constraints
 /// though they have become coordinates.
 pub(super) fn place_bodies(declaration: &mut Declaration) -> Result<()> {
     if !declaration.bodies.iter().any(is_unplaced) {
@@ -49,7 +49,7 @@ pub(super) fn place_bodies(declaration: &mut Declaration) -> Result<()> {
     mistakes.or(())
 }
 
-/// Whether a body of space has no pose of its own.
+/// Whether a spatial body has no pose of its own.
 fn is_unplaced(body: &Body) -> bool {
     let is_spatial = body.inertia.as_ref().is_some_and(|inertia| matches!(inertia.kind, Kind::Vector(_)));
     let has_place = body.mass.as_ref().is_some_and(|(_, place)| place.is_some());
@@ -68,7 +68,7 @@ fn place(body: &mut Body, pose: Pose) -> Result<()> {
     Ok(())
 }
 
-/// Bodies that have their poses, in the order in which they were given them, and those that have not.
+/// Bodies with poses, in the order of placement, and those without.
 struct Tree {
     has_ground: bool,
     placed: Vec<Body>,
@@ -91,7 +91,7 @@ impl Tree {
         tree
     }
 
-    /// Bodies with a pose of their own are placed when those above that it speaks of are.
+    /// Bodies with a declared pose are placed once the bodies that it refers to are.
     fn settle(&mut self) {
         let is_settled = |waiting: &[Body], at: usize| {
             !is_unplaced(&waiting[at]) && !waiting[..at].iter().any(|above| speaks_of(&waiting[at], above))
@@ -125,10 +125,10 @@ impl Tree {
             self.waiting.iter().filter(|body| is_unplaced(body) && self.placed.iter().all(|p| p.name != body.name));
         lost.map(move |body| {
             let name = body.name.unraw();
-            let roll = if rolls(body) { "; `roll` is a constraint, which places nothing" } else { "" };
+            let roll = if rolls(body) { "; `roll` is a constraint and places nothing" } else { "" };
             Region::from(&body.name).error(format!(
-                "nothing places `{name}`: no joints lead to it from the ground or from a body that has its place{roll}. Join \
-                 it, write `mass m at P` and `attitude R`, or let it be `free`"
+                "no joint places `{name}`: none leads to it from the ground or from a placed body{roll}. Join \
+                 it, write `mass m at P` and `attitude R`, or make it `free`"
             ))
         })
     }

@@ -17,17 +17,17 @@ pub(super) struct Placed {
 }
 
 impl Placed {
-    /// From the body's point in the world, and what turns vectors of its frame into the world.
+    /// From the body's point in the world, and the rotation from its frame to the world.
     pub(super) fn new(side: &Side, point: Expression, turned: impl Fn(Expression) -> Expression) -> Result<Placed> {
         let Marks { axis, across } = Marks::of(side)?;
         Ok(Placed { point, marks: Marks { axis: turned(axis), across: across.map(turned) } })
     }
 }
 
-/// What is added to the name of a joint in those of its equations.
+/// The suffix of an equation's name after the joint's name.
 pub(super) const ADDED_TO_NAMES: [&str; 8] = ["_f", "_f1", "_f2", "_m", "_m1", "_m2", "_m3", "_screw"];
 
-/// The equations of a joint, each with what is added to its name.
+/// The equations of a joint, each with its suffix.
 pub(super) fn equations(
     at: Region,
     kind: SpatialKind,
@@ -62,7 +62,7 @@ pub(super) fn equations(
     rows
 }
 
-/// Turning is advancing: n.(P2 - P1)' = pitch/(2 pi) n.(w2 - w1).
+/// Turning advances the body: n.(P2 - P1)' = pitch/(2 pi) n.(w2 - w1).
 pub(super) fn screw(
     at: Region,
     pitch: Expression,
@@ -101,7 +101,7 @@ pub(super) fn rolls(
     ])
 }
 
-/// An equation with what is added to the name of its joint.
+/// An equation with its suffix.
 pub(super) fn named(joint: &Ident, suffix: &str, left: Expression, right: Expression) -> Equation {
     let name = match suffix.is_empty() {
         true => joint.clone(),

@@ -49,8 +49,7 @@ impl Interpreter {
     fn multiply(&mut self, left: &Expression, right: &Expression, a: Value, b: Value) -> Option<Value> {
         let dimension = a.dimension.as_ref().zip(b.dimension.as_ref()).map(|(a, b)| a.times(b));
         if let Shape::Rotation(_) = b.shape {
-            let message =
-                "a rotation stands left of what it turns: `R*v`, and `transpose(R)*v` for the other way round";
+            let message = "a rotation is written to the left of what it turns: `R*v`, and `transpose(R)*v` for the other way round";
             return self.refuse(left.region.to(right.region), message);
         }
         let (scalar, other) = match (&a.shape, &b.shape) {

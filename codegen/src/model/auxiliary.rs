@@ -1,7 +1,7 @@
-//! The `auxiliary` block: displacements that are zero, whose conjugate forces are wanted.
+//! The `auxiliary` block: zero displacements, to find their conjugate forces.
 //!
-//! A declaration with such displacements is resolved twice: once with the number 0 in their places, which gives the very
-//! model that it would be without them, and once with variables, from which the conjugate forces are derived.
+//! A declaration with such displacements is resolved twice: once with the number 0 in their places, which gives exactly
+//! the model without them, and once with variables, from which the conjugate forces are derived.
 
 use super::interpreter::Interpreter;
 use super::origin::Origin;

@@ -1,4 +1,4 @@
-//! Mistakes of dimension in words: what is in which unit, and where that comes from.
+//! Messages about wrong dimensions: the units of both sides, and where they come from.
 
 use super::interpreter::Interpreter;
 use super::origin::Origin;
@@ -9,7 +9,7 @@ use crate::dsl::{Expression, Kind, Operator};
 use syn::Ident;
 
 impl Interpreter {
-    /// Two expressions that meet and are unlike.
+    /// Two expressions of unlike dimension that meet.
     pub(super) fn unlike(
         &self,
         left: &Expression,
@@ -19,14 +19,14 @@ impl Interpreter {
         rule: &str,
     ) -> syn::Error {
         let (left_is, right_is) = (self.describe(left, of_left), self.describe(right, of_right));
-        // A number that lacks its unit is what to change; otherwise the reader comes from the left.
+        // A number that lacks a unit is to blame; otherwise the left side is taken as right.
         let lacking = self.lacking(left, of_left, self.unit_of(right, of_right));
         let lacking = lacking.or_else(|| self.lacking(right, of_right, self.unit_of(left, of_left)));
         let (place, advice) = lacking.unwrap_or((right, String::new()));
         place.region.error(format!("{left_is} and {right_is}; {rule}{advice}"))
     }
 
-    /// An expression where something of another dimension belongs.
+    /// An expression in a place that needs another dimension.
     pub(super) fn misplaced(
         &self,
         expression: &Expression,
@@ -43,8 +43,8 @@ impl Interpreter {
         place.region.error(format!("{claim}, and {is}{advice}"))
     }
 
-    /// Takes note of the mistake, with where those names come from that stand for whole expressions. A name that has no
-    /// unit of its own is complained of once.
+    /// Records the mistake, with the definitions of names that stand for whole expressions. A name without a unit of
+    /// its own is reported once.
     pub(super) fn blame<T>(&mut self, mut mistake: syn::Error, expressions: &[&Expression]) -> Option<T> {
         for expression in expressions {
             if let Some(from) = single_name(expression).and_then(|name| self.shown_origin(&plain(name))) {
@@ -147,7 +147,8 @@ impl Interpreter {
         local.or_else(|| self.values.get(name))
     }
 
-    /// The constraint whose reaction an expression is, but for sign and component, and the dimension of that reaction.
+    /// The constraint whose reaction an expression is, apart from sign and component, and the dimension of that
+    /// reaction.
     fn reaction_of<'e>(&self, expression: &'e Expression) -> Option<(&'e Ident, Dimension)> {
         match &expression.kind {
             Kind::Negate(operand) | Kind::Component(operand, _) => self.reaction_of(operand),
@@ -160,7 +161,7 @@ impl Interpreter {
         }
     }
 
-    /// What lacks the unit in a pure number that stands for something else, and what to write instead.
+    /// The part of a pure number that lacks a unit, and what to write instead.
     fn lacking<'e>(
         &self,
         expression: &'e Expression,
@@ -179,7 +180,7 @@ impl Interpreter {
     }
 }
 
-/// In a product of other dimension than needed, its first factor if that is a number: its unit may be missing.
+/// The first factor of a product of wrong dimension, if it is a number: its unit may be missing.
 fn factor_without_unit<'e>(
     product: &'e Expression,
     needed: &Dimension,
@@ -199,7 +200,7 @@ fn factor_without_unit<'e>(
     }
 }
 
-/// The name that an expression is, but for its sign or its component.
+/// The name that an expression consists of, apart from sign and component.
 fn single_name(expression: &Expression) -> Option<&Ident> {
     match &expression.kind {
         Kind::Name(name) => Some(name),
@@ -208,7 +209,8 @@ fn single_name(expression: &Expression) -> Option<&Ident> {
     }
 }
 
-/// The first number that gives an expression its size and has no unit: in `-9.81`, in `[0, 0.2]`, in `0.1*sin(w*t)`.
+/// The first number without a unit that determines the size of an expression: in `-9.81`, in `[0, 0.2]`, in
+/// `0.1*sin(w*t)`.
 fn bare_number(expression: &Expression) -> Option<(&Expression, &str)> {
     match &expression.kind {
         Kind::Number { literal, unit: None } => {

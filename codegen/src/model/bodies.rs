@@ -9,8 +9,7 @@ use super::{Attitude, Body, Dependence, Dimension, Fall, Level, Norm, Point, Ten
 use crate::dsl::{self, Declaration, Expression, Kind, Region};
 use crate::symbolic::Expr;
 
-/// The attitude of a body, and the place of its centre of mass with the frame that its velocity is written in, as far as it
-/// has them.
+/// The attitude of a body, its centre of mass, and the frame of that point's velocity, as far as declared.
 pub(super) type TurnedBody = Option<(Turn, Option<(Spatial, Turn)>)>;
 
 /// The bodies of a declaration.
@@ -21,7 +20,7 @@ pub(super) struct ResolvedBodies {
     pub(super) turns: Vec<TurnedBody>,
     /// Their places by name.
     pub(super) names: Names<usize>,
-    /// The quaternions that they are turned by.
+    /// Their quaternions.
     pub(super) norms: Vec<Norm>,
 }
 
@@ -82,7 +81,7 @@ pub(super) fn fall(
     }
 }
 
-/// What turns in space: its inertia, its attitude, and its centre of mass as it moves in its own frame.
+/// A body that turns in space: its inertia, its attitude, and the motion of its centre of mass in its own frame.
 fn resolve_attitude(b: &dsl::Body, turn: Turn, has_place: bool, interpreter: &mut Interpreter) -> Option<Attitude> {
     let Some(inertia) = &b.inertia else {
         let message = format!(
@@ -110,7 +109,7 @@ fn resolve_body(b: &dsl::Body, turn: Option<Turn>, interpreter: &mut Interpreter
         return interpreter
             .refuse(attitude.region, format!("body `{name}` has an angle and an attitude; keep one of them"));
     }
-    // Every part is looked at before the first mistake counts.
+    // Every part is checked before the first mistake is returned.
     let mass = b.mass.as_ref().map(|(mass, position)| resolve_mass(mass, position.as_ref(), &name, interpreter));
     let angle = b.angle.as_ref().map(|angle| {
         const WHAT: &str = "the angle of a body";
@@ -122,7 +121,7 @@ fn resolve_body(b: &dsl::Body, turn: Option<Turn>, interpreter: &mut Interpreter
     let inertia = b.inertia.as_ref().filter(|_| turn.is_none()).map(|inertia| {
         if let Kind::Vector(_) = inertia.kind {
             let message = format!(
-                "how is `{name}` turned? An inertia of several moments stands with an attitude: \
+                "body `{name}` needs an attitude, as its inertia has several moments: \
                  `inertia [A, B, C], attitude R`"
             );
             return interpreter.refuse(inertia.region, message);
@@ -135,7 +134,7 @@ fn resolve_body(b: &dsl::Body, turn: Option<Turn>, interpreter: &mut Interpreter
             return None;
         }
         return interpreter
-            .refuse(inertia.region, format!("about which angle does `{name}` turn? Write `inertia J, angle phi`"));
+            .refuse(inertia.region, format!("body `{name}` needs the angle that it turns by: `inertia J, angle phi`"));
     }
     let zero = interpreter.graph.zero();
     let mass = mass.map_or(Some(None), |mass| mass.map(Some))?;
@@ -152,7 +151,7 @@ fn resolve_body(b: &dsl::Body, turn: Option<Turn>, interpreter: &mut Interpreter
         return interpreter.refuse(
             place,
             format!(
-                "no coordinate moves body `{name}`; leave it out, or let its position or angle depend on a coordinate"
+                "no coordinate moves body `{name}`; leave it out, or make its position or angle depend on a coordinate"
             ),
         );
     }
@@ -170,7 +169,7 @@ fn resolve_mass(
     let Some(position) = position else {
         return interpreter.refuse(
             mass.region,
-            format!("where is the mass of `{body}`? Write `mass m at P`, P being its centre of mass, or let the body be `free`"),
+            format!("the mass of body `{body}` needs a position: write `mass m at P`, P being its centre of mass, or make the body `free`"),
         );
     };
     const WHAT: &str = "the position of a mass";

@@ -37,8 +37,7 @@ impl Interpreter {
                 Shape::Spatial(Spatial::world(chosen))
             }
             _ => {
-                let message =
-                    format!("{} stands after `then` and {} after `else`; both are of one kind", yes.kind(), no.kind());
+                let message = format!("`then` gives {} and `else` {}; both must be of one kind", yes.kind(), no.kind());
                 return self.refuse(choice.yes.region.to(choice.no.region), message);
             }
         };

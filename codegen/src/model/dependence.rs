@@ -1,4 +1,4 @@
-//! What kinds of variables an expression depends on.
+//! The kinds of variables that an expression depends on.
 
 use crate::symbolic::{Expr, Graph, Node, Symbol};
 use rustc_hash::FxHashMap;
@@ -50,7 +50,7 @@ impl Dependences {
         self.symbols.insert(symbol, kind);
     }
 
-    /// What an expression depends on.
+    /// The dependence of an expression.
     pub fn of(&mut self, graph: &Graph, expr: Expr) -> Dependence {
         if let Some(known) = self.nodes.get(&expr) {
             return *known;

@@ -1,4 +1,7 @@
-//! Physical dimensions: exponents of metre, kilogram, second, ampere and kelvin. Angles have none.
+//! Physical dimensions: exact rational exponents of metre, kilogram, second, ampere and kelvin.
+//!
+//! Angles have no dimension, so arcs are lengths, and torques are J/rad. A vector has one dimension: mixed ones would
+//! make `norm` and `inner` meaningless.
 
 use crate::symbolic::Number;
 
@@ -7,7 +10,7 @@ const BASE: [&str; 5] = ["m", "kg", "s", "A", "K"];
 /// The order in which they are printed.
 const PRINTED: [usize; 5] = [1, 0, 2, 3, 4];
 
-/// Units with names of their own, and those that are better known by a force than by a mass.
+/// Units with names of their own, and those better known in terms of a force than of a mass.
 const NAMED: [([i64; 5], &str); 11] = [
     ([1, 1, -2, 0, 0], "N"),
     ([2, 1, -2, 0, 0], "N*m"),

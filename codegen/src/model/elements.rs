@@ -8,9 +8,9 @@ use super::{Dependence, Dimension, Effort};
 use crate::dsl::{Element, Expression, Extent, Law, Region};
 use crate::symbolic::{Differential, Expr, Function, Number, Symbol};
 
-/// How far a spring is from where it has no force, in the law of its force.
+/// The stretch of a spring from its free length, in the law of its force.
 const STRETCH: &str = "stretch";
-/// How fast its extent grows, in the law of a spring or damper.
+/// The rate of the extent, in the law of a spring or damper.
 const RATE: &str = "rate";
 
 /// -dV/dq: -1 along V.
@@ -18,13 +18,13 @@ pub(super) fn potential(energy: &Expression, interpreter: &mut Interpreter) -> O
     let along = position_scalar(energy, &Dimension::energy(), "a potential energy", interpreter)?;
     if !interpreter.dependences.of(&interpreter.graph, along).meets(Dependence::COORDINATE) {
         return interpreter
-            .refuse(energy.region, "no coordinate stands in this potential energy, so no force comes of it");
+            .refuse(energy.region, "this potential energy depends on no coordinate, so it exerts no force");
     }
     Some(Effort { force: interpreter.graph.integer(-1), along })
 }
 
-/// -dR/dq' along each coordinate and whatever else moves, given with its rate (Rayleigh's dissipation function; Goldstein,
-/// Poole, Safko: Classical Mechanics, 3rd ed., (1.69)).
+/// -dR/dq' along each coordinate and auxiliary displacement, given with its rate (Rayleigh's dissipation function;
+/// Goldstein, Poole, Safko: Classical Mechanics, 3rd ed., (1.69)).
 pub(super) fn dissipation(
     function: &Expression,
     moving: &[(Symbol, Symbol)],
@@ -33,7 +33,7 @@ pub(super) fn dissipation(
     let power = Some(Dimension::energy().over(&Dimension::time()));
     let Some(value) = load_scalar(function, power, "a dissipation function", interpreter) else { return vec![] };
     if !interpreter.dependences.of(&interpreter.graph, value).meets(Dependence::SPEED) {
-        let message = "no speed stands in this dissipation function, so it brakes nothing; write it with `dot(..)`";
+        let message = "this dissipation function depends on no speed, so it exerts no force; write it with `dot(..)`";
         interpreter.mistakes.add(function.region.error(message));
     }
     let along = moving.iter().map(|(position, rate)| {
@@ -66,7 +66,7 @@ pub(super) fn element(element: &Element, interpreter: &mut Interpreter) -> Optio
     }
 }
 
-/// What an element works along.
+/// The extent of an element.
 struct Along {
     value: Expr,
     /// Its square, where that needs no root.
@@ -93,7 +93,7 @@ impl Along {
     }
 }
 
-/// What the dimension of a part of an element must be, and the part in words: "a force along a length".
+/// The required dimension of a part of an element, and the part in words: "a force along a length".
 fn needed(
     part: &str,
     along: Option<&Along>,
@@ -141,16 +141,14 @@ fn distance(from: &Expression, to: &Expression, interpreter: &mut Interpreter) -
 
 fn position(expression: &Expression, interpreter: &mut Interpreter) -> Option<(Expr, Option<Dimension>)> {
     let (value, dimension) = interpreter.scalar_value(expression)?;
-    position_level(expression, &[value], "what an element works along", interpreter)?;
+    position_level(expression, &[value], "the extent of an element", interpreter)?;
     Some((value, dimension))
 }
 
 fn check_moves(place: Region, along: Expr, interpreter: &mut Interpreter) -> Option<()> {
     match interpreter.dependences.of(&interpreter.graph, along).meets(Dependence::COORDINATE) {
         true => Some(()),
-        false => {
-            interpreter.refuse(place, "no coordinate changes what this works along, so it moves nothing; leave it out")
-        }
+        false => interpreter.refuse(place, "no coordinate changes this extent, so the load does nothing; leave it out"),
     }
 }
 
@@ -185,7 +183,8 @@ fn spring(law: &Expression, rest: &Expression, along: Option<Along>, interpreter
     Some(Effort { force: interpreter.graph.neg(force), along: along.value })
 }
 
-/// Without free length it pulls by the way between its ends, which has no direction to be divided by: -k/2 along x^2.
+/// Without free length the force is proportional to the vector between the ends, without a division by its length: -k/2
+/// along x^2.
 fn linear_spring(stiffness: Expr, rest: Expr, along: &Along, interpreter: &mut Interpreter) -> Effort {
     match along.square {
         Some(square) if interpreter.graph.is_zero(rest) => {
@@ -202,8 +201,7 @@ fn linear_spring(stiffness: Expr, rest: Expr, along: &Along, interpreter: &mut I
 /// -c x', or minus the force that is given for a rate of x'.
 fn damper(law: &Expression, along: Option<Along>, interpreter: &mut Interpreter) -> Option<Effort> {
     if law.mentions(STRETCH) && interpreter.values.get_region(STRETCH).is_none() {
-        return interpreter
-            .refuse(law.region, "a damper has no free length to be stretched from; its force depends on `rate`");
+        return interpreter.refuse(law.region, "`stretch` belongs to springs; the force of a damper depends on `rate`");
     }
     if !law.mentions(RATE) {
         let (needed, what) = needed("the coefficient of a damper", along.as_ref(), Along::damping);
@@ -219,8 +217,8 @@ fn damper(law: &Expression, along: Option<Along>, interpreter: &mut Interpreter)
     Some(Effort { force: interpreter.graph.neg(force), along: along.value })
 }
 
-/// -F tanh(x'/v0): Coulomb's friction, but for speeds of a few v0 (Andersson, Soederberg, Bjoerklund: Friction models for
-/// sliding dry, boundary and mixed lubricated contacts, Tribology International 40, 2007).
+/// -F tanh(x'/v0): Coulomb friction, smoothed at speeds of a few v0 (Andersson, Soederberg, Bjoerklund: Friction models
+/// for sliding dry, boundary and mixed lubricated contacts, Tribology International 40, 2007).
 fn friction(
     force: &Expression,
     smooth: &Expression,
@@ -228,12 +226,13 @@ fn friction(
     interpreter: &mut Interpreter,
 ) -> Option<Effort> {
     let (needed_force, of_force) = needed("the size of friction", along.as_ref(), Along::force);
-    let (needed_speed, of_speed) = needed("the speed within which friction is smoothed", along.as_ref(), Along::rate);
+    let (needed_speed, of_speed) = needed("the speed over which friction is smoothed", along.as_ref(), Along::rate);
     let size = load_scalar(force, needed_force, &of_force, interpreter);
     let speed = load_scalar(smooth, needed_speed, &of_speed, interpreter);
     let (size, speed, along) = (size?, speed?, along?);
     if interpreter.graph.is_zero(speed) {
-        let message = "the speed within which friction is smoothed is above 0: a force that jumps cannot be integrated";
+        let message =
+            "the speed over which friction is smoothed must be above 0: a force that jumps cannot be integrated";
         return interpreter.refuse(smooth.region, message);
     }
     let rate = rate_of(&along, interpreter);
@@ -252,7 +251,7 @@ fn rate_word(along: &Along, interpreter: &mut Interpreter) -> (&'static str, Val
     (RATE, Value::scalar(rate_of(along, interpreter), along.rate()))
 }
 
-/// A law with the words that stand in it alone.
+/// A law with words that have a meaning only there.
 fn law_of_force(
     law: &Expression,
     words: Vec<(&'static str, Value)>,
@@ -263,8 +262,8 @@ fn law_of_force(
         if law.mentions(word)
             && let Some(own) = interpreter.values.get_region(word)
         {
-            let mut mistake = law.region.error(format!("in the law of an element `{word}` is its own {word}"));
-            mistake.combine(own.error(format!("choose another name than `{word}` for this")));
+            let mut mistake = law.region.error(format!("in the law of an element `{word}` has its own meaning"));
+            mistake.combine(own.error(format!("choose another name for this `{word}`")));
             interpreter.mistakes.add(mistake);
             return None;
         }

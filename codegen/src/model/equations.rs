@@ -43,7 +43,7 @@ pub(super) fn resolve_constraints(
         reactions.define(&equation.name, reaction, &mut interpreter.mistakes);
     }
     for (k, (auxiliary, force)) in declaration.auxiliary.iter().zip(conjugate).enumerate() {
-        // Two of one name are a mistake that is known.
+        // Duplicate names have been reported already.
         if declaration.auxiliary[..k].iter().any(|other| other.name == auxiliary.name) {
             continue;
         }
@@ -88,12 +88,16 @@ pub(super) fn equation_sides(equation: &dsl::Equation, interpreter: &mut Interpr
         }
         (Shape::Spatial(l), Shape::Spatial(r)) => Shape::Spatial(l.combine(r, &mut interpreter.graph, Graph::sub)),
         (Shape::Rotation(_), Shape::Rotation(_)) => {
-            let message = "two rotations are equated by three equations between their axes, such as \
+            let message = "rotations cannot be equated; write three equations between their axes, such as \
                            `inner(R*[1, 0, 0], S*[0, 1, 0]) = 0`, or by a joint";
             return interpreter.refuse(equation.left.region.to(equation.right.region), message);
         }
         _ => {
-            let message = format!("{} stands left and {} right; both sides are of one kind", left.kind(), right.kind());
+            let message = format!(
+                "the left side is {} and the right side {}; both must be of one kind",
+                left.kind(),
+                right.kind()
+            );
             return interpreter.refuse(equation.left.region.to(equation.right.region), message);
         }
     };
@@ -172,13 +176,13 @@ fn check_row(
     if !equation.is_of_joint && !interpreter.dependences.of(&interpreter.graph, value).meets(constrained) {
         if level == Level::Speeds {
             let message = format!(
-                "no speed stands in constraint row `{row}`, though `dot()` is written; write it between positions, \
+                "no speed is left in constraint row `{row}`, though `dot()` is written; write it between positions, \
                  without `dot()`"
             );
             return interpreter.refuse(Region::from(&equation.name), message);
         }
         let message = format!(
-            "no coordinate moves constraint `{row}`: it holds always or never; leave it out, or let it depend on a coordinate"
+            "no coordinate moves constraint `{row}`: it holds always or never; leave it out, or make it depend on a coordinate"
         );
         return interpreter.refuse(Region::from(&equation.name), message);
     }

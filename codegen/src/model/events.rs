@@ -1,4 +1,4 @@
-//! The `events` block: conditions, and what happens when they come to hold.
+//! The `events` block: conditions and their actions.
 
 use super::equations::equation_sides;
 use super::interpreter::Interpreter;
@@ -13,7 +13,7 @@ use crate::nearest;
 use crate::symbolic::{Expr, evaluate};
 use syn::Ident;
 
-/// What actions speak of.
+/// The names that actions refer to.
 pub(super) struct Known<'a> {
     pub(super) coordinates: &'a [Coordinate],
     pub(super) parameters: &'a [Parameter],
@@ -46,7 +46,7 @@ fn condition(equation: &dsl::Equation, interpreter: &mut Interpreter) -> Option<
     no_input(place, &[value], "an event", interpreter)?;
     if !interpreter.dependences.of(&interpreter.graph, value).meets(MOVING.or(FORCES).or(Dependence::TIME)) {
         let message = format!(
-            "event `{}` never changes; let it depend on a coordinate, a speed, a reaction or `t`",
+            "event `{}` never changes; make it depend on a coordinate, a speed, a reaction or `t`",
             equation.name
         );
         return interpreter.refuse(Region::from(&equation.name), message);
@@ -98,7 +98,7 @@ fn told(target: Target, known: &Known) -> String {
     }
 }
 
-/// One action, with where it stands; nothing for `record`, which is what happens anyway.
+/// One action with its place; nothing for `record`, which is the default.
 fn step(
     action: &Action,
     declaration: &Declaration,
@@ -211,7 +211,7 @@ fn conditional(name: &Ident, declaration: &Declaration, known: &Known, interpret
     interpreter.refuse(name.into(), format!("no constraint is called `{text}`{near}"))
 }
 
-/// A value of a state before: plain numbers are in the unit of what is set.
+/// A value computed from the state before: plain numbers are in the unit of the target.
 fn assigned(
     expression: &Expression,
     target: Target,
@@ -219,8 +219,8 @@ fn assigned(
     known: &Known,
     interpreter: &mut Interpreter,
 ) -> Option<Expr> {
-    let rule = "what an event sets follows from coordinates, speeds, parameters and `t`; accelerations and reactions \
-                are not known there";
+    let rule = "an event sets values made of coordinates, speeds, parameters and `t`; accelerations and reactions are \
+                not known there";
     in_unit(expression, told(target, known).trim_matches('`'), unit, (FORCES, rule), interpreter)
 }
 

@@ -3,7 +3,7 @@
 use super::{Dimension, Unit};
 use crate::symbolic::TableId;
 
-/// What a table's name stands for.
+/// The meaning of a table's name.
 #[derive(Clone)]
 pub(super) struct Function {
     pub(super) table: TableId,

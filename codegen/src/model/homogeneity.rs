@@ -1,6 +1,6 @@
-//! Dimensional homogeneity: what is added, compared or put in a place is of the dimension that belongs there.
+//! Dimensional homogeneity: terms that are added or compared have the same dimension, and every place its required one.
 //!
-//! A dimension that is not known fits everywhere: that of a plain 0, and those of names that were complained of already.
+//! An unknown dimension fits everywhere: that of a plain 0, and those of names that were reported already.
 
 use super::interpreter::Interpreter;
 use super::measured::Measured;
@@ -9,7 +9,7 @@ use crate::dsl::Expression;
 use crate::symbolic::Expr;
 
 impl Interpreter {
-    /// The dimension that two expressions share; where they differ that is a mistake, and `rule` says why.
+    /// The common dimension of two expressions; a difference is a mistake, explained by `rule`.
     pub(super) fn common_dimension(
         &mut self,
         left: Measured,
@@ -25,8 +25,7 @@ impl Interpreter {
         }
     }
 
-    /// Sees to it that an expression has the dimension that belongs in its place; `claim` says what belongs there:
-    /// "a force is in [N]".
+    /// Checks that an expression has the dimension required by its place; `claim` says which: "a force is in [N]".
     pub(super) fn expect_dimension(&mut self, found: Measured, needed: &Dimension, claim: &str) -> Option<()> {
         match found.dimension {
             Some(dimension) if dimension != needed => {
@@ -37,7 +36,7 @@ impl Interpreter {
         }
     }
 
-    /// Sees to it that an expression has the dimension of "a mass" or "an angle".
+    /// Checks that an expression has the dimension of "a mass" or "an angle".
     pub(super) fn expect_in_place(&mut self, found: Measured, needed: &Dimension, what: &str) -> Option<()> {
         let claim = match needed.is_none() {
             true if what.contains("angle") => format!("{what} is in [rad] or [deg] or a pure number"),
@@ -47,21 +46,21 @@ impl Interpreter {
         self.expect_dimension(found, needed, &claim)
     }
 
-    /// A scalar of the dimension that belongs in its place: "a mass".
+    /// A scalar of the required dimension: "a mass".
     pub(super) fn scalar_of(&mut self, expression: &Expression, needed: &Dimension, what: &str) -> Option<Expr> {
         let (value, dimension) = self.scalar_value(expression)?;
         self.expect_in_place(Measured { expression, dimension: &dimension }, needed, what);
         Some(value)
     }
 
-    /// A vector of the dimension that belongs in its place: "a force".
+    /// A vector of the required dimension: "a force".
     pub(super) fn point_of(&mut self, expression: &Expression, needed: &Dimension, what: &str) -> Option<Point> {
         let (point, dimension) = self.point_value(expression)?;
         self.expect_in_place(Measured { expression, dimension: &dimension }, needed, what);
         Some(point)
     }
 
-    /// Sees to it that a value fits the unit of what is declared: "output `height` is declared" of the name `height`.
+    /// Checks that a value fits the declared unit: "output `height` is declared" of the name `height`.
     pub(super) fn expect_unit(&mut self, found: Measured, what: &str, name: &str, unit: &Unit) -> Option<()> {
         let claim = match (unit.is_declared(), found.dimension) {
             (false, Some(dimension)) => {
@@ -73,7 +72,7 @@ impl Interpreter {
         self.expect_dimension(found, unit.dimension(), &claim)
     }
 
-    /// The dimension of a power. The exponent is a pure number, and one that is known if the base has a dimension.
+    /// The dimension of a power. The exponent is a pure number, and a constant if the base has a dimension.
     pub(super) fn dimension_of_power(
         &mut self,
         base: Measured,
@@ -92,7 +91,7 @@ impl Interpreter {
         }
     }
 
-    /// Sees to it that `sin(x)`, `exp(x)` and the like are of pure numbers.
+    /// Checks that the arguments of `sin(x)`, `exp(x)` and the like are pure numbers.
     pub(super) fn expect_pure(&mut self, function: &str, argument: Measured) -> Option<()> {
         let what = match (function, argument.dimension) {
             ("sin" | "cos" | "tan", Some(dimension)) if *dimension == Dimension::time() => {

@@ -1,4 +1,4 @@
-//! What is known while the expressions of a declaration are interpreted, and what they must not be.
+//! The state of interpreting a declaration's expressions, and checks of what they must not be.
 
 use super::function::Function;
 use super::origin::Origins;
@@ -10,31 +10,31 @@ use crate::dsl::{Declaration, Region};
 use crate::mistakes::Mistakes;
 use crate::symbolic::{Differential, Expr, Graph, Symbol, evaluate};
 
-/// Turns expressions into values. `None` means a mistake that has been taken note of.
+/// Turns expressions into values. `None` means a mistake that has been recorded.
 pub(super) struct Interpreter {
     pub(super) graph: Graph,
     pub(super) dependences: Dependences,
     pub(super) values: Values,
     pub(super) tables: Names<Function>,
     pub(super) origins: Origins,
-    /// Whether dimensions are looked at: they are unless no unit is declared anywhere.
+    /// Whether dimensions are checked: they are unless no unit is declared anywhere.
     pub(super) with_units: bool,
-    /// Reserved names that something is called nevertheless: its uses are no mistakes too.
+    /// Reserved names that are defined nevertheless; their uses are not reported again.
     pub(super) misnamed: Vec<String>,
     /// Words that have a meaning in one expression alone.
     pub(super) local: Vec<(&'static str, Value)>,
     /// The multipliers of each constraint; absent until constraints are resolved.
     pub(super) reactions: Option<Names<Value>>,
-    /// Names of the outputs, which are no values.
+    /// Names of the outputs, which are not values.
     pub(super) outputs: Vec<String>,
     pub(super) time: Expr,
     pub(super) motion: Differential,
     pub(super) mistakes: Mistakes,
     /// All rotations.
     pub(super) frames: Frames,
-    /// Those quaternions whose components are coordinates.
+    /// The quaternions whose components are coordinates.
     pub(super) quaternions: Vec<Quaternion>,
-    /// How many components the first vector has, and where it stands: all others have as many.
+    /// The number of components of the first vector, and its place: all others must have as many.
     pub(super) vectors: Option<(usize, Region)>,
 }
 
@@ -75,7 +75,7 @@ impl Interpreter {
         self.vectors.is_some_and(|(components, _)| components == 3)
     }
 
-    /// Refuses an expression that depends on what it must not depend on here; `rule` says why.
+    /// Refuses an expression with a dependence that is not allowed here; `rule` says why.
     pub(super) fn restrict(&mut self, place: Region, values: &[Expr], forbidden: Dependence, rule: &str) -> Option<()> {
         for value in values {
             if self.dependences.of(&self.graph, *value).meets(forbidden) {
@@ -85,7 +85,7 @@ impl Interpreter {
         Some(())
     }
 
-    /// Refuses constants that are no real numbers, such as `sqrt(-1)`, and coefficients beyond the range of `f64`.
+    /// Refuses constants that are not real numbers, such as `sqrt(-1)`, and coefficients beyond the range of `f64`.
     pub(super) fn check_constants(&mut self, region: Region, values: &[Expr]) -> Option<()> {
         for value in values {
             let constant = self.dependences.of(&self.graph, *value) == Dependence::NONE;

@@ -1,4 +1,4 @@
-//! What an expression in a given place may depend on.
+//! The variables that an expression in a given place may depend on.
 
 use super::interpreter::Interpreter;
 use super::measured::Measured;
@@ -30,7 +30,7 @@ pub(super) fn no_input(place: Region, values: &[Expr], what: &str, interpreter: 
         place,
         values,
         Dependence::INPUT,
-        &format!("{what} cannot depend on an input, which may jump; an input acts by loads, and shows in outputs"),
+        &format!("{what} cannot depend on an input, which may jump; use inputs in loads and outputs"),
     )
 }
 

@@ -132,12 +132,12 @@ fn spatial_load(
     Some((vector, components))
 }
 
-/// A body with an attitude, by its name: its place in the list, and the attitude.
+/// A body with an attitude, by its name: its index, and the attitude.
 fn turned_body(body: &Ident, turns: &[TurnedBody], names: &Names<usize>) -> Option<(usize, Turn)> {
     names.get(&plain(body)).and_then(|at| turns[*at].as_ref().map(|(turn, _)| (*at, *turn)))
 }
 
-/// A torque on a body, about its angle; or, where no body is called so, on an angle itself.
+/// A torque on a body, about its angle; or, if no body has that name, on an angle itself.
 fn torque(
     moment: &Expression,
     on: &Ident,
@@ -154,7 +154,7 @@ fn torque(
     Some(Effort { force: value[0], along })
 }
 
-/// The body that `on` names, if that is no scalar too.
+/// The body that `on` names, unless it is a scalar too.
 fn body_instead_of_scalar<'e>(
     extent: &'e Extent,
     names: &Names<usize>,

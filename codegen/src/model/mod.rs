@@ -1,5 +1,5 @@
-//! Stage 3: names resolved and mistakes of meaning found; the declaration becomes symbolic. No token of the
-//! user's text goes beyond this stage.
+//! Stage 3: names are resolved, errors of meaning reported, and the declaration becomes symbolic. The user's tokens end
+//! here.
 
 mod arithmetic;
 mod auxiliary;
@@ -55,7 +55,7 @@ pub struct Model {
     pub name: String,
     /// Documentation, one line each.
     pub docs: String,
-    /// Where the expressions live.
+    /// The graph of all expressions.
     pub graph: Graph,
     /// What each expression depends on.
     pub dependences: Dependences,
@@ -71,7 +71,7 @@ pub struct Model {
     pub named: Vec<(String, Expr)>,
     /// Bodies.
     pub bodies: Vec<Body>,
-    /// Acceleration of free fall, on every mass.
+    /// Acceleration of free fall of every mass.
     pub gravity: Option<Point>,
     /// Forces at points.
     pub forces: Vec<Force>,
@@ -83,7 +83,7 @@ pub struct Model {
     pub norms: Vec<Norm>,
     /// The constraint rows that keep their norms.
     pub norm_constraints: Vec<usize>,
-    /// Generalised speeds, in the order of declaration; none, or as many as determine all rates.
+    /// Generalised speeds, in the order of declaration; none, or enough to determine all rates.
     pub speeds: Vec<GeneralizedSpeed>,
     /// 2 in the plane, 3 in space.
     pub dimension: usize,
@@ -91,19 +91,20 @@ pub struct Model {
     pub constraints: Vec<Constraint>,
     /// Constraints that events switch, in the order of declaration.
     pub conditionals: Vec<Conditional>,
-    /// Conditions whose crossings are looked for.
+    /// Conditions whose crossings are located.
     pub events: Vec<Event>,
     /// Outputs, in the order of declaration.
     pub outputs: Vec<Output>,
     /// Which outputs belong in one figure.
     pub groups: Vec<OutputGroup>,
-    /// What to draw.
+    /// The drawing.
     pub drawing: Vec<Shape>,
-    /// Whether the derivatives of the motion with respect to the state are wanted as a kernel; `None` leaves it open.
+    /// Whether a kernel is requested for the derivatives of the motion with respect to the state; `None` leaves it
+    /// open.
     pub wants_jacobian: Option<bool>,
-    /// Whether those with respect to the parameters are.
+    /// The same for those with respect to the parameters.
     pub wants_sensitivity: bool,
-    /// Whether the forces that a motion takes are.
+    /// The same for inverse dynamics.
     pub wants_inverse: bool,
     /// Auxiliary displacements, which are zero here.
     pub auxiliaries: Vec<Auxiliary>,
@@ -128,13 +129,13 @@ pub struct Coordinate {
     pub speed: Symbol,
     /// q''
     pub acceleration: Symbol,
-    /// Where it starts.
+    /// Its start.
     pub start: Start,
     /// The speed it starts with, if that is given.
     pub start_speed: Option<Expr>,
 }
 
-/// What the declaration says of where a coordinate starts.
+/// The declared start of a coordinate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Start {
     /// Exactly here.
@@ -181,7 +182,7 @@ pub struct Body {
     pub mass: Option<(Expr, Point)>,
     /// Moment of inertia, 0 if only the angle is declared, and the angle.
     pub rotation: Option<(Expr, Expr)>,
-    /// How it turns in space, in place of the angle.
+    /// Its rotation in space, in place of the angle.
     pub attitude: Option<Attitude>,
 }
 
@@ -189,12 +190,12 @@ pub struct Body {
 pub struct Force {
     /// The force.
     pub force: Point,
-    /// Where it acts.
+    /// The point at which it acts.
     pub at: Point,
 }
 
-/// What does the virtual work `force` times the variation of `along`: a torque about an angle, a spring along a distance;
-/// of a potential V, -1 along V itself.
+/// A load with the virtual work `force` times the variation of `along`: a torque about an angle, a spring along a
+/// distance; of a potential V, -1 along V itself.
 pub struct Effort {
     /// The generalised force.
     pub force: Expr,
@@ -206,7 +207,7 @@ pub struct Effort {
 pub struct Constraint {
     /// Its name; `closure_x` for a row of a vector equation.
     pub name: String,
-    /// What it holds between.
+    /// Whether it holds between positions or speeds.
     pub level: Level,
     /// C = left - right; for a row between speeds w = left - right, linear in q'.
     pub value: Expr,
@@ -247,7 +248,7 @@ pub struct GeneralizedSpeed {
     pub symbol: Symbol,
 }
 
-/// What a constraint holds between.
+/// Whether a constraint holds between positions or speeds.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Level {
     /// Positions: C(q, t) = 0.
@@ -256,7 +257,7 @@ pub enum Level {
     Speeds,
 }
 
-/// A displacement that is zero, and whose conjugate force is wanted.
+/// A zero displacement, whose conjugate force is computed.
 pub struct Auxiliary {
     /// Its name.
     pub name: String,
@@ -264,11 +265,11 @@ pub struct Auxiliary {
     pub displacement: Symbol,
     /// s', where it is one.
     pub rate: Symbol,
-    /// What stands for the conjugate force in outputs.
+    /// The symbol of the conjugate force in outputs.
     pub reaction: Symbol,
 }
 
-/// A condition that comes to hold at certain times.
+/// A condition that becomes true at certain times.
 pub struct Event {
     /// Its name.
     pub name: String,
@@ -278,23 +279,23 @@ pub struct Event {
     pub direction: Option<Direction>,
     /// Whether the condition depends on accelerations or multipliers.
     pub on_forces: bool,
-    /// What happens then, one after the other.
+    /// The actions, in order.
     pub steps: Vec<EventStep>,
 }
 
-/// A part of what happens at an event; what is in one part happens at once.
+/// A group of actions of an event that happen at once.
 pub enum EventStep {
     /// The motion ends at this occurrence, from 1.
     Stop(usize),
     /// Parameters and coordinates change.
     Set(Vec<(Target, Expr)>),
-    /// Constraints, by index, hold from now on or no more.
+    /// Constraints, by index, hold from now on or no longer.
     Switch(Vec<(usize, bool)>),
     /// Constraints, by index, are hit, with coefficients of restitution.
     Impact(Vec<(usize, Expr)>),
 }
 
-/// What an event sets, by index.
+/// The target of a `set`, by index.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Target {
     /// A parameter.
@@ -323,13 +324,13 @@ pub struct OutputGroup {
     pub name: String,
     /// Its title.
     pub title: String,
-    /// How many outputs it has.
+    /// The number of its outputs.
     pub len: usize,
 }
 
 /// Something to draw.
 pub enum Shape {
-    /// What is drawn through or at points alone.
+    /// Shapes drawn through or at points alone.
     Points(crate::dsl::Mark, Vec<Point>),
     /// A slider at a point, turned by an angle; in space, along a direction.
     Slider(Point, Point),
@@ -338,7 +339,7 @@ pub enum Shape {
 }
 
 impl Model {
-    /// The total time derivative, as long as no acceleration occurs in what is differentiated.
+    /// The total time derivative of an expression without accelerations.
     pub fn time_derivative(&mut self) -> Differential {
         time_derivative(&mut self.graph, self.time, &self.coordinates, &[])
     }

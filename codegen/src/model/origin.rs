@@ -11,7 +11,7 @@ pub(super) enum Origin {
     Defined(String),
 }
 
-/// The origin of each name, and whether it was shown. What is defined twice has its first origin.
+/// The origin of each name, and whether it was shown. A name that is defined twice has its first origin.
 #[derive(Default)]
 pub(super) struct Origins(IndexMap<String, (Origin, bool)>);
 

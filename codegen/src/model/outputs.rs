@@ -38,13 +38,12 @@ pub(super) fn resolve_outputs(
             if columns.contains(&name) {
                 interpreter.mistakes.add(
                     Region::from(&output.name)
-                        .error(format!("`{name}` is recorded already, under this name; choose another")),
+                        .error(format!("`{name}` is already a column of the results; choose another name")),
                 );
             }
             if of_sweeps.contains(&name) {
                 interpreter.mistakes.add(
-                    Region::from(&output.name)
-                        .error(format!("a sweep records what drives do as `{name}`; choose another name")),
+                    Region::from(&output.name).error(format!("a sweep has a column `{name}`; choose another name")),
                 );
             }
             let unit = resolve_unit(&output.unit, interpreter);
@@ -62,7 +61,7 @@ pub(super) fn resolve_outputs(
     (outputs, groups)
 }
 
-/// What sweeps record beside the columns of runs.
+/// The columns of sweeps beyond those of runs.
 fn columns_of_sweeps(declaration: &Declaration, coordinates: &[Coordinate]) -> Vec<String> {
     let outputs = declaration.outputs.iter().flat_map(|group| &group.outputs).map(|output| plain(&output.name));
     let outputs: Vec<String> = outputs.collect();

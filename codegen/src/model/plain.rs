@@ -1,4 +1,4 @@
-//! Plain numbers, which are in the unit that is declared.
+//! Plain numbers, which are in the declared unit.
 
 use super::interpreter::Interpreter;
 use super::measured::Measured;
@@ -7,8 +7,8 @@ use super::{Dependence, Unit};
 use crate::dsl::{Expression, Kind};
 use crate::symbolic::Expr;
 
-/// A scalar for what has the unit, with what it must not depend on and why; if it is made of plain numbers only, they
-/// are in that unit.
+/// A scalar for a quantity with a unit, with forbidden dependences and the reason. If it consists of plain numbers,
+/// they are in that unit.
 pub(super) fn in_unit(
     expression: &Expression,
     what: &str,
@@ -24,7 +24,7 @@ pub(super) fn in_unit(
             Some(name) => (name, "is"),
             None => (what, "is declared"),
         };
-        // Whatever stands here fits if the unit of the name is mistaken.
+        // Any value fits if the unit of the name is invalid.
         let is_mistaken = interpreter.values.get(name).is_some_and(|value| value.dimension.is_none());
         if !is_mistaken {
             interpreter.expect_unit(found, &format!("`{what}` {is}"), name, unit);

@@ -11,7 +11,7 @@ use crate::dsl::{self, Declaration, Expression, Region};
 use crate::symbolic::{Expr, Symbol};
 use syn::Ident;
 
-/// What a declared unit means; `None` is a mistake, noted.
+/// The meaning of a declared unit; `None` if it is a recorded mistake.
 pub(super) fn resolve_unit(unit: &Option<dsl::Unit>, interpreter: &mut Interpreter) -> Option<Unit> {
     match unit {
         Some(unit) => interpreter.mistakes.note(Unit::resolve(unit)),
@@ -19,7 +19,7 @@ pub(super) fn resolve_unit(unit: &Option<dsl::Unit>, interpreter: &mut Interpret
     }
 }
 
-/// Defines a coordinate or parameter. One whose unit is mistaken has a dimension that fits everywhere.
+/// Defines a coordinate or parameter. One with an invalid unit has a dimension that fits everywhere.
 fn define_symbol(
     name: &Ident,
     symbol: Symbol,
@@ -118,7 +118,7 @@ struct Valued {
     value: Expr,
 }
 
-/// Its value, on which some things must have no influence, does not see its name.
+/// Its value cannot refer to its own name.
 fn resolve_valued(
     (name, written, value): (&Ident, &Option<dsl::Unit>, &Expression),
     dependence: Dependence,
@@ -191,7 +191,7 @@ pub(super) fn check_coordinates_used(
     constraints: &[Constraint],
     interpreter: &mut Interpreter,
 ) {
-    // Another mistake may be why it is not used.
+    // Another mistake may be the reason why it is not used.
     if !interpreter.mistakes.is_empty() {
         return;
     }

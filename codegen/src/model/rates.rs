@@ -1,4 +1,5 @@
-//! What must be linear in the rates of the coordinates: constraints between speeds, and generalised speeds.
+//! Checks of expressions that must be linear in the rates of the coordinates: constraints between speeds, and
+//! generalised speeds.
 
 use super::Dependence;
 use super::interpreter::Interpreter;
@@ -6,10 +7,10 @@ use super::level::BEYOND_SPEED;
 use crate::dsl::Region;
 use crate::symbolic::{Differential, Expr, Node, Symbol};
 
-/// The longest sum that multiplying out may make, to see that squares of speeds cancel.
+/// The longest sum allowed when multiplying out, to see squares of speeds cancel.
 const LONGEST: usize = 256;
 
-/// Refuses rows in which a speed occurs otherwise than to the first power, and accelerations.
+/// Refuses rows that are not linear in the speeds, and accelerations.
 pub(super) fn linear_in_speeds(place: Region, rows: &[Expr], interpreter: &mut Interpreter) -> Option<()> {
     interpreter.restrict(
         place,
@@ -31,14 +32,14 @@ pub(super) fn linear_in_speeds(place: Region, rows: &[Expr], interpreter: &mut I
     )
 }
 
-/// Refuses expressions in which a speed occurs otherwise than to the first power; `rule` says what they must be.
+/// Refuses expressions that are not linear in the speeds; `rule` says what they must be.
 pub(super) fn first_power(place: Region, rows: &[Expr], rule: &str, interpreter: &mut Interpreter) -> Option<()> {
     for row in rows {
         for speed in speeds(*row, interpreter) {
             let slope = Differential::partial(&mut interpreter.graph, speed).of(&mut interpreter.graph, *row);
             if depends_on_speed(slope, interpreter) {
                 let name = interpreter.graph.symbol_name(speed).trim_end_matches("_dot").to_owned();
-                let message = format!("{rule}; `dot({name})` does not stand to the first power here");
+                let message = format!("{rule}; `dot({name})` is not linear here");
                 return interpreter.refuse(place, message);
             }
         }

@@ -98,7 +98,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
     })
 }
 
-/// What is declared as a symbol.
+/// Items declared as symbols.
 struct Symbols {
     coordinates: Vec<Coordinate>,
     parameters: Vec<Parameter>,

@@ -13,7 +13,7 @@ use syn::ext::IdentExt;
 pub(super) const OTHER_FUNCTIONS: [&str; 10] =
     ["atan2", "sqrt", "min", "max", "norm", "inner", "dot", "ddot", "reaction", "on"];
 
-/// Functions that names of the user's own may hide, as they have come later: rotations and vectors of space.
+/// Functions that the user's names may hide, because they were added later: rotations and vectors of space.
 pub(super) const SPATIAL_FUNCTIONS: [&str; 7] =
     ["cross", "rotation", "euler", "quaternion", "axes", "transpose", "angular_velocity"];
 
@@ -22,10 +22,10 @@ pub(super) fn plain(ident: &Ident) -> String {
     ident.unraw().to_string()
 }
 
-/// Named things of one kind, in the order of their definition. A thing that had a mistake keeps its name, so
-/// that its uses are not mistakes too.
+/// Named things of one kind, in the order of their definition. A faulty item keeps its name, so that its uses cause no
+/// further errors.
 pub(super) struct Names<T> {
-    /// What the names are, for messages: "body".
+    /// The kind of the names, for messages: "body".
     kind: &'static str,
     entries: IndexMap<String, (Region, Option<T>)>,
 }
@@ -58,7 +58,7 @@ impl<T: Clone> Names<T> {
         self.entries.get(name).map(|(region, _)| *region)
     }
 
-    /// The thing of that name, if there is one without mistakes.
+    /// The item of that name, if there is one without mistakes.
     pub(super) fn get(&self, name: &str) -> Option<&T> {
         self.entries.get(name).and_then(|(_, thing)| thing.as_ref())
     }
@@ -75,7 +75,7 @@ impl<T: Clone> Names<T> {
         self.entries.keys().map(String::as_str)
     }
 
-    /// The thing of that name; a mistake if there is none, silence if it had a mistake of its own.
+    /// The item of that name; a mistake if there is none, but no message if the item itself was faulty.
     pub(super) fn find(&self, name: &Ident, mistakes: &mut Mistakes) -> Option<T> {
         let text = plain(name);
         match self.entries.get(&text) {
@@ -122,7 +122,7 @@ pub(super) fn functions() -> impl Iterator<Item = &'static str> {
     reserved_functions().chain(SPATIAL_FUNCTIONS)
 }
 
-/// Those whose names are no others.
+/// The ones with unique names.
 pub(super) fn reserved_functions() -> impl Iterator<Item = &'static str> {
     Function::ALL.into_iter().map(Function::name).chain(OTHER_FUNCTIONS)
 }

@@ -6,7 +6,7 @@ use crate::dsl::Region;
 use crate::symbolic::{Expr, Graph};
 
 impl Interpreter {
-    /// Refuses tables of which a derivative jumps where speeds would jump with it.
+    /// Refuses tables with jumping derivatives where speeds would jump with them.
     pub(super) fn smooth(&mut self, place: Region, values: &[Expr], level: Level, what: &str) -> Option<()> {
         match rough(&self.graph, values, level) {
             Some(name) => {
@@ -20,7 +20,7 @@ impl Interpreter {
     }
 }
 
-/// A table of which a derivative jumps that is in the speed of something.
+/// A table with a jumping derivative that enters a speed.
 fn rough(graph: &Graph, values: &[Expr], level: Level) -> Option<String> {
     let used = graph.reachable(values);
     let rates = u8::from(level == Level::Positions);

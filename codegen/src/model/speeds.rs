@@ -1,8 +1,8 @@
 //! The `speeds` block: generalised speeds u = W q' + w, linear in the rates of the coordinates (Kane and Levinson,
 //! Dynamics: Theory and Applications, 1985, section 2.12).
 //!
-//! With the rows that they satisfy by construction, the norms of quaternions and the constraints between speeds, they
-//! must determine q': as many rows as there are coordinates, none of which follows from the others everywhere.
+//! Together with the rows that they satisfy by construction, the norms of quaternions and the constraints between
+//! speeds, they must determine q': as many rows as coordinates, of which none follows from the others everywhere.
 
 use super::interpreter::Interpreter;
 use super::level::no_input;
@@ -18,7 +18,7 @@ use syn::Ident;
 const WHAT: &str = "a generalised speed";
 
 impl Model {
-    /// The constraint rows, by index, that hold whatever values generalised speeds have.
+    /// The constraint rows, by index, that hold for all values of the generalised speeds.
     pub fn satisfied_rows(&self) -> Vec<usize> {
         satisfied(&self.constraints, &self.norm_constraints)
     }
@@ -42,7 +42,7 @@ pub(super) fn resolve_speeds(
 ) -> Vec<GeneralizedSpeed> {
     let speeds: Vec<GeneralizedSpeed> =
         declaration.speeds.iter().filter_map(|speed| resolve_speed(speed, declaration, interpreter)).collect();
-    // Another mistake may be why there are too few, or why constraints are missing.
+    // Another mistake may be the reason why there are too few, or why constraints are missing.
     if interpreter.mistakes.is_empty() && !speeds.is_empty() {
         let names: Vec<&Ident> = declaration.speeds.iter().map(|speed| &speed.name).collect();
         let rows: Vec<&Constraint> =
@@ -115,7 +115,7 @@ fn check_count(
     let listed: Vec<String> = rows.iter().map(|row| format!("`{}`", row.name)).collect();
     let less = match listed.as_slice() {
         [] => String::new(),
-        _ => format!(", less the constraints that hold whatever they are, {}", listed.join(", ")),
+        _ => format!(", less the constraints that hold by construction, {}", listed.join(", ")),
     };
     let place = names.get(wanted).or(names.last())?;
     interpreter.refuse(
@@ -143,15 +143,15 @@ fn check_independent(
         Some(at) => interpreter.refuse(
             Region::from(names[at]),
             format!(
-                "generalised speed `{}` follows from those above it and the constraints, so that they do not determine the \
-                 rates of all coordinates; choose one that is independent",
+                "generalised speed `{}` follows from those above it and the constraints, so the rates of some coordinates stay \
+                 undetermined; choose an independent one",
                 speeds[at].name
             ),
         ),
         None => interpreter.refuse(
             Region::from(names[0]),
             format!(
-                "constraint `{}` follows from others, so that generalised speeds cannot satisfy both by construction; leave \
+                "constraint `{}` follows from others, so generalised speeds cannot satisfy both by construction; leave \
                  it out",
                 rows[dependent].name
             ),
@@ -175,7 +175,7 @@ fn dependent(graph: &Graph, matrix: &[Vec<Expr>]) -> Option<usize> {
     (0..matrix.len()).find(|row| places.iter().all(|found| found[*row]))
 }
 
-/// Of each row whether it is a combination of those before it, by Gram and Schmidt's process.
+/// Whether each row is a combination of those before it, by the Gram-Schmidt process.
 fn dependences<'a>(rows: impl Iterator<Item = &'a [f64]>) -> Vec<bool> {
     let inner = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let mut basis: Vec<Vec<f64>> = Vec::new();

@@ -2,8 +2,8 @@
 
 use crate::dsl::{Between, Ends, Outside};
 
-/// The pieces of a table of at least two rows, from before the first row to after the last, each by its powers of the way
-/// from the row where it starts; the first from the first row.
+/// The pieces of a table of at least two rows, from before the first row to after the last, each in powers of the
+/// distance from the row where it starts; the first piece from the first row.
 pub(super) fn pieces(x: &[f64], y: &[f64], between: Between, ends: Option<Ends>, outside: Outside) -> Vec<[f64; 4]> {
     let rows = Rows::new(x, y);
     let slopes = match (between, outside) {
@@ -53,8 +53,8 @@ impl Rows<'_> {
         Equation { below: g, at: 2.0 * (h + g), above: h, value: 3.0 * (g * self.d[left] + h * self.d[right]) }
     }
 
-    /// The slopes of a cubic spline. Without a word on its ends their third derivative is continuous at the second row and
-    /// the last but one, so that cubics come back as they were.
+    /// The slopes of a cubic spline. By default the third derivative is continuous at the second row and the last but
+    /// one, so cubics are reproduced exactly.
     fn slopes(&self, ends: Option<Ends>) -> Vec<f64> {
         let n = self.y.len();
         if ends.is_none() && n < 4 {
@@ -133,7 +133,7 @@ impl Rows<'_> {
         3.0 * (h + g) / ((h + 2.0 * g) / d + (2.0 * h + g) / e)
     }
 
-    /// The slope of the parabola at an end, as far as it does not turn.
+    /// The slope of the parabola at an end, limited so that the piece stays monotone.
     fn one_sided(&self, own: usize, next: usize) -> f64 {
         let (h, g, d, e) = (self.h[own], self.h[next], self.d[own], self.d[next]);
         let slope = d + h * (d - e) / (h + g);

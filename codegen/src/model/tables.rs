@@ -1,4 +1,9 @@
 //! The `tables` block.
+//!
+//! Rows become cubics when the mechanism is resolved, and constants of its type. A table is one node of the graph with
+//! the order of its derivative, and a kernel looks a piece up once for each argument, lane by lane. So dual numbers and
+//! lanes need nothing but the look-up. The oracle makes its splines another way: from second derivatives, by
+//! relaxation.
 
 use super::Unit;
 use super::function::Function;
@@ -57,12 +62,12 @@ fn resolve_table(written: &dsl::Table, interpreter: &mut Interpreter) -> Option<
     Some(Function { table: interpreter.graph.add_table(table), argument: over, value: unit.dimension().clone() })
 }
 
-/// What the words before the rows must not say together, and how many rows there are.
+/// Checks the combination of words before the rows, and the number of rows.
 fn check_form(written: &dsl::Table, name: &str, interpreter: &mut Interpreter) -> Option<()> {
     let place = Region::from(&written.name);
     if let Some((_, region)) = written.ends {
         if written.between != Between::Cubic {
-            return interpreter.refuse(region, "only a `cubic` is `natural` or `clamped` at its ends");
+            return interpreter.refuse(region, "only a `cubic` table can be `natural` or `clamped`");
         }
         if written.outside == Outside::Periodic {
             return interpreter.refuse(region, "a periodic table has no ends; leave out `natural` or `clamped`");
@@ -102,9 +107,9 @@ fn check_order(written: &dsl::Table, rows: &[(f64, f64)], interpreter: &mut Inte
     let [above, below] = [at, at + 1].map(|row| &written.rows[row][0]);
     let message = match rows[at].0 == rows[at + 1].0 {
         true => {
-            format!("the arguments of a table increase from row to row, and {below} stands in the row above as well")
+            format!("the arguments of a table must increase from row to row; {below} is in the row above too")
         }
-        false => format!("the arguments of a table increase from row to row, and {below} stands below {above}"),
+        false => format!("the arguments of a table must increase from row to row; {below} follows {above}"),
     };
     interpreter.refuse(below.region, message)
 }
@@ -116,8 +121,7 @@ fn check_period(written: &dsl::Table, rows: &[(f64, f64)], interpreter: &mut Int
         return Some(());
     }
     let [first, last] = [written.rows.first()?, written.rows.last()?].map(|row| &row[1]);
-    let message = format!(
-        "the last row of a periodic table closes the period: its value is that of the first row, {first}, and {last} stands here"
-    );
+    let message =
+        format!("the last row of a periodic table must repeat the value of the first, {first}; this is {last}");
     interpreter.refuse(last.region, message)
 }

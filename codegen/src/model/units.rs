@@ -79,7 +79,7 @@ impl Unit {
         Unit { text: dimension.si_unit(), dimension, rational: Number::ONE, pi_power: 0 }
     }
 
-    /// What a unit in brackets means.
+    /// The meaning of a unit in brackets.
     ///
     /// # Errors
     /// At a name that is no unit, with the nearest that is.
@@ -104,12 +104,12 @@ impl Unit {
     /// Reads a unit from text without brackets.
     ///
     /// # Errors
-    /// What is wrong with it, in one sentence.
+    /// The mistake, in one sentence.
     pub fn parse(text: &str) -> Result<Unit, String> {
         dsl::parse_unit(text).and_then(|unit| Unit::resolve(&unit)).map_err(|e| e.to_string())
     }
 
-    /// Whether it was written, rather than left out.
+    /// Whether it was written rather than left out.
     pub fn is_declared(&self) -> bool {
         *self != Unit::none()
     }
@@ -171,7 +171,7 @@ fn look_up(name: &str) -> Option<(Dimension, Number, i64)> {
     })
 }
 
-/// Common ways to write a unit that the table has under another name.
+/// Common spellings of units that the table lists under another name.
 const OTHER_SPELLINGS: [(&str, &str); 14] = [
     ("Nm", "N*m"),
     ("metre", "m"),
@@ -189,9 +189,9 @@ const OTHER_SPELLINGS: [(&str, &str); 14] = [
     ("s2", "s^2"),
 ];
 
-/// What a unit may be, for a name like none of them.
-const KNOWN: &str = "; known are m, g, s, N, J, W, Pa, bar, A, V, Hz, rad, \
-     deg, rpm, min, inch, lb and their like, with SI prefixes";
+/// The known units, for a name unlike any of them.
+const KNOWN: &str = "; known units are m, g, s, N, J, W, Pa, bar, A, V, Hz, rad, \
+     deg, rpm, min, inch, lb and others, with SI prefixes";
 
 fn unknown(name: &syn::Ident) -> syn::Error {
     if let Some((_, right)) = OTHER_SPELLINGS.iter().find(|(other, _)| name == other) {

@@ -1,8 +1,8 @@
-//! Rows that no coordinate moves though coordinates stand in them, as where a point lies on the axis that its body turns about:
-//! what cancels there does not always cancel in symbols.
+//! Rows that contain coordinates but that no coordinate moves, as where a point lies on the axis that its body turns
+//! about. Such terms do not always cancel symbolically.
 //!
-//! A row is evaluated at places drawn once and for all. An analytic expression that is constant along the coordinates at all of
-//! them, to rounding, is so everywhere but for a chance that is none (Schwartz, Journal of the ACM 27, 1980).
+//! A row is evaluated at fixed random points. An analytic expression that does not vary with the coordinates at any of
+//! them, to rounding, is almost surely constant (Schwartz, Journal of the ACM 27, 1980).
 
 use super::{Dependence, Dependences};
 use crate::symbolic::{Expr, Graph, Rounded, Symbol, evaluate, evaluate_with_rounding, substitute};
@@ -41,14 +41,14 @@ pub(super) fn without_coordinates(graph: &mut Graph, dependences: &mut Dependenc
     if is_zero {
         return Some(zero);
     }
-    // Where the row has no value at 0, as a quaternion has none, it stays as it is.
+    // A row without a value at 0, such as one with a quaternion, stays as it is.
     let at_zero: Vec<_> = coordinates.iter().map(|symbol| (*symbol, zero)).collect();
     let rest = substitute(graph, &[row], &at_zero)[0];
     let value = evaluate(graph, &[rest], |symbol| drawn(symbol, 0, 0))[0];
     value.is_finite().then_some(rest)
 }
 
-/// A number between 1/2 and 3/2, another one for each symbol and place, of no relation to others.
+/// A pseudo-random number between 1/2 and 3/2 for each symbol and point.
 fn drawn(symbol: usize, place: usize) -> f64 {
     const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
     let mut bits = (symbol as u64 + 1).wrapping_mul(GOLDEN) ^ (place as u64 + 1);

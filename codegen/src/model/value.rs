@@ -1,4 +1,4 @@
-//! What an expression of the language stands for: a scalar, a vector of the plane or of space, or a rotation, with its
+//! The value of an expression of the language: a scalar, a vector of the plane or of space, or a rotation, with its
 //! dimension.
 
 use super::Dimension;
@@ -26,7 +26,7 @@ pub(super) struct Value {
 }
 
 impl Value {
-    /// Of no frame in particular.
+    /// Without a known frame.
     pub(super) fn new(shape: Shape, dimension: Option<Dimension>) -> Value {
         Value { shape, dimension, bases: Bases::default() }
     }
@@ -51,7 +51,7 @@ impl Value {
         Value { shape, ..self }
     }
 
-    /// What it is, in words.
+    /// Its kind, in words.
     pub(super) fn kind(&self) -> &'static str {
         match self.shape {
             Shape::Scalar(_) => "a scalar",

@@ -7,7 +7,7 @@ use super::value::{Shape, Value};
 use crate::dsl::{Expression, Region};
 
 impl Interpreter {
-    /// `[x, y]` or `[x, y, z]`: all of a declaration have as many components.
+    /// `[x, y]` or `[x, y, z]`: all of a declaration have the same number of components.
     pub(super) fn vector(&mut self, region: Region, components: &[Expression]) -> Option<Value> {
         let values: Vec<_> = components.iter().map(|c| self.scalar_value(c)).collect();
         if ![2, 3].contains(&values.len()) {
@@ -56,11 +56,11 @@ impl Interpreter {
         }
         let message = match known {
             2 => {
-                "this vector has three components, and the mechanism is planar, as its first vector says; write `[x, y]`, \
+                "this vector has three components, but the first vector makes the mechanism planar; write `[x, y]`, \
                   or three components everywhere"
             }
             _ => {
-                "this vector has two components, and the mechanism is spatial, as its first vector says; write `[x, y, 0]`, \
+                "this vector has two components, but the first vector makes the mechanism spatial; write `[x, y, 0]`, \
                   or two components everywhere"
             }
         };

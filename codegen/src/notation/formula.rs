@@ -1,4 +1,4 @@
-//! Formulas: expressions as they are to be read, before any notation is chosen.
+//! Formulas: expressions for readers, independent of notation.
 
 use super::names::Name;
 use crate::symbolic::{Constant, Function};
@@ -13,7 +13,7 @@ pub(super) enum Formula {
     Name(Rc<Name>),
     /// Terms, each with whether it is subtracted.
     Sum(Vec<(bool, Formula)>),
-    /// Factors: no quotient is among them.
+    /// Factors, without quotients.
     Product(Vec<Formula>),
     Quotient(Box<Formula>, Box<Formula>),
     Power(Box<Formula>, Box<Formula>),
@@ -22,7 +22,7 @@ pub(super) enum Formula {
     Call(Function, Box<Formula>),
     /// The angle of the point (x, y), given as (y, x).
     Atan2(Box<Formula>, Box<Formula>),
-    /// The second where the first is above zero, and else the third.
+    /// The second where the first is above zero, otherwise the third.
     Choice(Box<Formula>, Box<Formula>, Box<Formula>),
     /// The derivative of this order of the table of that name.
     Table(Rc<Name>, u8, Box<Formula>),

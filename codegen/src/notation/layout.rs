@@ -4,7 +4,7 @@ use super::formula::{Binding, Formula};
 use super::names::Name;
 use crate::symbolic::{Constant, Function};
 
-/// What stands beside, above and below what.
+/// The arrangement of symbols beside, above and below each other.
 pub(super) enum Layout {
     Row(Vec<Layout>),
     Number(String),

@@ -1,7 +1,7 @@
-//! Equations of motion to be read: as infix text, as LaTeX or as MathML.
+//! Equations of motion for readers: as infix text, LaTeX or MathML.
 //!
-//! Expressions become formulas (`translate`), in the order in which a reader looks for things; what is shared or too wide
-//! has a name (`sharing`), the user's own where there is one. LaTeX and MathML set the same layout.
+//! Expressions become formulas (`translate`), in the customary order. Shared or wide parts get names (`sharing`), the
+//! user's own if there are any. LaTeX and MathML set the same layout.
 
 mod formula;
 mod greek;
@@ -20,7 +20,7 @@ use crate::dynamics::EquationsOfMotion;
 use crate::symbolic::{Expr, Graph};
 use parts::Equation;
 
-/// How equations are written.
+/// A notation for equations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Notation {
     /// Text, in the notation of the language; names as in the generated code.
@@ -57,7 +57,7 @@ pub fn equations(equations: &EquationsOfMotion, notation: Notation) -> Vec<Part>
 
 /// One expression in infix notation, with the fewest parentheses.
 ///
-/// Shared parts are written out each time: for reading, not for large systems.
+/// Shared parts are written out each time, so this is not for large systems.
 pub fn infix(graph: &Graph, expr: Expr) -> String {
     let names = names::Names::default();
     infix::text(&translate::Translation { graph, names: &names }.formula(expr))

@@ -1,4 +1,4 @@
-//! Names as they are set: `theta_2` is a letter with an index, `alpha_dot` a letter with a dot.
+//! Typeset names: `theta_2` is a letter with an index, `alpha_dot` a letter with a dot.
 
 use crate::symbolic::{Expr, Graph, Symbol, TableId};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -12,7 +12,7 @@ pub(super) struct Name {
     pub(super) set: Setting,
 }
 
-/// A letter or word with what stands around it.
+/// A letter or word with its accents and indices.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub(super) struct Setting {
     pub(super) base: String,

@@ -12,7 +12,7 @@ use std::rc::Rc;
 
 /// The widest system that is also written entry by entry.
 const LARGEST_SYSTEM: usize = 8;
-/// No entry of a matrix is too wide below this.
+/// The width up to which entries stay in their matrix.
 const NARROWEST_ENTRY: usize = 12;
 /// The widest entry of a vector.
 const WIDEST_OF_VECTOR: usize = 30;
@@ -45,7 +45,7 @@ struct Term<'a> {
     is_matrix: bool,
 }
 
-/// All parts that have entries; at the end, what stands for what.
+/// All parts that have entries; the definitions at the end.
 pub(super) fn parts(equations: &EquationsOfMotion) -> Vec<Part> {
     let terms = terms(equations);
     let roots: Vec<Expr> = terms.iter().flat_map(|term| term.rows.concat()).collect();
@@ -189,7 +189,7 @@ fn by_blocks(terms: &[Term; 6], constraints: usize) -> Equation {
     }
 }
 
-/// What stands on the diagonal for a multiplier: activity - 1 if events switch its constraint.
+/// The diagonal entry of a multiplier: activity - 1 if events switch its constraint.
 fn released(constraint: &Constraint, translation: &Translation) -> Formula {
     let activity = |activity| vec![(false, translation.formula(activity)), (true, Formula::number(1))];
     constraint.activity.map_or(Formula::number(0), |expr| Formula::Sum(activity(expr)))

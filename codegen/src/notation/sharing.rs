@@ -1,5 +1,5 @@
-//! Which expressions have a name of their own: the user's where an expression is a `let`, and one of ours where it would
-//! otherwise be written out again and again, or be too wide for a line.
+//! Which expressions get a name: the user's if the expression is a `let`, and a generated one if it would otherwise be
+//! repeated, or be too wide for a line.
 
 use super::names::Names;
 use super::translate::Translation;
@@ -7,11 +7,11 @@ use super::width::set_width;
 use crate::model::Model;
 use crate::symbolic::{Expr, Graph};
 
-/// What fits on a line.
+/// The width of a line.
 pub(super) const LINE: usize = 90;
-/// What may stand inside of something else.
+/// The width allowed inside another expression.
 const WIDEST_INSIDE: usize = 60;
-/// From this width on, what occurs twice has a name.
+/// The width from which repeated expressions get a name.
 const WORTH_A_NAME: usize = 24;
 
 /// The names of everything that is made of `roots`, and the expressions that they define, operands first.

@@ -8,14 +8,14 @@ use num_integer::gcd;
 /// Decimals of more digits than this are better read as fractions.
 const LONGEST_DECIMAL: u32 = 9;
 
-/// Reads formulas out of a graph, under the names that are given.
+/// Translates expressions of a graph to formulas, using given names.
 pub(super) struct Translation<'a> {
     pub(super) graph: &'a Graph,
     pub(super) names: &'a Names,
 }
 
 impl Translation<'_> {
-    /// The name of an expression if it has one, and what it is made of otherwise.
+    /// The name of an expression if it has one, otherwise its formula.
     pub(super) fn formula(&self, expr: Expr) -> Formula {
         match self.names.of(expr) {
             Some(name) => Formula::Name(name.clone()),
@@ -23,7 +23,7 @@ impl Translation<'_> {
         }
     }
 
-    /// What an expression is made of, whether it has a name or not.
+    /// The formula of an expression, whether it has a name or not.
     pub(super) fn definition(&self, expr: Expr) -> Formula {
         match self.graph.node(expr) {
             Node::Number(value) => number(&value.abs()).signed(value.is_negative()),
@@ -128,7 +128,7 @@ fn number(value: &Number) -> Formula {
     }
 }
 
-/// The decimal of a fraction that is one and is no simpler as a fraction: 9.81, but 1/2.
+/// The decimal form of a fraction, unless the fraction is simpler: 9.81, but 1/2.
 fn decimal(value: &Number) -> Option<String> {
     let (p, q) = value.to_fraction()?;
     let digits = (1..=LONGEST_DECIMAL).find(|digits| 10i128.pow(*digits) % i128::from(q) == 0)?;

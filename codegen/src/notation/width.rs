@@ -1,4 +1,4 @@
-//! How wide a formula is when it is set, in letters: about, and never too little by much.
+//! The approximate width of a typeset formula in letters, never much too small.
 
 use super::formula::Formula;
 use super::names::Name;

@@ -5,7 +5,7 @@ use super::measured::Measured;
 use super::motion::{Solution, Terms};
 use super::{Oracle, State};
 
-/// What the kernels of a mechanism give at one state, matrices row by row.
+/// The results of a mechanism's kernels at one state, matrices row by row.
 #[derive(Clone, Debug)]
 pub struct Computed {
     /// T_q' M T_q \[n*n\].
@@ -24,11 +24,11 @@ pub struct Computed {
     pub constraint_convective: Vec<f64>,
     /// In joules.
     pub kinetic_energy: f64,
-    /// What the actions of events set.
+    /// The values that the actions of events set.
     pub event_values: Vec<f64>,
 }
 
-/// What the kernels give of a state with its accelerations and multipliers.
+/// The results of the kernels for a state with its accelerations and multipliers.
 #[derive(Clone, Debug)]
 pub struct Observed {
     /// left - right of each event.
@@ -46,7 +46,7 @@ pub struct Comparison {
     entries: Vec<Entry>,
 }
 
-/// How far an entry of a term is from the oracle's, whose magnitude this is.
+/// The difference of an entry from the oracle's, which has this magnitude.
 #[derive(Clone, Debug)]
 struct Entry {
     term: &'static str,
@@ -89,8 +89,8 @@ impl Comparison {
         Ok(())
     }
 
-    /// The entries of a term. One that neither way has a value for is not compared; one that a single way has is infinitely
-    /// far, and so is a term whose entries are not as many.
+    /// The entries of a term. Entries without a value on both sides are not compared. An entry with a value on one side
+    /// only counts as infinitely far, and so does a term with another number of entries.
     pub fn term(&mut self, term: &'static str, values: &[f64], expected: &[Measured]) {
         if values.len() != expected.len() {
             self.entries.push(Entry { term, apart: f64::INFINITY, magnitude: 1.0 });
@@ -106,7 +106,7 @@ impl Comparison {
         }
     }
 
-    /// The largest relative difference, and of which term; 0 of no term if all are equal.
+    /// The largest relative difference and its term; 0 and no term if all are equal.
     pub fn worst(&self) -> (f64, &'static str) {
         let mut largest: Vec<(&str, f64)> = Vec::new();
         for Entry { term, magnitude, .. } in &self.entries {
@@ -128,7 +128,7 @@ impl Comparison {
 }
 
 /// |K z - r| of the oracle's equations at a solution z of the kernels, in eps n (|K||z| + |r|), in the largest norm. |r| is
-/// the sum of the magnitudes of its terms, as both sides compute it with their own rounding. Infinite where it is NaN.
+/// the sum of the magnitudes of its terms, as each side computes it with its own rounding. Infinite where it is NaN.
 pub fn residual(terms: &Terms, accelerations: &[f64], multipliers: &[f64]) -> f64 {
     let n = accelerations.len();
     let z = [accelerations, multipliers].concat();

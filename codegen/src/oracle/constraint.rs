@@ -18,7 +18,7 @@ pub(super) struct Row {
     pub(super) jacobian: Vec<Measured>,
     /// A for the rates of the auxiliary displacements.
     pub(super) by_auxiliary: Vec<Measured>,
-    /// b: C_t, or what w is without speeds.
+    /// b: C_t, or w without speeds.
     pub(super) time_derivative: Measured,
     /// w' without accelerations.
     pub(super) convective: Measured,
@@ -46,7 +46,7 @@ pub(super) struct Constraint {
     pub(super) rows: Vec<Row>,
 }
 
-/// All constraints of a declaration; `active` says of each that events switch whether it holds.
+/// All constraints of a declaration; `active` says for each one that events switch whether it holds.
 pub(super) fn constraints(
     declaration: &Declaration,
     si_factor: &dyn Fn(&Unit) -> f64,

@@ -1,4 +1,4 @@
-//! What loads do.
+//! Loads.
 
 use super::jet::Jet;
 use super::measured::Measured;

@@ -1,4 +1,4 @@
-//! What the oracle refuses.
+//! Errors of the oracle.
 
 use std::fmt;
 

@@ -1,13 +1,14 @@
 //! Newton's and Euler's equations of each body freed from the others.
 //!
-//! The force that a body needs is m a and the moment about its centre of mass J w' + w x J w, with a, w and w' of the body as it
-//! moves in time; neither a mass matrix nor convective terms enter. From both are taken the loads on the body and the
-//! reactions on it: a force at a point is on the body that the point rides on, the one with which it moves as a rigid part.
-//! What a body needs then must come through joints that were not cut, and these do no work: summed over all bodies it has
-//! no power along any motion that the coordinates allow (Jourdain). A body that no other moves with is balanced by
-//! itself, force by force and moment by moment.
+//! The force that a body needs is m a and the moment about its centre of mass J w' + w x J w, with a, w and w' of the
+//! body as it moves in time; neither a mass matrix nor convective terms enter. The loads and reactions on the body are
+//! subtracted from both; a force at a point acts on the body that the point moves with rigidly. The remainder must come
+//! through joints that were not cut. These do no work, so summed over all bodies the remainder has no power along any
+//! motion that the coordinates allow (Jourdain). A body that no other moves with is balanced by itself, force by force
+//! and moment by moment.
 //!
-//! A load or a constraint that no single body bears, as one written in coordinates or angles, has its virtual work alone.
+//! A load or constraint that acts on no single body, such as one written in coordinates or angles, enters by its
+//! virtual work alone.
 
 use super::effort::Effort;
 use super::elements::{dissipation, element, potential};
@@ -28,16 +29,16 @@ mod vector;
 use moving::{Freed, Point, as_it_is};
 use vector::{Vector, filled, scaled};
 
-/// What an equation of a freed body, or of all of them along a coordinate, misses.
+/// The residual of an equation of a freed body, or of all bodies along a coordinate.
 #[derive(Clone, Debug)]
 pub struct Balance {
     /// The body, or the coordinate.
     pub name: String,
     /// In N or N*m, or as a power along the coordinate in W per its unit of speed.
     pub missing: f64,
-    /// The sum of the magnitudes of all that is in the equation, and of what goes into its loads.
+    /// The sum of the magnitudes of all terms of the equation, and of the terms of its loads.
     pub size: f64,
-    /// The inertia that the equation is about: sizes over its root compare with each other. 0 where nothing with mass moves.
+    /// The inertia in the equation; residuals divided by its root are comparable. 0 where nothing with mass moves.
     pub inertia: f64,
 }
 
@@ -55,7 +56,7 @@ impl Oracle<'_> {
     }
 }
 
-/// All bodies, and what no single one bears.
+/// All bodies, and the loads that act on no single one.
 struct Cut<'d> {
     oracle: &'d Oracle<'d>,
     positions: Interpreter<'d>,
@@ -133,7 +134,7 @@ impl<'d> Cut<'d> {
         Ok(())
     }
 
-    /// The forces of all constraints: of one between two points -lambda on the first and lambda on the second.
+    /// The forces of all constraints: for one between two points, -lambda on the first and lambda on the second.
     fn reactions(&mut self, mechanics: &Mechanics, multipliers: &[Measured]) -> Result<()> {
         let mut first = 0;
         for (equation, constraint) in self.oracle.declaration.constraints.iter().zip(&mechanics.constraints) {
@@ -178,7 +179,7 @@ impl<'d> Cut<'d> {
         self.bodies.iter().position(|body| body.name == name)
     }
 
-    /// A force at a point: on the body that it rides on, or by its power.
+    /// A force at a point: on the body that the point belongs to, or by its power.
     fn apply(&mut self, force: Vector, point: &Point) {
         match self.bodies.iter_mut().find(|body| body.carries(point)) {
             Some(body) => body.take_force(force, Some(point)),
@@ -209,7 +210,8 @@ impl<'d> Cut<'d> {
         along.chain(alone.flat_map(|at| self.bodies[at].own_balances())).collect()
     }
 
-    /// Whether coordinates that move no other body, and that nothing unborne works along, move this one in every way.
+    /// Whether this body can move in every way by coordinates that move no other body and that no unassigned load acts
+    /// along.
     fn is_alone(&self, at: usize) -> bool {
         let own = |j: &usize| {
             let others = self.bodies.iter().enumerate().filter(|(other, _)| *other != at);
@@ -220,7 +222,7 @@ impl<'d> Cut<'d> {
     }
 }
 
-/// The entries of an inertia as it is written: one, three, or six.
+/// The entries of an inertia as written: one, three, or six.
 fn inertia_entries(body: &Body, fixed: &mut Interpreter) -> Result<Vec<Measured>> {
     let Some(inertia) = &body.inertia else { return Ok(vec![]) };
     match &inertia.kind {

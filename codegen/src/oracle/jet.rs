@@ -1,6 +1,6 @@
 //! Second-order forward differentiation: a value with its gradient and Hessian in k variables.
 //!
-//! In the n+1 variables (q, t) a jet is a position with all that its velocity and acceleration need. In one
+//! In the n+1 variables (q, t) a jet is a position with all derivatives that its velocity and acceleration need. In one
 //! variable, time along a motion, it is a quantity with its first and second time derivative.
 
 use super::function::{self, Derivatives};
@@ -36,7 +36,7 @@ impl Jet {
         jet
     }
 
-    /// A function of time of which as many time derivatives are known as `derivatives` has entries beyond the value.
+    /// A function of time with as many known time derivatives as `derivatives` has entries beyond the value.
     pub(super) fn of_time(value: Measured, derivatives: &[Measured]) -> Jet {
         let mut jet = Jet::constant(value, 1);
         jet.gradient[0] = derivatives.first().copied().unwrap_or_default();
@@ -83,7 +83,7 @@ impl Jet {
 
     /// The derivative along variables that change at given `rates`, themselves jets; `None` if it is not known.
     ///
-    /// Of what it is a jet itself only the gradient is known: u_i r_i has the derivatives u_ik r_i + u_i r_ik.
+    /// Of the result, a jet itself, only the gradient is known: u_i r_i has the derivatives u_ik r_i + u_i r_ik.
     pub(super) fn rate(&self, rates: &[Jet]) -> Option<Jet> {
         let variables = self.variables();
         match self.order {
@@ -109,7 +109,7 @@ impl Jet {
         self.compose_of_size(derivatives, [0.0; 3])
     }
 
-    /// The same where values of these sizes went into f, f' and f'' as well.
+    /// The same, where f, f' and f'' have these magnitudes.
     pub(super) fn compose_of_size(&self, [f, f1, f2, f3]: Derivatives, sizes: [f64; 3]) -> Jet {
         let of_size = |measured: Measured, size: f64| Measured { magnitude: measured.magnitude + size, ..measured };
         let value = of_size(Measured::function(f, f1, self.value), sizes[0]);

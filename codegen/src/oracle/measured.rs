@@ -1,4 +1,4 @@
-//! Numbers that remember how much went into them.
+//! Numbers that carry the magnitude of their terms.
 
 use std::iter::Sum;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -13,7 +13,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 pub struct Measured {
     /// The value.
     pub value: f64,
-    /// The sum of the absolute values that went into it; never below |value|.
+    /// The sum of the absolute values of its terms; never below |value|.
     pub magnitude: f64,
 }
 
@@ -32,7 +32,7 @@ impl Measured {
     }
 }
 
-/// a*b of magnitudes: where nothing went in nothing comes out, however steep the function.
+/// a*b of magnitudes, with 0 times infinity as 0.
 fn product(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
 }

@@ -1,4 +1,8 @@
 //! The mechanics of a declaration at one state: body rows, loads and constraints as jets in (q, t).
+//!
+//! Nothing here uses an angular velocity, except for freed bodies: rotational energy is tr(R' S R'^T)/2 over the nine
+//! entries of R, and a torque M is half of M x r on each column r. So the derivation is independent of the one it
+//! checks.
 
 use super::constraint::{self, Constraint, constraints};
 use super::effort::Effort;
@@ -18,9 +22,9 @@ use syn::Ident;
 pub(super) struct Row {
     /// Its mass or moment of inertia.
     pub(super) inertia: Measured,
-    /// Where it is.
+    /// Its value.
     pub(super) place: Jet,
-    /// What its inertia is multiplied with the acceleration of: the same, but for products of inertia.
+    /// The quantity whose acceleration multiplies its inertia: the same, except for products of inertia.
     pub(super) partner: Jet,
 }
 
@@ -30,7 +34,7 @@ impl Row {
     }
 }
 
-/// Everything of a declaration that enters the equations of motion, at one state.
+/// All parts of a declaration that enter the equations of motion, at one state.
 pub(super) struct Mechanics {
     /// The rows of x = T(q, t) that have inertia.
     pub(super) rows: Vec<Row>,
@@ -40,9 +44,9 @@ pub(super) struct Mechanics {
     pub(super) constraints: Vec<Constraint>,
     /// (q', 1, 0, ..): how the variables (q, t, s) of a position change in time.
     pub(super) rates: Vec<Measured>,
-    /// How many coordinates there are.
+    /// The number of coordinates.
     pub(super) coordinates: usize,
-    /// How many auxiliary displacements there are.
+    /// The number of auxiliary displacements.
     pub(super) auxiliaries: usize,
 }
 
@@ -111,7 +115,7 @@ impl Builder<'_> {
         Ok(rows)
     }
 
-    /// The entries of R, of which each row has the inertia S = tr(J)/2 - J: the energy of turning is tr(R' S R'^T)/2.
+    /// The entries of R, of which each row has the inertia S = tr(J)/2 - J: the rotational energy is tr(R' S R'^T)/2.
     fn turning(&mut self, inertia: &Expression, rotation: &Rotation) -> Result<Vec<Row>> {
         let Kind::Vector(written) = &inertia.kind else { return Err(OracleError::new("an inertia is in brackets")) };
         let given = written.iter().map(|x| Ok(self.fixed.scalar(x)?.value())).collect::<Result<Vec<_>>>()?;
@@ -140,7 +144,7 @@ impl Builder<'_> {
         Ok(rows)
     }
 
-    /// A quaternion of coordinates has along its norm the mean moment of the first body that it turns.
+    /// A quaternion of coordinates has, along its norm, the mean moment of the first body that it turns.
     fn norms(&mut self, bodies: &[Body]) -> Result<Vec<Row>> {
         let (mut rows, mut known): (Vec<Row>, Vec<Vec<f64>>) = (Vec::new(), Vec::new());
         for body in bodies {
@@ -161,7 +165,7 @@ impl Builder<'_> {
         Ok(rows)
     }
 
-    /// M on what R turns: half of M x r on each column r, as it turns by half the sum of r x dr.
+    /// M on a body with rotation R: half of M x r on each column r, since the body turns by half the sum of r x dr.
     fn spatial_torque(&mut self, moment: &Expression, attitude: &Expression) -> Result<Vec<Effort>> {
         let moment = self.motion.vector(moment)?;
         let (now, places) = (self.motion.rotation(attitude)?, self.positions.rotation(attitude)?);

@@ -1,13 +1,16 @@
-//! The equations of motion by numbers alone: a second, slower way to everything that a kernel computes.
+//! The equations of motion evaluated numerically: a second, slower way to everything that a kernel computes.
 //!
 //! The parsed declaration is interpreted with second-order jets, and the equations are assembled and solved densely.
-//! Nothing here is shared with the symbolic engine, the resolved model or the derivation, so that a fault of any shows as a
-//! difference. Shared is the parsed declaration, and with it all that `dsl` and `joints` write out: fragments and repetitions,
-//! joints, free bodies and points on them. Every result carries the magnitude of what went into it (see [`Measured`]), which is what a difference
-//! is to be compared with.
+//! Nothing is shared with the symbolic engine, the resolved model or the derivation, so an error in any of them shows
+//! as a difference. The parsed declaration is shared, with everything that `dsl` and `joints` write out: fragments and
+//! repetitions, joints, free bodies and points on them. Every result carries the magnitude of its terms (see
+//! [`Measured`]), as a scale for differences.
 //!
 //! Positions are jets in (q, t): P, P_q, P_t and all second derivatives, hence velocities and convective terms. Loads,
 //! outputs and events are jets in time along q + q' s + q'' s^2/2, which `dot` differentiates.
+//!
+//! Neither this check nor Lagrange's equations would show an error in what all derivations share. Therefore reactions
+//! are also checked body by body (`freed`), and joints against equations written by hand in the tests.
 
 mod comparison;
 mod constraint;
@@ -47,7 +50,7 @@ use setting::Setting;
 pub struct Oracle<'d> {
     declaration: &'d Declaration,
     si_factor: &'d dyn Fn(&Unit) -> f64,
-    /// Of each constraint that events switch, whether it holds.
+    /// Whether each constraint that events switch holds.
     active: Vec<bool>,
 }
 
@@ -59,18 +62,18 @@ impl<'d> Oracle<'d> {
         Oracle { declaration, si_factor, active }
     }
 
-    /// The same where these of the constraints that events switch hold, instead of those that hold at the start.
+    /// The same with these activities of the constraints that events switch, instead of those at the start.
     pub fn with_active(self, active: Vec<bool>) -> Oracle<'d> {
         Oracle { active, ..self }
     }
 
     /// The defaults of the parameters, in SI units.
     ///
-    /// A plain number, such as `5` or `-pi/2`, is in the declared unit; as soon as a unit or another parameter stands in
-    /// a default, it has its own unit.
+    /// A plain number, such as `5` or `-pi/2`, is in the declared unit; a default with a unit or another parameter in
+    /// it has its own unit.
     ///
     /// # Errors
-    /// Where a default is not a scalar of numbers and earlier parameters.
+    /// If a default is not a scalar made of numbers and earlier parameters.
     pub fn default_parameters(&self) -> Result<Vec<f64>> {
         parameters::defaults(self.declaration, self.si_factor)
     }
@@ -78,7 +81,7 @@ impl<'d> Oracle<'d> {
     /// The terms of the equations of motion.
     ///
     /// # Errors
-    /// Where the state has not the declared lengths, or the declaration has not been checked.
+    /// If the state does not have the declared lengths, or the declaration has not been checked.
     pub fn terms(&self, at: &State) -> Result<Terms> {
         Ok(Terms::new(&self.mechanics(at)?))
     }
@@ -86,7 +89,7 @@ impl<'d> Oracle<'d> {
     /// The accelerations and multipliers that solve the equations of motion with these terms.
     ///
     /// # Errors
-    /// Where the equations are singular: a coordinate without inertia, or constraints that depend on each other.
+    /// If the equations are singular: a coordinate without inertia, or constraints that depend on each other.
     pub fn accelerations(&self, terms: &Terms) -> Result<Solution> {
         terms.solve()
     }
@@ -109,7 +112,8 @@ impl<'d> Oracle<'d> {
         observe::events(self.declaration, self.interpreter(setting))
     }
 
-    /// What the actions of events set, and the coefficients of restitution of impacts, in the order of declaration.
+    /// The values that the actions of events set, and the coefficients of restitution of impacts, in the order of
+    /// declaration.
     ///
     /// # Errors
     /// As [`Oracle::terms`].

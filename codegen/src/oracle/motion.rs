@@ -38,10 +38,10 @@ pub struct Terms {
     active: Vec<bool>,
 }
 
-/// What solves the equations of motion.
+/// The solution of the equations of motion.
 ///
-/// Magnitudes are |A^-1| (|A| |x| + |b|) with the magnitudes of the terms in A and b: what relative errors of the
-/// terms can do to the solution.
+/// Magnitudes are |A^-1| (|A| |x| + |b|) with the magnitudes of the terms in A and b: the effect of relative errors of
+/// the terms on the solution.
 #[derive(Clone, Debug)]
 pub struct Solution {
     /// q'' \[n\].
@@ -97,7 +97,7 @@ impl Terms {
         upper.chain(lower).collect()
     }
 
-    /// What belongs to rows that hold.
+    /// The entries of rows that hold.
     fn held<'t, T>(&'t self, rows: &'t [T]) -> impl Iterator<Item = &'t T> {
         rows.iter().zip(&self.active).filter(|(_, active)| **active).map(|(row, _)| row)
     }

@@ -1,4 +1,4 @@
-//! What is looked at: outputs, events and power.
+//! Observed quantities: outputs, events and power.
 
 use super::constraint::Constraint;
 use super::error::{OracleError, Result, refuse};
@@ -23,7 +23,7 @@ pub(super) fn events(declaration: &Declaration, mut along: Interpreter) -> Resul
     declaration.events.iter().map(event).collect()
 }
 
-/// What the actions of every event set, and the coefficients of restitution of its impacts.
+/// The values that the actions of every event set, and the coefficients of restitution of its impacts.
 pub(super) fn event_values(
     declaration: &Declaration,
     si_factor: &dyn Fn(&Unit) -> f64,

@@ -1,4 +1,4 @@
-//! Plain numbers, which are in the unit that is declared.
+//! Plain numbers, which are in the declared unit.
 
 use super::function::is_function;
 use crate::dsl::{Expression, Kind};

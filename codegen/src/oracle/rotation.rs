@@ -5,7 +5,7 @@ use super::jet::Jet;
 use super::measured::Measured;
 use crate::dsl::{Expression, Kind};
 
-/// R, with the quaternions of coordinates that went into it.
+/// R, with the quaternions of coordinates in it.
 #[derive(Clone, Debug)]
 pub(super) struct Rotation {
     /// Nine entries, row by row.

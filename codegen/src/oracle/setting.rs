@@ -1,29 +1,29 @@
-//! What the names of a declaration stand for.
+//! The values of a declaration's names.
 
 use super::jet::Jet;
 use super::measured::Measured;
 use super::state::State;
 use super::value::Value;
 
-/// What the names of a declaration stand for.
+/// The values of a declaration's names.
 pub(super) struct Setting {
-    /// In how many variables the jets are.
+    /// The number of variables of the jets.
     pub(super) variables: usize,
-    /// The first of the declaration's parameters; later ones are not known.
+    /// The first of the declaration's parameters; later ones are not yet known.
     pub(super) parameters: Vec<Jet>,
     /// The coordinates and the time; `None` where only parameters are known.
     pub(super) motion: Option<(Vec<Jet>, Jet)>,
     /// The auxiliary displacements, where they are variables; elsewhere they are the number zero.
     pub(super) auxiliaries: Vec<Jet>,
-    /// What `dot` means.
+    /// The meaning of `dot`.
     pub(super) rates: Rates,
-    /// What each input is set to, where inputs may stand.
+    /// The value that each input is set to, where inputs are allowed.
     pub(super) inputs: Option<Vec<Option<f64>>>,
     /// The multipliers of each constraint and the forces conjugate to auxiliary displacements, where they are known.
     pub(super) reactions: Option<Vec<Value>>,
 }
 
-/// What `dot` means.
+/// The meaning of `dot`.
 pub(super) enum Rates {
     /// Nothing: there is no motion.
     None,

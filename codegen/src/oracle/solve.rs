@@ -16,8 +16,8 @@ pub(super) struct Factors {
 impl Factors {
     /// Factorises `matrix` \[n by n, rows\].
     ///
-    /// Rows and columns are first scaled by powers of two to entries of order 1; the matrix counts as singular where
-    /// what is left to choose a pivot from is rounding, at most n eps.
+    /// Rows and columns are first scaled by powers of two to entries of order 1; the matrix counts as singular if only
+    /// rounding, at most n eps, is left to choose a pivot from.
     pub(super) fn new(matrix: Vec<Vec<f64>>) -> Result<Factors> {
         let n = matrix.len();
         if matrix.iter().flatten().any(|entry| !entry.is_finite()) {

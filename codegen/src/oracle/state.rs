@@ -1,4 +1,4 @@
-//! What is known of a motion at one time.
+//! The state of a motion at one time.
 
 use super::error::{Result, refuse};
 use super::measured::Measured;
@@ -11,7 +11,7 @@ pub struct State<'s> {
     pub time: f64,
     /// The value of each parameter.
     pub parameters: &'s [f64],
-    /// What each input is set to; none where it follows its declared course.
+    /// The value that each input is set to; none if it follows its declared course.
     pub inputs: &'s [Option<f64>],
     /// q \[n\].
     pub coordinates: &'s [f64],

@@ -5,8 +5,8 @@ use super::function::Derivatives;
 use super::jet::Jet;
 use crate::dsl::{Between, Ends, Outside, Table};
 
-/// Sweeps of relaxation. Where rows are even each takes the error to a half or less, where they are ten times as far from each
-/// other as the next to three quarters.
+/// Sweeps of relaxation. If rows are evenly spaced each sweep at least halves the error; if neighbouring intervals
+/// differ tenfold, it takes it to three quarters.
 const SWEEPS: usize = 200;
 
 /// A function given by rows.
@@ -76,7 +76,7 @@ impl Function {
         self.on(interval, x)
     }
 
-    /// By the values at both ends of an interval, and what is known there.
+    /// By the values and derivatives at both ends of an interval.
     fn on(&self, i: usize, x: f64) -> Derivatives {
         let h = self.x[i + 1] - self.x[i];
         let (a, b) = ((self.x[i + 1] - x) / h, (x - self.x[i]) / h);
@@ -105,7 +105,7 @@ impl Function {
     }
 }
 
-/// h m_(i-1) + 2 (h + g) m_i + g m_(i+1) = 6 (slope right - slope left) at every row, with what holds at the ends put in.
+/// h m_(i-1) + 2 (h + g) m_i + g m_(i+1) = 6 (slope right - slope left) at every row, with the end conditions inserted.
 fn curvatures(x: &[f64], y: &[f64], ends: Option<Ends>, is_periodic: bool) -> Vec<f64> {
     let n = x.len() - 1;
     let h = |i: usize| x[i + 1] - x[i];
@@ -121,7 +121,7 @@ fn curvatures(x: &[f64], y: &[f64], ends: Option<Ends>, is_periodic: bool) -> Ve
         for i in 1..n {
             let (left, right) = (h(i - 1), h(i));
             let value = 6.0 * (d(i) - d(i - 1));
-            // What an end says of its second derivative: a multiple of m_i, and one of the next.
+            // The end condition of the second derivative: a multiple of m_i, and one of the next.
             let (mut at, mut before, mut after) = (2.0 * (left + right), left * m[i - 1], right * m[i + 1]);
             if ends.is_none() && !is_periodic && i == 1 {
                 at += left * (1.0 + left / right);
@@ -154,7 +154,7 @@ fn curvatures(x: &[f64], y: &[f64], ends: Option<Ends>, is_periodic: bool) -> Ve
     m
 }
 
-/// Weighted harmonic means of the slopes beside each row; at ends the parabola's, as far as it goes with the rows.
+/// Weighted harmonic means of the slopes beside each row; at the ends that of the parabola, limited to stay monotone.
 fn slopes(x: &[f64], y: &[f64], is_periodic: bool) -> Vec<f64> {
     let n = x.len() - 1;
     let h = |i: usize| x[i + 1] - x[i];

@@ -1,4 +1,4 @@
-//! What an expression evaluates to: a scalar, a vector or a rotation.
+//! The value of an expression: a scalar, a vector or a rotation.
 
 use super::error::{OracleError, Result, refuse};
 use super::jet::Jet;

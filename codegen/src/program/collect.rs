@@ -1,8 +1,8 @@
 //! Sums with common factors taken out.
 //!
-//! Terms of equal variable part add their coefficients, which depend on parameters alone. Pairs of terms whose sum is
-//! there already, but for factors that they have in common, become one: beside `sin(a) cos(b) - cos(a) sin(b)` its multiples
-//! by squares of speeds cost a multiplication each. Then the factor that most terms have in common is taken out, again and
+//! Terms of equal variable part add their coefficients, which depend on parameters alone. Pairs of terms whose sum,
+//! apart from common factors, exists already become one: beside `sin(a) cos(b) - cos(a) sin(b)` its multiples by
+//! squares of speeds cost a multiplication each. Then the factor that most terms have in common is taken out, again and
 //! again. Each step saves operations and costs nothing.
 
 use super::values::{Operation, Value, Values};
@@ -74,12 +74,12 @@ fn factor(values: &mut Values, terms: Vec<Term>) -> Vec<(bool, Value)> {
         let (above, below) = (values.product(term.factors), values.product(term.divisors));
         done.push((term.negative, values.quotient(above, below)));
     }
-    // In one order, so that equal sums are one value.
+    // In a fixed order, so that equal sums are one value.
     done.sort_by_key(|(_, value)| *value);
     done
 }
 
-/// Makes one term of two whose sum, but for common factors, is there already, for as long as there are such.
+/// Repeatedly merges two terms whose sum, apart from common factors, exists already.
 fn take_known_sums(values: &Values, mut terms: Vec<Term>) -> Vec<Term> {
     let pair = |terms: &[Term]| {
         let pairs = (1..terms.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
@@ -92,7 +92,7 @@ fn take_known_sums(values: &Values, mut terms: Vec<Term>) -> Vec<Term> {
     terms
 }
 
-/// The sum of two terms with a factor in common, if what is left of them is added or subtracted somewhere.
+/// The sum of two terms with a factor in common, if the rest of both is added or subtracted somewhere.
 fn known_sum(values: &Values, a: &Term, b: &Term) -> Option<Term> {
     let is_common = |factor: &&Value| a.factors.contains(factor) && b.factors.contains(factor);
     let rest = |term: &Term| values.known_product(term.factors.iter().filter(|factor| !is_common(factor)).copied());
@@ -128,7 +128,7 @@ pub(super) fn add_multiples(values: &mut Values, terms: Vec<(bool, Value)>) -> V
     added.collect()
 }
 
-/// What several terms have in common.
+/// The common factor of several terms.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Common {
     Factor(Value),
@@ -154,7 +154,7 @@ impl Common {
     }
 }
 
-/// What most terms have in common; at least two.
+/// The factor that most terms, at least two, have in common.
 fn most_common(terms: &[Term]) -> Option<Common> {
     if terms.len() < 2 {
         return None;

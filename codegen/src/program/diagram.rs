@@ -1,4 +1,4 @@
-//! A kernel as the graph of its operations, to be looked at.
+//! A kernel as the graph of its operations, for display.
 
 use super::{Kernel, LookUp, Statement, Tree, Wave};
 use rustc_hash::FxHashMap;
@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 pub struct Diagram {
     /// Values, each once.
     pub vertices: Vec<Vertex>,
-    /// What is returned, by vertex.
+    /// The results, by vertex.
     pub results: Vec<usize>,
 }
 
@@ -40,7 +40,7 @@ impl Diagram {
         Diagram { vertices: drawing.vertices, results }
     }
 
-    /// How many operations there would be if nothing were computed once for several uses.
+    /// The number of operations without sharing.
     pub fn operations_without_sharing(&self) -> f64 {
         let mut operations: Vec<f64> = Vec::with_capacity(self.vertices.len());
         for vertex in &self.vertices {

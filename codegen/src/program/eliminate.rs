@@ -9,7 +9,7 @@
 //! is and the constraints are independent; one taken earlier could meet a pivot that is zero at some position, unless the
 //! pivot depends on parameters alone.
 //!
-//! Each pivot comes with what cancellation in it is measured by, to be checked at run time.
+//! Each pivot comes with the scale of its terms, so that cancellation can be checked at run time.
 
 use super::collect::add_multiples;
 use super::notes::Notes;
@@ -18,9 +18,9 @@ use crate::dynamics::order::{self, Action, Kind, Multipliers, Pattern, order, su
 use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;
 
-/// A symmetric linear system; entries that are not there are zero wherever the mechanism is.
+/// A symmetric linear system; missing entries are zero at every position.
 pub(super) struct System {
-    /// What each unknown is.
+    /// The kind of each unknown.
     pub(super) unknowns: Vec<Unknown>,
     /// Entries (i, j), j <= i.
     pub(super) entries: Vec<(usize, usize, Value)>,
@@ -56,11 +56,11 @@ impl System {
 /// A factorised system, which solves any right-hand side.
 pub(super) struct Factors {
     steps: Vec<Step>,
-    /// Each pivot with the size that cancellation in it is measured by.
+    /// Each pivot with the scale for its cancellation.
     pub(super) pivots: Vec<(Value, Value)>,
 }
 
-/// What is done to one unknown.
+/// The elimination of one unknown.
 enum Step {
     /// Rows below with their entries of L, and the reciprocal of the pivot.
     Eliminate { unknown: usize, column: Vec<(usize, Value)>, inverse: Value },
@@ -68,15 +68,15 @@ enum Step {
     Substitute { unknown: usize, definition: Vec<(usize, Value)>, column: Vec<(usize, Value)>, diagonal: Value },
 }
 
-/// An entry under elimination: a sum that still grows.
+/// An entry under elimination: a sum that is still growing.
 type Entry = Vec<(bool, Value)>;
 
 /// A symmetric matrix under elimination, each entry once: under its indices, the smaller one first.
 pub(super) struct Matrix {
     entries: IndexMap<(usize, usize), Entry, FxBuildHasher>,
     is_multiplier: Vec<bool>,
-    /// For each diagonal entry what cancellation in it is measured by: the terms with the sign that the pivot must
-    /// have, and the magnitudes of those that may have either.
+    /// The scale for the cancellation in each diagonal entry: the terms with the sign that the pivot must have, and the
+    /// magnitudes of those that may have either.
     sizes: Vec<Entry>,
 }
 
@@ -100,10 +100,10 @@ impl Matrix {
         self.entries.entry((i.min(j), i.max(j))).or_default().push((negative, value));
     }
 
-    /// A pivot, and the size that cancellation in it is measured by.
+    /// A pivot, and the scale for its cancellation.
     ///
-    /// Pivots of coordinates are positive and those of multipliers negative. Eliminating the one kind takes from the
-    /// pivots of its own and adds to those of the other, so that terms of known sign need no magnitudes.
+    /// Pivots of coordinates are positive and those of multipliers negative. Eliminating one kind subtracts from the
+    /// pivots of the same kind and adds to those of the other, so terms of known sign need no magnitudes.
     fn pivot(&self, values: &mut Values, k: usize) -> (Value, Value) {
         let mut terms = self.entries.get(&(k, k)).cloned().unwrap_or_default();
         let size = values.sum(self.sizes[k].clone());
@@ -114,7 +114,7 @@ impl Matrix {
         (values.sum(terms), size)
     }
 
-    /// Whether there is an entry that need not be zero.
+    /// Whether there is an entry that may be nonzero.
     pub(super) fn holds(&self, i: usize, j: usize) -> bool {
         self.entries.contains_key(&(i.min(j), i.max(j)))
     }
@@ -158,7 +158,7 @@ pub(super) fn factorise(values: &mut Values, system: &System, names: &[String], 
     Some(factors)
 }
 
-/// The matrix with its intermediate quantities substituted, and nothing else done.
+/// The matrix after substitution of the intermediate quantities only.
 pub(super) fn reduce(values: &mut Values, system: &System) -> Matrix {
     let mut matrix = Matrix::of(values, system);
     for Action { unknown, neighbours } in substitutions(system.pattern(values)) {
@@ -215,7 +215,7 @@ fn substitute(
         for (j, a) in definition {
             let product = values.product(vec![*w, *a]);
             matrix.add(*i, *j, false, product);
-            // A pair of different unknowns is met from both sides, an unknown with itself only once.
+            // A pair of different unknowns occurs from both sides, an unknown with itself only once.
             if i == j {
                 matrix.add(*i, *j, false, product);
                 let magnitude = values.magnitude(product);

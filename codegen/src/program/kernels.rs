@@ -13,7 +13,7 @@ use crate::model::{EventStep, Model};
 use crate::symbolic::Expr;
 use rustc_hash::FxHashMap;
 
-/// The largest sum that multiplying out may make.
+/// The largest sum allowed when multiplying out.
 const LONGEST_EXPANSION: usize = 64;
 
 /// Plans every kernel. `equations` is changed only by start values and other forms of expressions entering its graph.
@@ -32,7 +32,7 @@ pub fn plan(equations: &mut EquationsOfMotion) -> Program {
     Program { kernels, sparsity }
 }
 
-/// Expressions with products of sums multiplied out, where that lets terms cancel; the power by forces along coordinates.
+/// Expressions with products of sums multiplied out, if terms then cancel; the power by forces along coordinates.
 fn expansions(equations: &mut EquationsOfMotion) -> FxHashMap<Expr, Expr> {
     let EquationsOfMotion { model, tmt, constraints, speeds, energy, .. } = equations;
     let matrices = tmt.mass_matrix.iter().chain(&constraints.jacobian).flatten();
@@ -83,7 +83,7 @@ fn generalized_speeds_kernel(planner: &Planner) -> Option<Kernel> {
     (!speeds.is_empty()).then(|| planner.kernel("generalized_speeds", Arguments::Speeds, docs, kernel))
 }
 
-/// What events set, if any does.
+/// The values that events set, if any.
 fn event_values_kernel(planner: &Planner) -> Option<Kernel> {
     let values = event_values(&planner.equations.model);
     let docs = format!(
@@ -95,7 +95,7 @@ fn event_values_kernel(planner: &Planner) -> Option<Kernel> {
     (!values.is_empty()).then(|| planner.kernel("event_values", Arguments::Speeds, docs, kernel))
 }
 
-/// What inputs are, if there are any.
+/// The values of inputs, if there are any.
 fn input_values_kernel(planner: &Planner) -> Option<Kernel> {
     let model = &planner.equations.model;
     let inputs: Vec<Expr> = model.inputs.iter().filter_map(|input| model.graph.existing(input.symbol)).collect();
@@ -104,7 +104,7 @@ fn input_values_kernel(planner: &Planner) -> Option<Kernel> {
     (!inputs.is_empty()).then(|| planner.kernel("input_values", Arguments::Positions, docs, kernel))
 }
 
-/// What the actions of events set, and the coefficients of restitution of impacts, in order.
+/// The values that the actions of events set, and the coefficients of restitution of impacts, in order.
 fn event_values(model: &Model) -> Vec<Expr> {
     let steps = model.events.iter().flat_map(|event| &event.steps);
     let values = steps.flat_map(|step| match step {

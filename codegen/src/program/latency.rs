@@ -1,6 +1,6 @@
-//! How long a processor waits for a value at least, if it has all that it needs for its operations and nothing else to do.
+//! The latency of a value: the time until it is known on a processor with unlimited execution units.
 //!
-//! A right-hand side of few bodies waits for its operations more than it is busy with them.
+//! For a right-hand side of few bodies latency matters more than the number of operations.
 
 use super::values::{Operation, Value, Values};
 use crate::symbolic::Function;
@@ -16,7 +16,7 @@ const SQUARE_ROOT: Time = 16;
 const LOOK_UP: Time = 30;
 const FUNCTION: Time = 60;
 
-/// When each of the values is known that are listed, operands first; all others are known from the start.
+/// The times at which the listed values are known, operands first; all others are known from the start.
 pub(super) fn times(values: &Values, listed: &[Value]) -> Vec<Time> {
     let mut times = vec![0; values.len()];
     let mut factors = Vec::new();
@@ -42,7 +42,7 @@ pub(super) fn times(values: &Values, listed: &[Value]) -> Vec<Time> {
     times
 }
 
-/// When a product of such factors is known, the earliest multiplied first.
+/// The time at which a product of such factors is known, the earliest multiplied first.
 pub(super) fn product(factors: &mut [Time]) -> Time {
     factors.sort_unstable();
     factors.iter().copied().reduce(|product, factor| product.max(factor) + MULTIPLICATION).unwrap_or(0)

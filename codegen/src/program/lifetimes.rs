@@ -1,15 +1,16 @@
-//! Long kernels have more values than a processor has registers: what is kept is written to memory and read again.
+//! Statements reordered so that fewer values are alive at a time.
 //!
-//! Results ask for statements in some order. One that is the last to use some value may as well come as soon as it can:
-//! from then on its own value is kept instead.
+//! Long kernels have more values than a processor has registers, and the rest goes through memory. A statement that is
+//! the last use of some value therefore comes as early as it can: from then on its own value is kept instead. This
+//! helps kernels that just outgrow the instruction cache.
 
 use super::{Name, Results, Statement, Tree};
 use rustc_hash::FxHashMap;
 
-/// As many values as registers hold, on most processors.
+/// The number of values that registers hold, on most processors.
 const REGISTERS: usize = 16;
 
-/// The same statements, each that lets go of a value put where it can first be computed.
+/// The same statements, with those that end a value's life moved to the first place where they can be computed.
 pub(super) fn shorten_lifetimes(statements: Vec<Statement>, results: &Results<Tree>) -> Vec<Statement> {
     if statements.len() <= REGISTERS {
         return statements;
@@ -25,7 +26,7 @@ struct Lifetimes {
     needed: Vec<Vec<usize>>,
     /// The statements that need each.
     users: Vec<Vec<usize>>,
-    /// How many of these are to come, and results with them.
+    /// The number of remaining uses, results included.
     uses_left: Vec<usize>,
     /// Whether a register may hold what a statement gives: sines and tables come in arrays.
     is_in_register: Vec<bool>,
@@ -58,7 +59,7 @@ impl Lifetimes {
     fn order(mut self) -> Vec<usize> {
         let mut order = Vec::with_capacity(self.needed.len());
         for next in 0..self.needed.len() {
-            // After each statement those that it makes possible, first those that were asked for first.
+            // After each statement, those that it makes possible, in their original order.
             let mut stack = vec![next];
             while let Some(at) = stack.pop() {
                 if self.is_placed[at] || !self.is_possible(at) || (at != next && !self.lets_go(at)) {
@@ -75,7 +76,7 @@ impl Lifetimes {
         order
     }
 
-    /// Those that may have become possible, or the last to use a value, as a statement was placed.
+    /// Statements that may have become possible, or the last use of a value, after a statement was placed.
     fn push_concerned(&self, placed: usize, stack: &mut Vec<usize>) {
         let nearly_done = self.needed[placed].iter().filter(|giver| self.uses_left[**giver] == 1);
         let givers = nearly_done.chain([&placed]);

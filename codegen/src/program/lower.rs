@@ -5,23 +5,23 @@ use super::values::{Input, Operation, Value, Values};
 use crate::symbolic::{Expr, Graph, Node, Number, Symbol};
 use rustc_hash::{FxBuildHasher, FxHashMap};
 
-/// For how many expressions there is room at the start.
+/// The initial capacity for expressions.
 const ROOM: usize = 256;
 
 /// Lowers expressions of one graph into one program.
 pub(super) struct Lowering<'a> {
     graph: &'a Graph,
     inputs: &'a FxHashMap<Symbol, Input>,
-    /// What symbols stand for, and the courses of the mechanism's inputs.
+    /// The values of symbols, and the courses of the mechanism's inputs.
     definitions: &'a FxHashMap<Symbol, Expr>,
     /// Other forms of expressions.
     alternatives: &'a FxHashMap<Expr, Expr>,
-    /// What is divided by so often that its reciprocal is taken once.
+    /// Divisors used so often that their reciprocal is computed once.
     divisors: &'a [Expr],
     pub(super) values: Values,
     done: FxHashMap<Expr, Value>,
     computed: FxHashMap<Symbol, Value>,
-    /// For each value whether what was asked for needs it.
+    /// Whether the requested results need each value.
     wanted: Vec<bool>,
 }
 
@@ -51,7 +51,7 @@ impl<'a> Lowering<'a> {
         self.done.get(&expr).copied()
     }
 
-    /// The value of an expression, in whichever of its forms costs less beside what is there already.
+    /// The value of an expression, in whichever form costs less, given the values that exist already.
     pub(super) fn lower(&mut self, expr: Expr) -> Value {
         let known = self.done.contains_key(&expr);
         let mut value = self.lower_form(expr);
@@ -66,7 +66,7 @@ impl<'a> Lowering<'a> {
         value
     }
 
-    /// Operations that a value needs beyond those that are there already. Those on parameters alone are free.
+    /// Operations that a value needs beyond existing ones. Those on parameters alone are free.
     fn cost(&mut self, value: Value) -> usize {
         let new = self.want(value);
         new.iter().for_each(|new| self.wanted[new.index()] = false);
@@ -75,7 +75,7 @@ impl<'a> Lowering<'a> {
         variable.map(|new| operations(self.values.operands(new).count())).sum()
     }
 
-    /// Wants a value with all that it is made of; gives what was not wanted yet.
+    /// Marks a value and all of its operands as needed; gives the newly marked ones.
     fn want(&mut self, value: Value) -> Vec<Value> {
         self.wanted.resize(self.values.len(), false);
         let (mut new, mut stack) = (vec![], vec![value]);

@@ -1,5 +1,5 @@
-//! Stage 5: equations to straight-line programs, one for each kernel: what is shared, how the equations are
-//! solved, in which order things are computed and under which names.
+//! Stage 5: equations to straight-line programs, one for each kernel: sharing, the solution of the equations, the order
+//! of computation, and names.
 
 mod collect;
 mod diagram;
@@ -40,7 +40,7 @@ use std::rc::Rc;
 pub struct Program {
     /// The kernels, in the order in which they are printed.
     pub kernels: Vec<Kernel>,
-    /// The sparsity of C_q, if it is worth using.
+    /// The sparsity of C_q, if using it pays off.
     pub sparsity: Option<Sparsity>,
 }
 
@@ -48,30 +48,30 @@ pub struct Program {
 pub struct Kernel {
     /// Its name.
     pub name: &'static str,
-    /// What it computes: formula, shape, units.
+    /// Its documentation: formula, shape, units.
     pub docs: String,
-    /// What it is a method of.
+    /// Its receiver.
     pub receiver: Receiver,
     /// Its arguments.
     pub arguments: Arguments,
     /// The local names of the entries of its arguments; `None` for those it does not need.
     pub entries: Entries,
-    /// What is computed before in functions of their own, if it is long.
+    /// The parts computed before in functions of their own, if the kernel is long.
     pub pieces: Vec<Piece>,
-    /// What is computed, in order.
+    /// The statements, in order.
     pub statements: Vec<Statement>,
-    /// What is returned.
+    /// The results.
     pub results: Results<Tree>,
-    /// What it costs.
+    /// Its operations.
     pub operations: Operations,
 }
 
-/// What a kernel is a method of.
+/// The receiver of a kernel.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Receiver {
     /// The mechanism, a struct of its parameters.
     Mechanism,
-    /// What was computed from the parameters before.
+    /// The values prepared from the parameters.
     Prepared,
 }
 
@@ -152,7 +152,7 @@ pub enum Tree {
     Constant(f64),
     /// A local name.
     Name(Name),
-    /// A field of the receiver: a parameter, or what was computed from parameters before.
+    /// A field of the receiver: a parameter, or a value prepared from parameters.
     Field(Name),
     /// Terms, each with whether it is subtracted; the first is added.
     Sum(Vec<(bool, Tree)>),

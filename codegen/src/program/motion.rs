@@ -14,7 +14,7 @@ use crate::symbolic::{Expr, Graph};
 /// The equations of motion solved at one state.
 pub(super) struct Motion<'a> {
     equations: &'a EquationsOfMotion,
-    /// What was solved.
+    /// The solved system.
     pub(super) form: &'a Form,
     /// Accelerations, then multipliers.
     unknowns: Vec<Value>,
@@ -105,7 +105,7 @@ impl<'a> Motion<'a> {
         )
     }
 
-    /// Solves K dz = d(r - K z) for each column, in the form that was solved; gives the rows of q'' and those of lambda.
+    /// Solves K dz = d(r - K z) for each column, with the same form of K; gives the rows of q'' and those of lambda.
     fn derivatives(&self, lowering: &mut Lowering, columns: &[Column]) -> [Results<Value>; 2] {
         let zero = lowering.values.constant(0.0);
         let constants = vec![zero; unknown_count(self.equations)];
@@ -143,8 +143,9 @@ fn unknown_count(equations: &EquationsOfMotion) -> usize {
     equations.variables.len() + equations.model.constraints.len()
 }
 
-/// Mass matrix and constraint Jacobian over coordinates, intermediates and multipliers; for the multiplier of a constraint
-/// that events switch activity - 1, so that it is 0 where the constraint is released, and -1 for that of a row that nothing moves.
+/// Mass matrix and constraint Jacobian over coordinates, intermediates and multipliers; on the diagonal, activity - 1
+/// for the multiplier of a constraint that events switch, so that it is 0 where the constraint is released, and -1 for
+/// that of a row that nothing moves.
 pub(super) fn system(equations: &EquationsOfMotion, form: &Form, lowering: &mut Lowering) -> System {
     let EquationsOfMotion { model, intermediates, tmt, .. } = equations;
     let activities = model.constraints.iter().map(|constraint| constraint.activity);
@@ -205,7 +206,7 @@ pub(super) fn definition(
     entries.map(|(j, expr)| (j, lowering.lower(expr))).collect()
 }
 
-/// Forces, then the opposites of constraint terms.
+/// Forces, then the negated constraint terms.
 pub(super) fn right_hand_side(lowering: &mut Lowering, forces: &[Expr], constraint_terms: &[Expr]) -> Vec<Value> {
     let mut rhs = lowering.lower_all(forces);
     rhs.extend(negated(lowering, constraint_terms));
@@ -216,7 +217,7 @@ fn negated(lowering: &mut Lowering, exprs: &[Expr]) -> Vec<Value> {
     lowering.lower_all(exprs).into_iter().map(|value| lowering.values.negate(value)).collect()
 }
 
-/// What the definitions of the intermediates add that no acceleration is in, at their places; 0 elsewhere.
+/// The acceleration-free terms of the definitions of the intermediates, at their places; 0 elsewhere.
 fn constants(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Vec<Value> {
     let mut constants = vec![lowering.values.constant(0.0); unknown_count(equations)];
     for (i, y) in equations.intermediates.iter().enumerate() {

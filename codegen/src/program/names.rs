@@ -1,4 +1,4 @@
-//! Names of local variables: never a Rust keyword's meaning, never twice.
+//! Names of local variables, unique and without a meaning in Rust.
 
 use super::Name;
 use rustc_hash::FxHashMap;
@@ -11,15 +11,16 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// No name but those that generated code itself uses, and those that are patterns everywhere in Rust.
+    /// Only the names that generated code itself uses, and those that are patterns everywhere in Rust.
     pub(super) fn new() -> Names {
         let reserved = ["t", "q", "qd", "qdd", "lambda", "S", "refused", "found", "Some", "None", "Ok", "Err"];
         Names { taken: reserved.into_iter().map(|name| (name.into(), 1)).collect() }
     }
 
-    /// The wished name, or the first of `name_2`, `name_3` .. that is free.
+    /// The preferred name, or the first of `name_2`, `name_3` .. that is free.
     ///
-    /// A name in the style of Rust's constants and types gets a `_`: where it is bound, one of the user's could be meant.
+    /// A name in the style of Rust's constants and types gets a `_`, since a binding could otherwise match the user's
+    /// item.
     pub(super) fn unique(&mut self, wished: &str) -> Name {
         let is_constant = !wished.contains(char::is_lowercase);
         let is_type = wished.starts_with(char::is_uppercase) && !wished.contains('_');

@@ -3,7 +3,7 @@
 use super::{Name, Statement, Tree};
 
 impl Statement {
-    /// Calls `f` for each name that the statement needs, as often as it does.
+    /// Calls `f` for each name that the statement needs, once for each occurrence.
     pub(super) fn needs<'a>(&'a self, f: &mut dyn FnMut(&'a Name)) {
         match self {
             Statement::Let { value, .. } => value.needs(f),
@@ -23,7 +23,7 @@ impl Statement {
 }
 
 impl Tree {
-    /// Calls `f` for each name that the expression needs, as often as it does.
+    /// Calls `f` for each name that the expression needs, once for each occurrence.
     pub(super) fn needs<'a>(&'a self, f: &mut dyn FnMut(&'a Name)) {
         match self {
             Tree::Constant(_) | Tree::Field(_) => {}

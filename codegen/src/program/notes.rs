@@ -1,8 +1,8 @@
-//! What an elimination has to say to whoever writes it down.
+//! Hints of an elimination for the writer of its statements.
 
 use super::values::Value;
 
-/// Names for what was computed, and in which order some of it is best computed.
+/// Names of computed values, and a preferred order for some of them.
 #[derive(Default)]
 pub(super) struct Notes {
     names: Vec<(Value, String)>,
@@ -15,19 +15,19 @@ impl Notes {
         self.names.push((value, name));
     }
 
-    /// The right-hand side of an unknown as the elimination leaves it. Noted for one unknown after the other.
+    /// The right-hand side of an unknown as the elimination leaves it, noted for each unknown in turn.
     pub(super) fn right_hand_side(&mut self, value: Value, unknown: &str) {
         self.name(value, format!("rhs_{unknown}"));
         self.order.push(value);
     }
 
-    /// The names; of several for a value the first counts.
+    /// The names; if a value has several, the first counts.
     pub(super) fn names(&self) -> impl Iterator<Item = (Value, &String)> {
         self.names.iter().map(|(value, name)| (*value, name))
     }
 
-    /// What is computed before the results, in this order, where it is needed at all. Right-hand sides lie beside the
-    /// pivots that they wait for, so that a processor has both to do at a time.
+    /// The values computed before the results, in this order, if they are needed at all. Right-hand sides lie beside
+    /// the pivots that they depend on, so that a processor can work on both in parallel.
     pub(super) fn order(&self) -> impl Iterator<Item = Value> {
         self.order.iter().copied()
     }

@@ -3,7 +3,7 @@
 use super::{Results, Statement, Tree};
 use std::fmt;
 
-/// How many operations of each kind a kernel makes.
+/// The number of operations of each kind in a kernel.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Operations {
     /// Additions, subtractions and changes of sign.

@@ -1,5 +1,8 @@
-//! Long programs in pieces: rustc takes the square of the length of a function and more (2,000 statements 1.2 s, 5,000
-//! statements 31 s). Values that are handed on cost a third of such a kernel's time, so pieces are as long as that allows.
+//! Long programs split into functions that rustc can compile in a few seconds: its time grows faster than the square of
+//! a function's length.
+//!
+//! Each piece hands on the values that later ones need. That costs a third of such a kernel's time, so pieces are as
+//! long as compile times allow.
 
 use super::{Name, Results, Statement, Tree};
 use std::collections::BTreeSet;
@@ -9,11 +12,11 @@ const MOST_STATEMENTS: usize = 2200;
 
 /// A part of a program, which runs before the rest and hands on what is still needed.
 pub struct Piece {
-    /// What earlier pieces have handed on.
+    /// The values that earlier pieces have handed on.
     pub given: Vec<Name>,
-    /// What is computed, in order.
+    /// The statements, in order.
     pub statements: Vec<Statement>,
-    /// What later pieces need of all this.
+    /// The values that later pieces need.
     pub handed_on: Vec<Name>,
 }
 

@@ -1,4 +1,4 @@
-//! From what a kernel is to return to the kernel.
+//! From the results of a kernel to the kernel.
 
 use super::lifetimes::shorten_lifetimes;
 use super::lower::Lowering;
@@ -14,7 +14,7 @@ use crate::dynamics::EquationsOfMotion;
 use crate::symbolic::{Expr, Symbol};
 use rustc_hash::FxHashMap;
 
-/// What a kernel is called and said to do.
+/// The name and documentation of a kernel.
 pub(super) struct Head {
     pub(super) name: &'static str,
     pub(super) docs: String,
@@ -22,10 +22,10 @@ pub(super) struct Head {
     pub(super) arguments: Arguments,
 }
 
-/// What a kernel is written from.
+/// The source of a kernel.
 struct Task<'a> {
     results: Results<Value>,
-    /// What is computed before them.
+    /// The values computed before them.
     first: Vec<Value>,
     wishes: Wishes<'a>,
     leaves: Leaves,
@@ -64,12 +64,12 @@ pub(super) struct Planner<'a> {
     alternatives: &'a FxHashMap<Expr, Expr>,
     /// The squares of the norms of quaternions.
     divisors: Vec<Expr>,
-    /// Names wished for values of the model.
+    /// Preferred names for values of the model.
     labels: Vec<(Expr, String)>,
 }
 
 impl<'a> Planner<'a> {
-    /// `alternatives` are other forms of expressions, to be taken where they cost less.
+    /// `alternatives` are other forms of expressions, used where they cost less.
     pub(super) fn new(equations: &'a EquationsOfMotion, alternatives: &'a FxHashMap<Expr, Expr>) -> Planner<'a> {
         let model = &equations.model;
         let mut inputs = FxHashMap::default();
@@ -165,7 +165,7 @@ impl<'a> Planner<'a> {
         Kernel { name, docs, receiver, arguments, entries, pieces, statements, results, operations }
     }
 
-    /// Names for values: what the user named, then what the method names. The first wish for a value wins.
+    /// Names for values: those of the user, then those of the method. The first wish for a value wins.
     pub(super) fn names_wished<'s>(&'s self, lowering: &Lowering, notes: &'s Notes) -> Wishes<'s> {
         let users = self.labels.iter().filter_map(|(expr, name)| Some((lowering.lowered(*expr)?, name)));
         let mut by_value = Wishes::default();

@@ -1,4 +1,5 @@
-//! The kernels that run at each step, and what they need of the parameters, computed once for a set of parameters.
+//! The kernels that run at each step, and the values that they need of the parameters, computed once for each set of
+//! parameters.
 
 use super::lower::Lowering;
 use super::motion::Motion;
@@ -78,7 +79,7 @@ fn cheapest<'a>(planner: &'a Planner) -> (Lowering<'a>, Motion<'a>) {
     }
 }
 
-/// How many operations values take that are not on parameters alone.
+/// The number of operations that are not on parameters alone.
 fn operations(values: &Values, roots: Vec<&Value>) -> usize {
     let roots: Vec<Value> = roots.into_iter().copied().collect();
     let needed = values.reachable(&roots, &Leaves::default());
@@ -86,7 +87,7 @@ fn operations(values: &Values, roots: Vec<&Value>) -> usize {
     moving.map(|value| values.operands(value).count().saturating_sub(1)).sum()
 }
 
-/// What depends on parameters alone and others need, and the parameters that are needed as they are.
+/// Values that depend on parameters alone and that others need, and the parameters that are needed themselves.
 fn fields(planner: &Planner, lowering: &Lowering, notes: &Notes, roots: &[Value]) -> Vec<(Name, Value)> {
     let values = &lowering.values;
     let is_computed = |value: Value| match values.operation(value) {
@@ -106,7 +107,7 @@ fn fields(planner: &Planner, lowering: &Lowering, notes: &Notes, roots: &[Value]
     name_fields(planner, lowering, notes, fields)
 }
 
-/// Parameters keep their names; what was computed is named for what it is.
+/// Parameters keep their names; computed values are named after their expressions.
 fn name_fields(planner: &Planner, lowering: &Lowering, notes: &Notes, fields: BTreeSet<Value>) -> Vec<(Name, Value)> {
     let values = &lowering.values;
     let (parameters, conditionals) = (&planner.equations.model.parameters, &planner.equations.model.conditionals);

@@ -1,4 +1,4 @@
-//! The terms of the equations of motion in coordinates alone, whatever they were derived in.
+//! The terms of the equations of motion in coordinates alone, for any formulation.
 
 use super::eliminate::reduce;
 use super::lower::Lowering;
@@ -11,7 +11,7 @@ use crate::symbolic::Expr;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// A matrix of more entries than this is written by those that are not 0, if fewer than one in so many are.
+/// A larger matrix is written by its nonzero entries, if fewer than one in so many are nonzero.
 const LARGEST_DENSE: usize = 4096;
 const SPARSE: usize = 4;
 
@@ -55,7 +55,7 @@ pub(super) fn generalized_forces(equations: &EquationsOfMotion, lowering: &mut L
     Results::Vector(pulled_back(equations, lowering, forces))
 }
 
-/// T_q' M g, n: the forces h of the variables, and those that their own convective accelerations take, M u.
+/// T_q' M g, n: the forces h of the variables, plus M u for their own convective accelerations.
 pub(super) fn convective_forces(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
     let mut forces = lowering.lower_all(&equations.tmt.convective_forces);
     if !equations.intermediates.is_empty() {
@@ -109,8 +109,8 @@ fn convective_accelerations(equations: &EquationsOfMotion, lowering: &mut Loweri
     accelerations
 }
 
-/// Forces along the variables as forces along the coordinates: each intermediate passes its own on to those that it is
-/// defined by.
+/// Forces along the variables as forces along the coordinates: each intermediate passes its force on to the variables
+/// in its definition.
 fn pulled_back(equations: &EquationsOfMotion, lowering: &mut Lowering, forces: Vec<Value>) -> Vec<Value> {
     let n = equations.model.coordinates.len();
     let mut sums: Vec<Vec<(bool, Value)>> = forces.into_iter().map(|force| vec![(false, force)]).collect();

@@ -1,6 +1,6 @@
-//! What a kernel returns, over expressions, values or trees alike.
+//! The results of a kernel, over expressions, values or trees.
 
-/// What a kernel returns.
+/// The results of a kernel.
 pub enum Results<T> {
     /// One number.
     Scalar(T),
@@ -12,7 +12,8 @@ pub enum Results<T> {
     Sparse([usize; 2], Vec<([usize; 2], T)>),
     /// A struct by its fields.
     Record(Record, Vec<(String, Results<T>)>),
-    /// Whether a pivot is refused, from each pivot with the magnitude of its terms; without any, every state is.
+    /// Whether a pivot is refused, from each pivot with the magnitude of its terms; without pivots every state is
+    /// refused.
     Refused(Option<Vec<(T, T)>>),
 }
 
@@ -33,11 +34,11 @@ pub enum Record {
     Kinematics,
     /// The equations of motion in generalised speeds, solved.
     SpeedDynamics,
-    /// The mechanism's own: what `dynamics` needs of the parameters.
+    /// The prepared values that `dynamics` needs of the parameters.
     Prepared,
 }
 
-/// What documentation says of kernels with [`Results::Refused`].
+/// The documentation of kernels with [`Results::Refused`].
 pub(super) const REFUSED: &str = "Where `refused` is set a pivot was too small and nothing else holds";
 
 impl<T> Results<T> {

@@ -1,4 +1,4 @@
-//! From shared values to statements: what gets a name, in which order, and under which name.
+//! From shared values to statements: which values get a statement, in which order, and under which name.
 //!
 //! A value used once stands inside the expression that uses it; one used more often, a sine or cosine, or one
 //! whose expression would grow beyond a line, gets a statement of its own.
@@ -10,12 +10,12 @@ use crate::symbolic::{Function, TableId};
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 
-/// Operations in one expression, beyond which a part of it gets a name.
+/// The number of operations in one expression beyond which a part gets a name.
 const LONGEST_EXPRESSION: usize = 14;
 /// The order of the highest derivative of a table that is not zero.
 const HIGHEST_DERIVATIVE: u8 = 3;
 
-/// Names wished for values.
+/// Preferred names for values.
 pub(super) type Wishes<'a> = FxHashMap<Value, Cow<'a, str>>;
 
 /// A schedule for the values that `roots` need.
@@ -24,7 +24,7 @@ pub(super) struct Schedule<'a> {
     labels: &'a Wishes<'a>,
     /// Which values get a statement.
     named: Vec<bool>,
-    /// Angles by how many sines they depend on, one inside another; those of a level are evaluated together.
+    /// Angles by their depth of nested sines; those of a level are evaluated together.
     angles: Vec<Vec<Value>>,
     /// The level of each angle.
     levels: Vec<usize>,
@@ -33,13 +33,13 @@ pub(super) struct Schedule<'a> {
     leaves: &'a Leaves,
     /// Names of what is stated.
     names: FxHashMap<Value, Name>,
-    /// What was scheduled, in order.
+    /// The statements, in order.
     pub(super) statements: Vec<Statement>,
 }
 
 impl<'a> Schedule<'a> {
-    /// Schedules everything that `roots` are made of, what is needed of `first` before them. `labels` are names wished for,
-    /// `local_names` those still free.
+    /// Schedules `roots` with all of their operands, and before them the needed values of `first`. `labels` are
+    /// preferred names, `local_names` those still free.
     pub(super) fn new(
         values: &'a Values,
         first: &[Value],
@@ -56,7 +56,7 @@ impl<'a> Schedule<'a> {
         let (names, statements) = (FxHashMap::default(), vec![]);
         let mut schedule =
             Schedule { values, labels, named, angles, levels, uses, local_names, leaves, names, statements };
-        // From the results backwards: what is used together is computed together, and little has to be kept for long.
+        // From the results backwards: values used together are computed together, and few stay alive for long.
         let is_needed = |value: &&Value| schedule.uses[value.index()] > 0 && !leaves.contains_key(value);
         let first: Vec<&Value> = first.iter().filter(is_needed).collect();
         for root in first.into_iter().chain(roots) {
@@ -65,7 +65,7 @@ impl<'a> Schedule<'a> {
         schedule
     }
 
-    /// States a value that gets a statement and has none yet, after all that it needs.
+    /// Emits the statement of a value that needs one and has none yet, after its operands.
     fn state(&mut self, value: Value) {
         if !self.named[value.index()] || self.names.contains_key(&value) {
             return;
@@ -82,7 +82,7 @@ impl<'a> Schedule<'a> {
         self.statements.push(Statement::Let { name, value: tree });
     }
 
-    /// States all that the expression of a value needs.
+    /// Emits the statements that the expression of a value needs.
     fn require(&mut self, value: Value) {
         if self.leaves.contains_key(&value) {
             return;
@@ -96,7 +96,7 @@ impl<'a> Schedule<'a> {
         }
     }
 
-    /// States the sines and cosines of all angles of a level together.
+    /// Emits the sines and cosines of all angles of a level together.
     fn state_waves(&mut self, level: usize) {
         let angles = std::mem::take(&mut self.angles[level]);
         for angle in &angles {
@@ -115,7 +115,7 @@ impl<'a> Schedule<'a> {
         self.statements.push(Statement::SinCos(waves));
     }
 
-    /// States a table at an argument with all of its derivatives that are needed.
+    /// Emits a table at an argument with all needed derivatives.
     fn look_up(&mut self, table: TableId, argument: Value) {
         self.state(argument);
         self.require(argument);
@@ -139,7 +139,7 @@ impl<'a> Schedule<'a> {
         name
     }
 
-    /// A name that says what the value is, where that is short.
+    /// A descriptive name for the value, if it is short.
     fn derived_name(&self, value: Value) -> Option<String> {
         let known = |value: Value| match (self.leaves.get(&value), self.names.get(&value)) {
             (Some(Tree::Name(name) | Tree::Field(name)), _) | (_, Some(name)) => Some(&**name),
@@ -148,7 +148,7 @@ impl<'a> Schedule<'a> {
         derived_name(self.values, value, known)
     }
 
-    /// The expression that stands for a value: its name, or what it is made of.
+    /// The expression of a value: its name, or its operation.
     pub(super) fn tree(&self, value: Value) -> Tree {
         match (self.leaves.get(&value), self.names.get(&value)) {
             (Some(leaf), _) => leaf.clone(),
@@ -161,7 +161,7 @@ impl<'a> Schedule<'a> {
         let boxed = |value: &Value| Box::new(self.tree(*value));
         match self.values.operation(value) {
             Operation::Constant(bits) => Tree::Constant(f64::from_bits(*bits)),
-            // Every input is a leaf, and every table is stated.
+            // Every input is a leaf, and every table has a statement.
             Operation::Input(_) | Operation::Table(..) => Tree::Constant(f64::NAN),
             Operation::Sum(terms) => {
                 Tree::Sum(terms.iter().map(|(negative, term)| (*negative, self.tree(*term))).collect())
@@ -192,7 +192,7 @@ impl<'a> Schedule<'a> {
     }
 }
 
-/// A name that says what a value is, where that is short, from the names of what it is made of.
+/// A descriptive name for a value, if it is short, from the names of its operands.
 pub(super) fn derived_name<'a>(
     values: &Values,
     value: Value,
@@ -211,7 +211,7 @@ pub(super) fn derived_name<'a>(
     }
 }
 
-/// How often each value is an operand or a root; 0 for what the roots do not need.
+/// How often each value is an operand or a root; 0 for values that the roots do not need.
 fn count_uses(values: &Values, roots: &[Value], needed: &[Value]) -> Vec<usize> {
     let mut uses = vec![0; values.len()];
     let operands = needed.iter().flat_map(|value| values.operands(*value));
@@ -219,7 +219,7 @@ fn count_uses(values: &Values, roots: &[Value], needed: &[Value]) -> Vec<usize> 
     uses
 }
 
-/// For each value how many sines it depends on, one inside another, and the angles of each level.
+/// The depth of nested sines of each value, and the angles of each level.
 fn wave_levels(values: &Values, needed: &[Value]) -> (Vec<usize>, Vec<Vec<Value>>) {
     let mut levels = vec![0; values.len()];
     let mut angles: Vec<Vec<Value>> = Vec::new();
@@ -242,7 +242,7 @@ fn choose_named(values: &Values, uses: &[usize], needed: &[Value], leaves: &Leav
     let mut size = vec![0; values.len()];
     for value in needed.iter().copied() {
         let operands = values.operands(value);
-        // Too long an expression gives up its largest parts first.
+        // An expression that is too long gives up its largest parts first.
         let weight = |size: &[usize], named: &[bool]| -> usize {
             operands.clone().map(|x| if named[x.index()] { 0 } else { size[x.index()] }).sum()
         };

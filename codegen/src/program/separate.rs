@@ -11,7 +11,7 @@ use crate::dynamics::EquationsOfMotion;
 use crate::model::{Model, Shape, Start};
 use crate::symbolic::Expr;
 
-/// What a kernel returns, of the equations of motion.
+/// The results of the kernels of the equations of motion.
 type Wanted = fn(&EquationsOfMotion, &mut Lowering) -> Results<Value>;
 
 pub(super) fn separate_kernels(planner: &Planner, zero: Expr) -> Vec<Kernel> {
@@ -143,7 +143,7 @@ fn energies(planner: &Planner) -> [Kernel; 2] {
     ]
 }
 
-/// What is observed of a motion: outputs, events and the drawing.
+/// The observed quantities of a motion: outputs, events and the drawing.
 fn observations(planner: &Planner) -> [Kernel; 4] {
     let EquationsOfMotion { model, outputs, .. } = planner.equations;
     let rates: Vec<Expr> = outputs.rates.iter().flatten().copied().collect();

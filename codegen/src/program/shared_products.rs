@@ -1,10 +1,12 @@
 //! Products of two factors that several products have in common, computed once.
 //!
-//! `k sin(a) a'^2` and `l sin(a) a'^2` are two values that share `sin(a) a'^2`. Which pair is taken out first decides what is
-//! left to the others: the one that saves most multiplications, as Breuer does with sums and products alike
-//! (Generation of optimal code for expressions via factorization, CACM 12, 1969). Sums have had their factors taken out
-//! before. Where a processor waits longer than it is busy, a pair that a product would have to wait for is left in it:
-//! `late * early * early` is `late * (early * early)`.
+//! `k sin(a) a'^2` and `l sin(a) a'^2` are two values that share `sin(a) a'^2`. The pair that saves most
+//! multiplications is taken out first, as Breuer does with sums and products alike (Generation of optimal code for
+//! expressions via factorization, CACM 12, 1969). Common factors of sums have been taken out before. Where latency
+//! dominates, a pair that would delay a product is left in it: `late * early * early` is `late * (early * early)`.
+//!
+//! The rule about waiting applies only where the longest chain of operations takes longer than all operations one after
+//! the other; applied everywhere, it would slow down kernels such as an arm's inverse dynamics.
 
 use super::latency::{self, Time, times};
 use super::values::{Leaves, Operation, Value, Values};
@@ -13,18 +15,18 @@ use rustc_hash::{FxBuildHasher, FxHashMap};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Where values have gone, operands first.
+/// The new places of values, operands first.
 pub(super) type Moved = IndexMap<Value, Value, FxBuildHasher>;
 
 /// Values with shared products taken out.
 pub(super) struct Shared {
     /// The values that are needed.
     pub(super) values: Values,
-    /// Where they were before.
+    /// Their previous places.
     pub(super) moved: Moved,
 }
 
-/// Takes shared products out of all that `roots` are made of, if there are any; what `leaves` are made of stays as it is.
+/// Takes shared products out of `roots` and their operands, if there are any; operands of `leaves` stay unchanged.
 pub(super) fn share_products(values: &Values, roots: &[Value], leaves: &Leaves) -> Option<Shared> {
     let mut needed = values.reachable(roots, leaves);
     needed.retain(|value| !leaves.contains_key(value));
@@ -75,14 +77,14 @@ type Factors = Vec<(Factor, Time)>;
 
 #[derive(Default)]
 struct Products {
-    /// Whether no product may become known later than it was: its operations, about one in a cycle, take less time than the
-    /// longest chain of them.
+    /// Whether no product may be delayed: the operations, at about one per cycle, take less time than the longest chain
+    /// of them.
     is_hurried: bool,
     factors: Vec<Factors>,
     by_value: FxHashMap<Value, usize>,
     /// The products that each pair is in, if there are several.
     containing: FxHashMap<Pair, Vec<usize>>,
-    /// What was taken out.
+    /// The pairs that were taken out.
     pairs: Vec<Pair>,
 }
 
@@ -148,7 +150,7 @@ impl Products {
         }
     }
 
-    /// Makes a pair one factor of all products that it is in; gives the pairs that these then have.
+    /// Makes a pair one factor of all products that contain it; gives the pairs that these then have.
     fn take_out(&mut self, pair: Pair) -> Vec<Pair> {
         let taken = Factor::Pair(self.pairs.len());
         self.pairs.push(pair);

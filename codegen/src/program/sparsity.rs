@@ -1,8 +1,12 @@
-//! Where C_q may have entries that are not 0, and an order of its rows in which C_q C_q' is factorised with little fill.
+//! The sparsity of C_q, and an order of its rows in which the factors of C_q C_q' have little fill.
 //!
-//! Rows that have a coordinate in common are neighbours. They are ordered by the reverse of Cuthill and McKee's algorithm (George
-//! and Liu, Computer Solution of Large Sparse Positive Definite Systems, 1981, chapter 4), unless the declared order has as
-//! small an envelope: all that the factors of C_q C_q' fill lies in it.
+//! Rows that have a coordinate in common are neighbours. They are ordered by the reverse of Cuthill and McKee's
+//! algorithm (George and Liu, Computer Solution of Large Sparse Positive Definite Systems, 1981, chapter 4), unless the
+//! declared order has as small an envelope: all fill of the factors of C_q C_q' lies in it.
+//!
+//! Sparse rows are used only where they save operations. Elsewhere rows stay dense; the choice is a constant of the
+//! type. Projection by the mass matrix, partitioning, redundant constraints and whatever runs once per simulation stay
+//! dense.
 
 use std::collections::BTreeSet;
 
@@ -16,7 +20,7 @@ pub struct Sparsity {
 pub struct SparseRow {
     /// The constraint.
     pub constraint: usize,
-    /// The columns of its entries that need not be 0.
+    /// The columns of its entries that may be nonzero.
     pub columns: Vec<usize>,
     /// The place of its first entry among those of all rows.
     pub entries: usize,
@@ -26,11 +30,11 @@ pub struct SparseRow {
     pub diagonal: usize,
 }
 
-/// How many operations of dense rows, which lie side by side, take as long as one of sparse rows, with what is around it.
+/// The number of contiguous dense operations that take as long as one sparse operation with its overhead.
 const LOOK_UP: usize = 8;
 
 impl Sparsity {
-    /// That of rows with entries in these columns, of so many; nothing where dense rows are as good.
+    /// The sparsity of rows with entries in these columns; nothing if dense rows are as good.
     pub(super) fn of(columns: Vec<BTreeSet<usize>>, coordinates: usize) -> Option<Sparsity> {
         let neighbours = neighbours(&columns);
         let declared: Vec<usize> = (0..columns.len()).collect();
@@ -49,7 +53,7 @@ impl Sparsity {
         (LOOK_UP * sparsity.operations() < dense_operations(columns.len(), coordinates)).then_some(sparsity)
     }
 
-    /// How many entries its rows and the envelope have.
+    /// The number of entries of its rows and of the envelope.
     pub(crate) fn sizes(&self) -> [usize; 2] {
         self.rows.last().map_or([0; 2], |row| [row.entries + row.columns.len(), row.diagonal + 1])
     }
@@ -86,7 +90,7 @@ fn firsts(order: &[usize], neighbours: &[BTreeSet<usize>]) -> Vec<usize> {
     order.iter().enumerate().map(first).collect()
 }
 
-/// Each connected part from a row at its rim, level by level; all of it reversed.
+/// Each connected part from a peripheral row, level by level; all of it reversed.
 fn reverse_cuthill_mckee(neighbours: &[BTreeSet<usize>]) -> Vec<usize> {
     let mut order: Vec<usize> = Vec::new();
     let mut is_placed = vec![false; neighbours.len()];

@@ -1,4 +1,4 @@
-//! The kernels of generalised speeds: q' = N u + n, and u' with the multipliers that are left.
+//! The kernels of generalised speeds: q' = N u + n, and u' with the remaining multipliers.
 
 use super::eliminate::{Factors, System, Unknown, factorise};
 use super::lower::Lowering;
@@ -10,7 +10,7 @@ use crate::dynamics::order::Multipliers;
 use crate::dynamics::{Block, Solution, SpeedEquations};
 use crate::model::Model;
 
-/// Pivots, each with what cancellation in it is measured by; without an elimination none.
+/// Pivots, each with the scale for its cancellation; none without an elimination.
 type Pivots = Option<Vec<(Value, Value)>>;
 
 /// `kinematics` and `speed_dynamics`, each with its name and documentation.
@@ -30,7 +30,7 @@ pub(super) fn kernels(
     [("kinematics", kinematics_docs(model), kinematics), ("speed_dynamics", dynamics_docs(model, equations), dynamics)]
 }
 
-/// Gives those rates that are solved for at run time, and their derivatives, their values.
+/// Sets the values of the rates that are solved for at run time, and of their derivatives.
 fn solve_blocks(model: &Model, blocks: &[Block], lowering: &mut Lowering, notes: &mut Notes) -> Pivots {
     let factors: Vec<Option<Factors>> =
         blocks.iter().map(|block| factorise_block(model, block, lowering, notes)).collect();
@@ -45,7 +45,7 @@ fn solve_blocks(model: &Model, blocks: &[Block], lowering: &mut Lowering, notes:
         solve(factors, &block.rates);
         block.by_speed.iter().for_each(|(_, by_speed)| solve(factors, by_speed));
     }
-    // The rates of all blocks stand in it.
+    // It contains the rates of all blocks.
     for (block, factors) in blocks.iter().zip(&factors) {
         solve(factors, &block.convective);
     }

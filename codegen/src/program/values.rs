@@ -1,18 +1,18 @@
 //! Values of a straight-line program, shared by construction: the same operation on the same values is one value.
 //!
-//! Nothing algebraic happens here beyond 0 and 1, which is the engine's work and done before, but for one thing: what
-//! depends on parameters alone is kept together, so that it can be computed once for a set of parameters.
+//! The engine has done the algebra before; here only 0 and 1 are simplified. One more thing happens: factors and terms
+//! that depend on parameters alone are kept together, so that they are computed once for each set of parameters.
 
 use super::Tree;
 use crate::symbolic::{Function, TableId};
 use indexmap::IndexSet;
 use rustc_hash::{FxBuildHasher, FxHashMap};
 
-/// A value of the program. Operands have smaller indices than what is made of them.
+/// A value of the program. Operands have smaller indices than their results.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub(super) struct Value(u32);
 
-/// Where a value comes from.
+/// The operation of a value.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub(super) enum Operation {
     /// A number that is not negative, by its bits.
@@ -35,11 +35,11 @@ pub(super) enum Operation {
     Power(Value, Value),
     /// The angle of the point (x, y), as (y, x).
     Atan2(Value, Value),
-    /// The second where the first is above zero, and else the third.
+    /// The second where the first is above zero, otherwise the third.
     Choice(Value, Value, Value),
     /// The derivative of this order of a table.
     Table(TableId, u8, Value),
-    /// An input: what it is set to, or its declared course.
+    /// An input: the value it is set to, or its declared course.
     Held(Value, Value),
 }
 
@@ -50,7 +50,7 @@ pub(super) enum Input {
     Parameter(usize),
     /// The activity of a constraint that events switch.
     Activity(usize),
-    /// What an input of the mechanism is set to, if it is.
+    /// The value that an input of the mechanism is set to, if any.
     Held(usize),
     /// Time.
     Time,
@@ -66,7 +66,7 @@ pub(super) enum Input {
     GeneralizedSpeed(usize),
 }
 
-/// Values that need no statement: inputs, and what was computed before.
+/// Values that need no statement: inputs and prepared values.
 pub(super) type Leaves = FxHashMap<Value, Tree>;
 
 /// All values of a program.
@@ -194,7 +194,7 @@ impl Values {
             let together = self.product(parametric);
             kept.insert(0, together);
         }
-        // In one order, so that equal products are one value.
+        // In a fixed order, so that equal products are one value.
         kept.sort();
         let product = match kept.as_slice() {
             [] => self.constant(1.0),
@@ -204,7 +204,7 @@ impl Values {
         if negative { self.negate(product) } else { product }
     }
 
-    /// The product of factors without signs, if it is there.
+    /// The product of factors without signs, if it exists.
     pub(super) fn known_product(&self, mut factors: impl Iterator<Item = Value>) -> Option<Value> {
         let (first, second) = (factors.next()?, factors.next());
         let Some(second) = second else { return Some(first) };
@@ -213,11 +213,11 @@ impl Values {
         self.find(&Operation::Product(factors))
     }
 
-    /// The value as a multiple of another by what depends on parameters alone.
+    /// The value as a multiple of another by a factor that depends on parameters alone.
     pub(super) fn as_multiple(&mut self, value: Value) -> (Value, Value) {
         let (mut coefficient, mut rest) = (self.constant(1.0), value);
         while let Operation::Product(factors) = self.operation(rest) {
-            // What depends on parameters alone is one factor.
+            // All factors that depend on parameters alone are one factor.
             let (parametric, other) = match factors.as_slice() {
                 [a, b] if self.is_parametric(*a) => (*a, *b),
                 [a, b] if self.is_parametric(*b) => (*b, *a),
@@ -229,7 +229,7 @@ impl Values {
         (coefficient, rest)
     }
 
-    /// A quotient; by what depends on parameters alone, a product with its reciprocal.
+    /// A quotient; if the divisor depends on parameters alone, a product with its reciprocal.
     pub(super) fn quotient(&mut self, above: Value, below: Value) -> Value {
         if self.is_parametric(below) && !self.is_parametric(above) {
             let one = self.constant(1.0);
@@ -244,7 +244,7 @@ impl Values {
         if (above_size == above) == (below_size == below) { quotient } else { self.negate(quotient) }
     }
 
-    /// Takes the operands that depend on parameters alone out, if there are several, and others too.
+    /// Takes out the operands that depend on parameters alone, if there are several, and others too.
     fn separate<T: Copy>(&self, operands: &mut Vec<T>, value: impl Fn(&T) -> Value) -> Option<Vec<T>> {
         let is_parametric = |operand: &T| self.is_parametric(value(operand));
         let count = operands.iter().filter(|operand| is_parametric(operand)).count();
@@ -266,7 +266,7 @@ impl Values {
         self.add(Operation::Call(Function::Abs, size))
     }
 
-    /// The value that this one is the opposite of, if it is one.
+    /// The value that this one negates, if it is a negation.
     pub(super) fn opposite(&self, value: Value) -> Option<Value> {
         match *self.operation(value) {
             Operation::Negate(inner) => Some(inner),
@@ -294,7 +294,7 @@ impl Values {
         }
     }
 
-    /// All that `roots` are made of, themselves included, operands first; what `leaves` are made of is not.
+    /// `roots` and all of their operands, operands first, without the operands of `leaves`.
     pub(super) fn reachable(&self, roots: &[Value], leaves: &Leaves) -> Vec<Value> {
         let mut seen = vec![false; self.len()];
         let mut stack = roots.to_vec();
@@ -306,7 +306,7 @@ impl Values {
         self.all().filter(|value| seen[value.index()]).collect()
     }
 
-    /// What a value is made of, in order.
+    /// The operands of a value, in order.
     pub(super) fn operands(&self, value: Value) -> impl Iterator<Item = Value> + Clone + use<'_> {
         let (mut all_terms, mut all_factors, mut few) = (&[][..], &[][..], [None; 3]);
         match self.operation(value) {

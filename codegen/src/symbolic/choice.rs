@@ -5,7 +5,7 @@ use super::{Expr, Graph, Node};
 impl Graph {
     /// `above` where `difference > 0`, `otherwise` where it is not, and NaN where it is NaN.
     ///
-    /// Its derivative is that of what is chosen; at the switch that of `otherwise`.
+    /// Its derivative is that of the chosen expression; at the switch that of `otherwise`.
     pub fn choice(&mut self, difference: Expr, above: Expr, otherwise: Expr) -> Expr {
         if above == otherwise {
             return above;
@@ -30,7 +30,7 @@ impl Graph {
         self.choice(difference, b, a)
     }
 
-    /// An expression of the same sign, without a positive number as its factor.
+    /// An expression of the same sign, without a positive numeric factor.
     fn without_size(&mut self, expr: Expr) -> Expr {
         let content = match self.node(expr) {
             Node::Sum { constant, terms } => terms.iter().fold(constant.abs(), |gcd, (_, c)| gcd.gcd(c)).abs(),

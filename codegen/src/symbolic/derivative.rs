@@ -6,9 +6,9 @@ use rustc_hash::FxHashMap;
 
 /// The directional derivative along given rates of the symbols: `sum of d(expr)/d(symbol) * rate`.
 ///
-/// With one symbol at rate 1 it is a partial derivative; with every coordinate at its speed, every speed
-/// at its acceleration and time at 1 it is the total time derivative. Each node is differentiated once for
-/// the life of this value, so one `Differential` should serve all expressions of a kind.
+/// With one symbol at rate 1 it is a partial derivative; with every coordinate at its speed, every speed at its
+/// acceleration and time at 1 it is the total time derivative. Each node is differentiated once during the life of this
+/// value, so one `Differential` should serve all expressions of a kind.
 #[derive(Clone)]
 pub struct Differential {
     rates: FxHashMap<Symbol, Expr>,

@@ -3,8 +3,8 @@
 use super::{Expr, Graph, Node, Number};
 
 impl Graph {
-    /// A sum with the products in it multiplied out as far as they have sums as factors, if like terms then merge or
-    /// cancel, and no more than `limit` terms come of it.
+    /// A sum with its products of sums multiplied out, if like terms then merge or cancel, and the result has at most
+    /// `limit` terms.
     ///
     /// Multiplying out for its own sake costs operations and, where a difference is squared, digits.
     pub fn expand(&mut self, expr: Expr, limit: usize) -> Option<Expr> {
@@ -28,7 +28,7 @@ impl Graph {
         (after < before).then_some(sum)
     }
 
-    /// Adds `coefficient * term` to `out` as terms without sums as factors; nothing if that would make too many.
+    /// Adds `coefficient * term` to `out` as terms without sums as factors; nothing if there would be too many.
     fn multiply_out(
         &mut self,
         term: Expr,

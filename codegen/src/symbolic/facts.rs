@@ -1,4 +1,4 @@
-//! What is known of an expression for every real value of its symbols. Nothing known means no.
+//! Facts about an expression that hold for every real value of its symbols. Unknown means no.
 
 use super::{Expr, Function, Node, Number};
 
@@ -23,7 +23,7 @@ impl Facts {
         self.nonnegative && self.nonzero
     }
 
-    /// Of a node, by the facts of the expressions that it is made of and by those of them that are numbers.
+    /// The facts of a node, from the facts and numbers of its operands.
     pub(super) fn of<'n>(
         node: &Node,
         facts: impl Fn(Expr) -> Facts,
@@ -56,7 +56,7 @@ impl Facts {
             Node::Product { coefficient, factors } => Facts {
                 nonnegative: !coefficient.is_negative()
                     && factors.iter().all(|(base, exponent)| exponent % 2 == 0 || facts(*base).nonnegative),
-                // Underflow is not zero in exact arithmetic; a base that is nonzero stays so.
+                // Underflow is not zero in exact arithmetic: a nonzero base stays nonzero.
                 nonzero: factors.iter().all(|(base, _)| facts(*base).nonzero),
                 finite: factors.iter().all(|(base, exponent)| match exponent {
                     1.. => facts(*base).finite,

@@ -67,7 +67,7 @@ impl Function {
     }
 }
 
-/// What a function does to the sign of its argument.
+/// The symmetry of a function in the sign of its argument.
 #[derive(PartialEq)]
 pub(super) enum Parity {
     Even,

@@ -11,7 +11,7 @@ use rustc_hash::FxBuildHasher;
 pub struct Graph {
     nodes: IndexSet<Node, FxBuildHasher>,
     facts: Vec<Facts>,
-    /// Which symbols may occur in each expression.
+    /// A Bloom filter of the symbols in each expression.
     occurring: Vec<Symbols>,
     symbols: Vec<String>,
     pub(super) tables: Vec<Table>,
@@ -23,7 +23,7 @@ impl Graph {
         Graph::default()
     }
 
-    /// What `expr` is made of.
+    /// The node of `expr`.
     pub fn node(&self, expr: Expr) -> &Node {
         &self.nodes[expr.index()]
     }
@@ -32,7 +32,7 @@ impl Graph {
         self.nodes.iter()
     }
 
-    /// How many distinct expressions there are.
+    /// The number of distinct expressions.
     pub fn len(&self) -> usize {
         self.nodes.len()
     }
@@ -58,7 +58,7 @@ impl Graph {
         Expr::at(index)
     }
 
-    /// The symbols that may occur in the expression; no others do.
+    /// A Bloom filter of the symbols in the expression.
     pub(super) fn may_occur(&self, expr: Expr) -> Symbols {
         self.occurring[expr.index()]
     }
@@ -131,7 +131,7 @@ impl Graph {
         self.facts(expr).finite
     }
 
-    /// Whether the numbers that an expression itself is made of are within the range of `f64`.
+    /// Whether the numbers in an expression's own node are within the range of `f64`.
     pub fn numbers_in_range(&self, expr: Expr) -> bool {
         let in_range = |number: &Number| {
             let value = number.to_f64();
@@ -145,7 +145,7 @@ impl Graph {
         }
     }
 
-    /// The expressions a node is made of, in order.
+    /// The operands of a node, in order.
     pub fn operands(&self, expr: Expr) -> impl Iterator<Item = Expr> + Clone + use<'_> {
         let (mut all_terms, mut all_factors, mut few) = (&[][..], &[][..], [None; 3]);
         match self.node(expr) {
@@ -162,7 +162,7 @@ impl Graph {
         terms.chain(factors).chain(few.into_iter().flatten())
     }
 
-    /// Everything the given expressions are made of, themselves included, operands first.
+    /// The given expressions and all of their operands, operands first.
     pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
         let mut seen = vec![false; self.len()];
         let mut stack = roots.to_vec();

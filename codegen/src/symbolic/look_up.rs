@@ -3,7 +3,7 @@
 use super::{Expr, Graph, Node, Table, TableId};
 
 impl Graph {
-    /// Takes a table in; equal ones are one.
+    /// Adds a table; equal tables are interned.
     pub fn add_table(&mut self, table: Table) -> TableId {
         let known = self.tables.iter().position(|other| *other == table);
         let index = known.unwrap_or_else(|| {
@@ -23,7 +23,7 @@ impl Graph {
         &self.tables[id.index()]
     }
 
-    /// Everything that is looked up, by table and order of the derivative.
+    /// All look-ups, by table and order of the derivative.
     pub fn look_ups(&self) -> Vec<(Expr, TableId, u8)> {
         let look_up = |(index, node): (usize, &Node)| match node {
             Node::Table(table, order, _) => Some((Expr::at(index), *table, *order)),

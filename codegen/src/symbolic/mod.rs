@@ -1,18 +1,17 @@
 //! The symbolic engine: expressions over exact rationals, shared and kept in canonical form.
 //!
-//! Every expression lives in one [`Graph`] and is named by an [`Expr`]; structurally equal expressions
-//! are the same `Expr`. Only the constructors on `Graph` add nodes, so canonical form is an invariant
-//! and not a pass. The engine knows no mechanics: symbols are names, and what they mean is its user's
-//! business.
+//! Every expression lives in one [`Graph`] and is named by an [`Expr`]; structurally equal expressions are the same
+//! `Expr`. Only the constructors on `Graph` add nodes, so canonical form is an invariant and not a pass. The engine
+//! knows no mechanics: symbols are names, and their meaning is up to the caller.
 //!
-//! A rewriting that could change a value, at any real point, infinities and NaN included, is not done.
-//! The one exception is the customary one: `0*x` is 0 and `x - x` is 0 whatever x is, and a choice between equals is that,
-//! whatever it is made by. `if d > 0 then x else y` is NaN where d is NaN.
+//! No rewriting changes a value at any real point, infinities and NaN included. The one exception is the customary one:
+//! `0*x` and `x - x` are 0 for every x, and a choice between equal expressions is that expression, whatever the
+//! condition. `if d > 0 then x else y` is NaN where d is NaN.
 //!
 //! # The rules
 //!
-//! What is written becomes what stands right of it as soon as it is made, for expressions in place of the letters as well.
-//! A condition must hold for every real value of the symbols; where that is not known, it does not hold.
+//! The expression on the left becomes the one on the right on construction, with any expressions in place of the
+//! letters. A condition must hold for every real value of the symbols; if that is not known, it does not hold.
 //!
 //! | rule | written | becomes | condition |
 //! |---|---|---|---|
@@ -49,8 +48,8 @@
 //! | the size of a difference does not matter | `if 2*x - 4*y > 0 then x else z` | `if x - 2*y > 0 then x else z` | a positive number |
 //! | what is zero everywhere is 0 | `x*(y - y) + sin(z - z)` | `0` | always |
 //!
-//! Each row is tested, at random points too, by `codegen/tests/symbolic/rules.rs`. Not among them is [`Graph::expand`], which
-//! its user has to ask for.
+//! Each row is tested, at random points too, by `codegen/tests/symbolic/rules.rs`. [`Graph::expand`] is not among them;
+//! it must be called explicitly.
 
 mod call;
 mod choice;

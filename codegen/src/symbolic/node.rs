@@ -1,4 +1,4 @@
-//! Expressions, and what they are made of.
+//! Expressions and their nodes.
 
 use super::{Function, Number, TableId};
 
@@ -7,7 +7,7 @@ use super::{Function, Number, TableId};
 pub struct Expr(u32);
 
 impl Expr {
-    /// Position in the graph: operands stand before what is made of them.
+    /// Position in the graph: operands stand before their results.
     pub fn index(self) -> usize {
         self.0 as usize
     }
@@ -40,7 +40,7 @@ impl Constant {
     }
 }
 
-/// What an expression is made of. Canonical: see the constructors of [`Graph`](super::Graph), which alone make nodes.
+/// The node of an expression. Canonical: only the constructors of [`Graph`](super::Graph) make nodes.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub enum Node {
     /// An exact rational.
@@ -68,7 +68,7 @@ pub enum Node {
     /// `base^exponent` for exponents that are not integers. A fraction p/q is kept as the p-th power (in
     /// a product) of `base^(1/q)`.
     Power {
-        /// What is raised.
+        /// The base.
         base: Expr,
         /// A fraction 1/q, or an expression; or any number of which q is not below 2^32.
         exponent: Expr,
@@ -77,7 +77,7 @@ pub enum Node {
     Call(Function, Expr),
     /// The angle of the point (x, y), given as (y, x).
     Atan2(Expr, Expr),
-    /// The second where the first is above zero, and else the third; NaN where the first is.
+    /// The second where the first is above zero, otherwise the third; NaN where the first is.
     Choice(Expr, Expr, Expr),
     /// The derivative of this order of a table at an argument; its degree at most.
     Table(TableId, u8, Expr),

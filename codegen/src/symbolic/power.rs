@@ -1,4 +1,7 @@
 //! Powers with integer, rational and symbolic exponents.
+//!
+//! x^(p/q) is the p-th power of the atom x^(1/q): exponents in products stay integers, and sqrt(x)^2 keeps its meaning
+//! for negative x.
 
 use super::{Constant, Expr, Function, Graph, Node, Number};
 

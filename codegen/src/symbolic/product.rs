@@ -6,7 +6,7 @@
 
 use super::{Expr, Graph, Node, Number};
 
-/// The largest integer coefficient that a sum is given for the sake of integers.
+/// The largest integer coefficient used to make the coefficients of a sum integers.
 const LARGEST_INTEGER: f64 = 4e9;
 
 impl Graph {
@@ -30,7 +30,7 @@ impl Graph {
     pub(super) fn product_of_powers(&mut self, powers: &[(Expr, i64)]) -> Expr {
         let mut coefficient = Number::ONE;
         let mut factors = self.split_and_merge(powers, &mut coefficient);
-        // A power too large to write out may have met a part of its inverse.
+        // A power too large to write out may have met part of its inverse.
         if factors.iter().any(|(base, _)| matches!(self.node(*base), Node::Number(_) | Node::Product { .. })) {
             factors = self.split_and_merge(&factors, &mut coefficient);
         }
@@ -141,7 +141,7 @@ impl Graph {
         match factors.as_slice() {
             [] => self.number(coefficient),
             [(base, 1)] if coefficient.is_one() => *base,
-            // A number distributes over a sum, so that a - (a + b) is seen to be -b.
+            // A number distributes over a sum, so that a - (a + b) becomes -b.
             [(base, 1)] if matches!(self.node(*base), Node::Sum { .. }) => self.scale(&coefficient, *base),
             _ => self.intern(Node::Product { coefficient, factors: factors.into() }),
         }

@@ -1,4 +1,6 @@
 //! `a R sin(u)^2 + b R cos(u)^2 = b R + (a - b) R sin(u)^2`, for numbers a and b and any product R.
+//!
+//! The cosine is always the one that goes, so the form is unique.
 
 use super::{Expr, Function, Graph, Node, Number};
 

@@ -3,21 +3,21 @@
 use super::{Expr, Graph, Node, Number, with_operands};
 use rustc_hash::FxHashMap;
 
-/// Replaces known expressions wherever they are seen: as operands, as terms of a sum that all have the same multiple
-/// there, and as factors of a product. What is equal to a known expression only after rewriting is not seen.
+/// Replaces known expressions wherever they occur: as operands, as terms of a sum that all have the same multiple
+/// there, and as factors of a product. Expressions that equal a known one only after rewriting are not found.
 pub struct Recognition {
     known: Vec<(Expr, Expr)>,
     done: FxHashMap<Expr, Expr>,
 }
 
 impl Recognition {
-    /// Known expressions with what stands for them; the first that is found is taken.
+    /// Known expressions with their replacements; the first match is used.
     pub fn of(known: impl IntoIterator<Item = (Expr, Expr)>) -> Recognition {
         let known: Vec<(Expr, Expr)> = known.into_iter().collect();
         Recognition { done: known.iter().copied().collect(), known }
     }
 
-    /// The expression with what is known in it replaced.
+    /// The expression with known parts replaced.
     pub fn replace(&mut self, graph: &mut Graph, expr: Expr) -> Expr {
         if let Some(done) = self.done.get(&expr) {
             return *done;
@@ -44,7 +44,7 @@ impl Recognition {
     }
 }
 
-/// How an expression holds a known one.
+/// How an expression contains a known one.
 enum Part {
     /// `multiple * known + rest`
     Terms(Number, Expr),

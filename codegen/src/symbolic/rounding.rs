@@ -1,24 +1,24 @@
-//! Numeric evaluation with a bound of what rounding makes of it.
+//! Numeric evaluation with a bound of its rounding error.
 
 use super::evaluate::{apply_function, integer_power};
 use super::{Expr, Graph, Node, Symbol};
 use rustc_hash::FxHashMap;
 
-/// What an operation may be off by, relative to its result: functions of a system's library err by less.
+/// The relative error of an operation; functions of system libraries are more accurate than this.
 const UNIT: f64 = 2.0 * f64::EPSILON;
 
-/// A bound of rounding above this part of the size says nothing: the value is made of what rounding has left.
+/// An error bound above this fraction of the size says nothing: the value consists of rounding residue.
 const KNOWN: f64 = 1e-6;
 
-/// A value, and what it may be off by.
+/// A value, and its possible error.
 #[derive(Clone, Copy, Debug)]
 pub struct Rounded {
     /// The value, as [`evaluate`](super::evaluate()) has it.
     pub value: f64,
-    /// A bound of its rounding, to first order: running error analysis (Higham, Accuracy and Stability of Numerical Algorithms,
-    /// 2002, section 3.3). Infinite or NaN where nothing is known.
+    /// A bound of its rounding error, to first order: running error analysis (Higham, Accuracy and Stability of
+    /// Numerical Algorithms, 2002, section 3.3). Infinite or NaN where nothing is known.
     pub error: f64,
-    /// What its sums and products would be if nothing in them cancelled.
+    /// The size of its sums and products if nothing in them cancelled.
     size: f64,
 }
 
@@ -28,12 +28,12 @@ impl Rounded {
         Rounded { value, error: UNIT * value.abs(), size: value.abs() }
     }
 
-    /// Whether rounding is small beside what the value is made of.
+    /// Whether rounding is small relative to the value's terms.
     pub fn is_known(&self) -> bool {
         self.error <= KNOWN * self.size && self.size.is_finite()
     }
 
-    /// A function of a number that is known so well.
+    /// A function of a number with a known error.
     fn through(self, f: impl Fn(f64) -> f64) -> Rounded {
         let value = f(self.value);
         let moved = |by: f64| (f(self.value + by) - value).abs();
@@ -94,7 +94,7 @@ fn product(coefficient: f64, factors: impl Iterator<Item = (Rounded, i64)>) -> R
     for (base, exponent) in factors {
         let by = if exponent > 0 { base.error } else { -base.error };
         value *= integer_power(base.value, exponent);
-        // What is divided by counts as it is.
+        // Divisors count with their value.
         size *= integer_power(if exponent > 0 { base.size } else { base.value.abs() }, exponent);
         let farthest = (base.value.abs() + by).max(0.0);
         most *= integer_power(farthest, exponent) * (1.0 + UNIT * exponent.unsigned_abs() as f64);

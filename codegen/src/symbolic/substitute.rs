@@ -20,7 +20,7 @@ pub fn substitute(graph: &mut Graph, roots: &[Expr], replacements: &[(Symbol, Ex
     roots.iter().map(|root| done[root]).collect()
 }
 
-/// Expressions of one graph in another, with every symbol replaced by what it is there.
+/// Expressions of one graph in another, with every symbol replaced by its counterpart there.
 pub fn transplant(from: &Graph, roots: &[Expr], to: &mut Graph, replacement: impl Fn(Symbol) -> Expr) -> Vec<Expr> {
     let mut done: FxHashMap<Expr, Expr> = FxHashMap::default();
     for expr in from.reachable(roots) {
@@ -45,7 +45,7 @@ pub fn with_operands(graph: &mut Graph, expr: Expr, new: impl Fn(Expr) -> Expr) 
     }
 }
 
-/// What a node is made of, made again of other operands.
+/// A node rebuilt with other operands.
 fn rebuilt(graph: &mut Graph, node: Node, new: impl Fn(Expr) -> Expr) -> Expr {
     match node {
         Node::Number(number) => graph.number(number),

@@ -1,9 +1,9 @@
-//! Sets of symbols that are quick to compare.
+//! Bloom filters of symbols, which are quick to compare.
 
 use super::Symbol;
 
-/// A set that holds some symbols and perhaps others, as all share 64 bits: what does not depend on a symbol mostly shows at
-/// once.
+/// A Bloom filter of 64 bits: it may report symbols that are absent, but never misses one. So most independence of a
+/// symbol shows at once.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Symbols(u64);
 

@@ -9,14 +9,14 @@ pub struct Table {
     pub docs: String,
     /// Where pieces join, n of them, increasing.
     pub knots: Vec<f64>,
-    /// n + 1 pieces `[c0, c1, c2, c3]`, one before the first knot and one from each on: c0 + c1 u + c2 u^2 + c3 u^3 with u
-    /// the way from the knot where the piece starts; of the first piece, from the first knot.
+    /// n + 1 pieces `[c0, c1, c2, c3]`, one before the first knot and one from each on: c0 + c1 u + c2 u^2 + c3 u^3
+    /// with u the distance from the knot where the piece starts; for the first piece, from the first knot.
     pub pieces: Vec<[f64; 4]>,
     /// Whether the pieces between the first and the last knot repeat themselves.
     pub is_periodic: bool,
     /// The order of the highest derivative that is not zero: 1 of lines, 3 of cubics.
     pub degree: u8,
-    /// How many derivatives are continuous where pieces join.
+    /// The number of derivatives that are continuous where pieces join.
     pub smoothness: u8,
 }
 

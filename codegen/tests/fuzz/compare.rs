@@ -62,7 +62,7 @@ fn kernels_are_what_random_declarations_say() {
 }
 
 /// What refuses a load or an event that random expressions have made one of nothing.
-const IDLE: [&str; 2] = ["so it moves nothing; leave it out", "never changes; let it depend on"];
+const IDLE: [&str; 2] = ["so the load does nothing; leave it out", "never changes; make it depend on"];
 
 /// None where something in the declaration happens to have no effect, which is a mistake.
 fn case(name: &str, seed: usize, declaration: impl Fn(&str, usize) -> String) -> Option<Case> {

@@ -8,6 +8,9 @@ use codegen::oracle::{self, Oracle};
 /// derivative is off where it differs by a hundred times that.
 const STEPS: [f64; 2] = [2e-3, 1e-3];
 const DECIDED: f64 = 1e-7;
+/// What rounding of the terms can do to a solution, as a part of its size: divided by a step it is a tenth of the tolerance.
+/// More, and a row that no coordinate moves, say, has a pivot that is nothing but rounding, whose quotients agree all the same.
+const KNOWN: f64 = 1e-9;
 const TOLERANCE: f64 = 1e-5;
 
 /// How much has been compared: entries, and how far they are apart relative to their column.
@@ -31,7 +34,10 @@ pub(crate) fn compare(
     let solved = |parameters: &[f64], coordinates: &[f64], speeds: &[f64]| -> Option<Vec<f64>> {
         let at = oracle::State { time: *time, parameters, coordinates, speeds, inputs: &[None] };
         let solution = oracle.accelerations(&oracle.terms(&at).ok()?).ok()?;
-        Some(solution.accelerations.iter().chain(&solution.multipliers).map(|x| x.value).collect())
+        let unknowns = || solution.accelerations.iter().chain(&solution.multipliers);
+        let size = unknowns().fold(1.0f64, |size, x| size.max(x.value.abs()));
+        let is_known = unknowns().all(|x| f64::EPSILON * x.magnitude <= KNOWN * size);
+        is_known.then(|| unknowns().map(|x| x.value).collect())
     };
     let mut columns = |name: &str, count: usize, at: &dyn Fn(usize, f64) -> Option<Vec<f64>>| {
         let generated = values(name);

@@ -38,12 +38,12 @@ fn output(value: &str, message: &str) {
 }
 
 const WORLD_NOT_ONE: &str =
-    "this vector v is in the world's frame, and one in the frame of `one` belongs here: `transpose(attitude(one))*v`";
+    "this vector v is in the world's frame, but one in the frame of `one` is needed: `transpose(attitude(one))*v`";
 const WORLD_NOT_TWO: &str =
-    "this vector v is in the world's frame, and one in the frame of `two` belongs here: `transpose(attitude(two))*v`";
+    "this vector v is in the world's frame, but one in the frame of `two` is needed: `transpose(attitude(two))*v`";
 const ONE_NOT_WORLD: &str =
-    "this vector v is in the frame of `one`, and one in the world's frame belongs here: `attitude(one)*v`";
-const ONE_NOT_TWO: &str = "this vector v is in the frame of `one`, and one in the frame of `two` belongs here: \
+    "this vector v is in the frame of `one`, but one in the world's frame is needed: `attitude(one)*v`";
+const ONE_NOT_TWO: &str = "this vector v is in the frame of `one`, but one in the frame of `two` is needed: \
                            `transpose(attitude(two))*(attitude(one)*v)`";
 
 #[test]
@@ -84,7 +84,7 @@ fn what_a_body_takes_is_in_its_own_frame() {
     check(
         "}\nloads",
         "three: mass m, inertia [J, J, J]; } joints { pin: revolute two at [0, 0, 0] to three at #on(one, [0, 0, 0]); }\nloads",
-        "this vector v is in the world's frame, and one in the frame of `three` belongs here: `transpose(attitude(three))*v`",
+        "this vector v is in the world's frame, but one in the frame of `three` is needed: `transpose(attitude(three))*v`",
     );
 }
 
@@ -95,7 +95,7 @@ fn vectors_together_are_in_one_frame() {
     output(&format!("#{own} - omega(one)"), ONE_NOT_WORLD);
     output(
         &format!("{own} - #transpose(attitude(two))*omega(one)"),
-        "this vector v is in the frame of `two`, and one in the frame of `one` belongs here: \
+        "this vector v is in the frame of `two`, but one in the frame of `one` is needed: \
          `transpose(attitude(one))*(attitude(two)*v)`",
     );
     output(&format!("cross(omega(one), #{own})"), ONE_NOT_WORLD);
@@ -117,7 +117,7 @@ fn forces_and_places_are_in_the_worlds_frame() {
     check(
         "attitude attitude(one)*",
         "attitude #transpose(attitude(one))*",
-        "this rotation R turns vectors into the frame of `one`, and an attitude turns them into the world's: `attitude(one)*R`",
+        "this rotation R turns vectors into the frame of `one`, but an attitude turns them into the world's frame: `attitude(one)*R`",
     );
     check("line [0, 0, 0]", &format!("line #l*({own})"), ONE_NOT_WORLD);
 }

@@ -36,7 +36,7 @@ fn whole_blocks() {
         &[
             "5:20 no value is called `mm`; declared: `phi`, `l`, `m`, `g`, `P`",
             "5:35 no value is called `fi`; declared: `phi`, `l`, `m`, `g`, `P`",
-            "5:52 about which angle does `bar` turn? Write `inertia J, angle phi`",
+            "5:52 body `bar` needs the angle that it turns by: `inertia J, angle phi`",
         ],
     );
     check(

@@ -14,21 +14,21 @@ fn bodies() {
         "mass m at P",
         "mass m",
         &[
-            "5:20 where is the mass of `bob`? Write `mass m at P`, P being its centre of mass, or let the body be `free`",
+            "5:20 the mass of body `bob` needs a position: write `mass m at P`, P being its centre of mass, or make the body `free`",
         ],
     );
     check(
         "mass m at P, angle phi",
         "inertia m*l^2",
         &[
-            "5:23 about which angle does `bob` turn? Write `inertia J, angle phi`",
+            "5:23 body `bob` needs the angle that it turns by: `inertia J, angle phi`",
             "6:9 gravity acts on masses, and no body has one; write `mass m at P` in a body's line",
         ],
     );
     check(
         "mass m at P, angle phi",
         "mass m at [l, 0]",
-        &["5:10 no coordinate moves body `bob`; leave it out, or let its position or angle depend on a coordinate"],
+        &["5:10 no coordinate moves body `bob`; leave it out, or make its position or angle depend on a coordinate"],
     );
     check(
         "mass m at P",

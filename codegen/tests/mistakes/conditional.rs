@@ -23,7 +23,7 @@ fn what_holds_at_the_start() {
         "stop: l = 1 initially released;",
         "",
         &[
-            "7:15 no coordinate moves constraint `stop`: it holds always or never; leave it out, or let it depend on a coordinate",
+            "7:15 no coordinate moves constraint `stop`: it holds always or never; leave it out, or make it depend on a coordinate",
         ],
     );
     check(

@@ -8,13 +8,13 @@ fn constraints_and_events() {
         "initial {",
         "constraints { stop: l = 1 [m]; } initial {",
         &[
-            "7:15 no coordinate moves constraint `stop`: it holds always or never; leave it out, or let it depend on a coordinate",
+            "7:15 no coordinate moves constraint `stop`: it holds always or never; leave it out, or make it depend on a coordinate",
         ],
     );
     check(
         "initial {",
         "constraints { stop: P = 1; } initial {",
-        &["7:21 a vector stands left and a scalar right; both sides are of one kind"],
+        &["7:21 the left side is a vector and the right side a scalar; both must be of one kind"],
     );
     check("initial {", "constraints { stop: P.y == 1; } initial {", &["7:25 an equation is written with one `=`"]);
     check(
@@ -47,6 +47,6 @@ fn constraints_and_events() {
     check(
         "initial {",
         "events { top: l = 1 [m]; } initial {",
-        &["7:10 event `top` never changes; let it depend on a coordinate, a speed, a reaction or `t`"],
+        &["7:10 event `top` never changes; make it depend on a coordinate, a speed, a reaction or `t`"],
     );
 }

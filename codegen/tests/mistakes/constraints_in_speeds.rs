@@ -16,13 +16,13 @@ fn constraints_between_speeds() {
     constraint(
         "stop: dot(phi)^2 = 1;",
         &[
-            "7:21 a constraint between speeds must be linear in them, `a*dot(x) + b*dot(y) = c`; `dot(phi)` does not stand to the first power here",
+            "7:21 a constraint between speeds must be linear in them, `a*dot(x) + b*dot(y) = c`; `dot(phi)` is not linear here",
         ],
     );
     constraint(
         "stop: norm(dot(P)) = 1;",
         &[
-            "7:21 a constraint between speeds must be linear in them, `a*dot(x) + b*dot(y) = c`; `dot(phi)` does not stand to the first power here",
+            "7:21 a constraint between speeds must be linear in them, `a*dot(x) + b*dot(y) = c`; `dot(phi)` is not linear here",
         ],
     );
     constraint(
@@ -34,16 +34,19 @@ fn constraints_between_speeds() {
     constraint(
         "stop: dot(l)*phi = 1;",
         &[
-            "7:15 no speed stands in constraint row `stop`, though `dot()` is written; write it between positions, without `dot()`",
+            "7:15 no speed is left in constraint row `stop`, though `dot()` is written; write it between positions, without `dot()`",
         ],
     );
     constraint(
         "stop: dot([phi, l]) = [0, 0];",
         &[
-            "7:15 no speed stands in constraint row `stop_y`, though `dot()` is written; write it between positions, without `dot()`",
+            "7:15 no speed is left in constraint row `stop_y`, though `dot()` is written; write it between positions, without `dot()`",
         ],
     );
-    constraint("stop: dot(phi) = P;", &["7:21 a scalar stands left and a vector right; both sides are of one kind"]);
+    constraint(
+        "stop: dot(phi) = P;",
+        &["7:21 the left side is a scalar and the right side a vector; both must be of one kind"],
+    );
     constraint("stop: reaction(stop) = dot(phi);", &["7:21 `reaction(..)` can stand only in outputs"]);
     constraint("stop: phi_dot = 1;", &["7:21 the rate of `phi` is written `dot(phi)` here"]);
 }

@@ -32,7 +32,10 @@ fn joints() {
         "pivot: pin on(bob) to [0, 1];",
         &["7:21 a point on a body is written `on(body, [u, v])`, in space `on(body, [u, v, w])`"],
     );
-    joint("pivot: pin P to 1;", &["7:21 a vector stands left and a scalar right; both sides are of one kind"]);
+    joint(
+        "pivot: pin P to 1;",
+        &["7:21 the left side is a vector and the right side a scalar; both must be of one kind"],
+    );
     joint("mesh: gear bob radius 1 to wheel radius 2;", &["7:37 no body above is called `wheel`"]);
 }
 
@@ -47,7 +50,7 @@ fn frames() {
     body("rod: free, mass m, inertia 1;", &[]);
     body(
         "rod: free, mass m at P, inertia 1;",
-        &["5:31 body `rod` is free and has its place of its own, [rod_x, rod_y]; leave out `at ..`, or `free`"],
+        &["5:31 body `rod` is free and has a position of its own, [rod_x, rod_y]; leave out `at ..`, or `free`"],
     );
     body(
         "rod: free, mass m, inertia 1, angle phi;",
@@ -58,10 +61,10 @@ fn frames() {
     body("rod: mass 1 at on(bob, [1, 0]);", &["5:28 no body above is called `bob`"]);
     body(
         "rod: mass 1 at P; tip: mass 1 at on(rod, [1, 0]);",
-        &["5:46 body `rod` has no angle; write `angle phi` in its line, or let it be `free`"],
+        &["5:46 body `rod` has no angle; write `angle phi` in its line, or make it `free`"],
     );
     body(
         "rod: inertia 1, angle phi; tip: mass 1 at on(rod, [1, 0]);",
-        &["5:55 body `rod` has no place; write `mass m at P` in its line, or let it be `free`"],
+        &["5:55 body `rod` has no position; write `mass m at P` in its line, or make it `free`"],
     );
 }

@@ -13,7 +13,7 @@ fn loads() {
         "gravity [0, -g]",
         "gravity [0, 0, -g]",
         &[
-            "6:17 this vector has three components, and the mechanism is planar, as its first vector says; write `[x, y]`, or \
+            "6:17 this vector has three components, but the first vector makes the mechanism planar; write `[x, y]`, or \
              three components everywhere",
             "4:11 the first vector stands here",
         ],

@@ -33,10 +33,10 @@ fn names() {
 
 #[test]
 fn what_is_generated_has_names_of_its_own() {
-    let expected = ["1:5 `S` stands for the scalar in what is generated; choose another name"];
+    let expected = ["1:5 `S` is the scalar type in generated code; choose another name"];
     check("pub Pendulum;", "pub S;", &expected);
     for name in ["sim", "sim_kernel", "core", "alloc", "std", "r#std"] {
-        let expected = format!("1:5 `{name}` is a crate, which paths here would no longer find; choose another name");
+        let expected = format!("1:5 `{name}` is a crate that generated code refers to; choose another name");
         check("pub Pendulum;", &format!("pub {name};"), &[&expected]);
     }
     for name in ["self", "Self", "super", "crate", "_"] {

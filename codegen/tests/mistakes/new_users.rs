@@ -39,7 +39,7 @@ fn what_new_users_write() {
             "5:1 `body` is not a block (did you mean `bodies`?); blocks are `coordinates`, `parameters`, `bodies`, `loads`, `constraints`, `initial`, `events`, `outputs`, `drawing`, `kernels`, `auxiliary`, `inputs`, `joints`, `tables`, `speeds`",
         ],
     );
-    check("pub Pendulum;", "pub S;", &["1:5 `S` stands for the scalar in what is generated; choose another name"]);
+    check("pub Pendulum;", "pub S;", &["1:5 `S` is the scalar type in generated code; choose another name"]);
     check("phi = 0.5;", "phi = ddot(phi);", &["7:17 a start value is made of numbers and parameters"]);
     check(
         "l [m] = 1;",
@@ -66,7 +66,7 @@ fn what_new_users_write() {
         "initial {",
         "constraints { pin: [phi, 0] = [0, 0]; } initial {",
         &[
-            "7:15 no coordinate moves constraint `pin_y`: it holds always or never; leave it out, or let it depend on a coordinate",
+            "7:15 no coordinate moves constraint `pin_y`: it holds always or never; leave it out, or make it depend on a coordinate",
         ],
     );
 }

@@ -25,17 +25,21 @@ fn outputs() {
         "height [m] = P.y",
         "height [mtr] = P.y",
         &[
-            "8:19 `mtr` is not a known unit; known are m, g, s, N, J, W, Pa, bar, A, V, Hz, rad, deg, rpm, min, inch, lb and their like, with SI prefixes",
+            "8:19 `mtr` is not a known unit; known units are m, g, s, N, J, W, Pa, bar, A, V, Hz, rad, deg, rpm, min, inch, lb and others, with SI prefixes",
         ],
     );
-    check("height [m] = P.y", "phi [rad] = phi", &["8:11 `phi` is recorded already, under this name; choose another"]);
+    check(
+        "height [m] = P.y",
+        "phi [rad] = phi",
+        &["8:11 `phi` is already a column of the results; choose another name"],
+    );
     check(
         "height [m] = P.y",
         "h [m] = P.y; ratio_h [m] = P.x",
-        &["8:24 a sweep records what drives do as `ratio_h`; choose another name"],
+        &["8:24 a sweep has a column `ratio_h`; choose another name"],
     );
     for (name, taken) in [("drive_phi", true), ("transmission_index", true), ("ratio_of_h", false)] {
-        let mistake = format!("8:11 a sweep records what drives do as `{name}`; choose another name");
+        let mistake = format!("8:11 a sweep has a column `{name}`; choose another name");
         let mistakes = if taken { vec![mistake.as_str()] } else { vec![] };
         check("height [m] = P.y", &format!("{name} [rad] = phi"), &mistakes);
     }

@@ -42,7 +42,7 @@ fn uses() {
     check_rod("", &["10:10 fragment `Rod` is never used: `use Rod(..) as a_name;`"]);
     check_rod(
         "use Rod(P, phi) as left; bodies { use Rod(P, phi) as right; }",
-        &["15:35 `use` stands beside blocks, not inside of one"],
+        &["15:35 `use` stands beside blocks, not inside one"],
     );
     check_rod("use Rod(P, ph) as left;", &["15:12 nothing is called `ph`"]);
     check_rod(
@@ -82,11 +82,11 @@ fn fragments() {
     check("fragment Rod(base); use Rod(P) as a;", &["10:19 a fragment is written `fragment Leg(hip, phi) { .. }`"]);
     check(
         "fragment Rod(mass) { } use Rod(P) as a;",
-        &["10:14 `mass` is a word of the language, which an index or a name in a fragment cannot be"],
+        &["10:14 `mass` is a word of the language and cannot name an index or anything in a fragment"],
     );
     check(
         "fragment Rod { parameters { angle = 1; } } use Rod as a;",
-        &["10:29 `angle` is a word of the language, which an index or a name in a fragment cannot be (in `a`)"],
+        &["10:29 `angle` is a word of the language and cannot name an index or anything in a fragment (in `a`)"],
     );
     check(
         "fragment Rod(base) { let base = 1; } use Rod(P) as a;",
@@ -107,11 +107,11 @@ fn fragments() {
     );
     check(
         "fragment A { fragment B { } } use A as a;",
-        &["10:14 `fragment` stands beside the blocks of the mechanism, in nothing else (in `a`)"],
+        &["10:14 `fragment` stands beside the blocks of the mechanism, not inside one (in `a`)"],
     );
     check(
         "fragment A { const n = 2; } use A as a;",
-        &["10:14 `const` stands beside the blocks of the mechanism, in nothing else (in `a`)"],
+        &["10:14 `const` stands beside the blocks of the mechanism, not inside one (in `a`)"],
     );
     check(
         "fragment A {\n  let y = z;\n} use A as a; use A as b;",
@@ -139,12 +139,12 @@ fn repetitions() {
     check("repeat i in 1..=0 { }", &["10:8 nothing is repeated: 1..=0 is empty"]);
     check("repeat i in 3..3 { }", &["10:8 nothing is repeated: 3..3 is empty"]);
     check("repeat i 1..=3 { }", &["10:10 a repetition is written `repeat i in 1..=3 { .. }`"]);
-    check("repeat i in 3 { }", &["10:15 a repetition has a range: `1..=3` with its end, `0..3` without"]);
+    check("repeat i in 3 { }", &["10:15 a repetition needs a range: `1..=3` includes its end, `0..3` does not"]);
     check("repeat 3 { }", &["10:8 a repetition is written `repeat i in 1..=3 { .. }`"]);
     check("repeat i in 1..=3;", &["10:1 a repetition is written `repeat i in 1..=3 { .. }`"]);
     check(
         "repeat i in 1..=m { }",
-        &["10:17 no index is called `m`; indices are whole numbers, `const`s and what `repeat` counts"],
+        &["10:17 no index is called `m`; an index is made of whole numbers, `const`s and the counters of `repeat`"],
     );
     check("repeat i in 1..=2.5 { }", &["10:17 an index is made of whole numbers and names: `i`, `i - 1`, `2*n`"]);
     check(
@@ -153,7 +153,7 @@ fn repetitions() {
     );
     check(
         "repeat t in 1..=2 { }",
-        &["10:8 `t` is a word of the language, which an index or a name in a fragment cannot be"],
+        &["10:8 `t` is a word of the language and cannot name an index or anything in a fragment"],
     );
     check("repeat m in 1..=2 { let a_[m] = m; }", &["10:8 `m` is declared as well; choose another name for the index"]);
     check(
@@ -173,10 +173,12 @@ fn repetitions() {
     );
     check(
         "repeat i in 1..=2 { let b_[j] = 1; }",
-        &["10:28 no index is called `j`; indices are whole numbers, `const`s and what `repeat` counts (for i = 1)"],
+        &[
+            "10:28 no index is called `j`; an index is made of whole numbers, `const`s and the counters of `repeat` (for i = 1)",
+        ],
     );
-    check("repeat i in 1..=3 { let b_[i/2] = 1; }", &["10:29 1/2 is no whole number (for i = 1)"]);
-    check("repeat i in 1..=2 { let b_[i%0] = 1; }", &["10:29 an index is divided by zero here (for i = 1)"]);
+    check("repeat i in 1..=3 { let b_[i/2] = 1; }", &["10:29 1/2 is not a whole number (for i = 1)"]);
+    check("repeat i in 1..=2 { let b_[i%0] = 1; }", &["10:29 division by zero in an index (for i = 1)"]);
     check(
         "repeat i in 1..=2 { let b_[i +] = 1; }",
         &["10:31 an index is made of whole numbers and names: `i`, `i - 1`, `2*n` (for i = 1)"],
@@ -224,12 +226,12 @@ fn constants() {
     check("const n = 2.5;", &["10:11 an index is made of whole numbers and names: `i`, `i - 1`, `2*n`"]);
     check(
         "const n = k;",
-        &["10:11 no index is called `k`; indices are whole numbers, `const`s and what `repeat` counts"],
+        &["10:11 no index is called `k`; an index is made of whole numbers, `const`s and the counters of `repeat`"],
     );
     check("const n = 99999999999999999999;", &["10:11 this number is too large for an index"]);
     check("const n = 1; const n = 2;", &["10:20 `n` is defined twice; choose another name for one of them"]);
     check("const n [m] = 1;", &["10:9 a constant is a whole number with a name: `const n = 5;`"]);
-    check("const pi = 3;", &["10:7 `pi` is a word of the language, which an index or a name in a fragment cannot be"]);
+    check("const pi = 3;", &["10:7 `pi` is a word of the language and cannot name an index or anything in a fragment"]);
     check("const m = 3; let a = m;", &["3:25 `m` is a whole number here, an index or a `const`; choose another name"]);
     check("const n = 9223372036854775807 + 1;", &["10:31 this number is too large for an index"]);
 }

@@ -54,8 +54,8 @@ fn what_joints_place_is_a_body_as_any() {
 fn bodies_that_nothing_places() {
     let lost = |place: &str, name: &str, roll: &str| {
         format!(
-            "{place} nothing places `{name}`: no joints lead to it from the ground or from a body that has its place{roll}. Join \
-             it, write `mass m at P` and `attitude R`, or let it be `free`"
+            "{place} no joint places `{name}`: none leads to it from the ground or from a placed body{roll}. Join \
+             it, write `mass m at P` and `attitude R`, or make it `free`"
         )
     };
     body("hand: mass m, inertia [A, A, A];", &[&lost("3:10", "hand", "")]);
@@ -65,7 +65,7 @@ fn bodies_that_nothing_places() {
     check(
         "elbow: universal lower at [0, 0, l/2] axis [0, 1, 0] to upper at [0, 0, -l/2] axis [1, 0, 0];",
         "elbow: roll lower radius l axis [0, 0, 1] on [0, 0, 0] normal [0, 0, 1];",
-        &[&lost("3:10", "lower", "; `roll` is a constraint, which places nothing")],
+        &[&lost("3:10", "lower", "; `roll` is a constraint and places nothing")],
     );
     body(
         "hand: inertia [A, A, A]; } joints { grip: weld hand at [0, 0, 0] to lower at [0, 0, 0]; } bodies {",
@@ -76,9 +76,9 @@ fn bodies_that_nothing_places() {
         "lower: mass m, inertia [A, A, A];",
         "lower: mass m, inertia A;",
         &[
-            "6:22 body `lower` has no place; write `mass m at P` in its line, or let it be `free`",
-            "11:24 body `lower` has no place; write `mass m at P` in its line, or let it be `free`",
-            "12:55 body `lower` has no place; write `mass m at P` in its line, or let it be `free`",
+            "6:22 body `lower` has no position; write `mass m at P` in its line, or make it `free`",
+            "11:24 body `lower` has no position; write `mass m at P` in its line, or make it `free`",
+            "12:55 body `lower` has no position; write `mass m at P` in its line, or make it `free`",
         ],
     );
 }
@@ -87,9 +87,7 @@ fn bodies_that_nothing_places() {
 fn names_of_coordinates() {
     let clash = |name: &str, place: &str, other: &str| {
         [
-            format!(
-                "{place} `{name}` is a coordinate that comes with this; choose another name for this, or for the other `{name}`"
-            ),
+            format!("{place} `{name}` is the name of a coordinate that this adds; rename this, or the other `{name}`"),
             format!("{other} the other `{name}` is here"),
         ]
     };
@@ -106,7 +104,7 @@ fn what_only_constraints_have() {
         "axis [1, 0, 0];",
         "axis [1, 0, 0] initially released;",
         &[
-            "6:5 joint `elbow` places a body, and events cannot switch it; let the body be `free`, and the joint is a constraint",
+            "6:5 joint `elbow` places a body, so events cannot switch it; make the body `free`, and the joint becomes a constraint",
         ],
     );
     for (reaction, joint) in [("norm(reaction(shoulder))", "shoulder"), ("[reaction(elbow_m), 0, 0].x", "elbow")] {
@@ -115,7 +113,7 @@ fn what_only_constraints_have() {
             "outputs {",
             &format!("outputs {{ f [N] = norm([0, {reaction}, 0]);"),
             &[&format!(
-                "11:{column} joint `{joint}` places a body and has no reaction of its own; let the body be `free`, and the joint is a \
+                "11:{column} joint `{joint}` places a body, so it has no reaction of its own; make the body `free`, and the joint becomes a \
                  constraint, or put an `auxiliary` displacement into its point and take the reaction of that"
             )],
         );
@@ -127,7 +125,7 @@ fn what_only_constraints_have() {
         .replacen("outputs {", "outputs { f [N] = reaction(s);", 1);
     assert_eq!(mistakes(&with_auxiliary), [""; 0]);
     for action in ["release", "impact"] {
-        let message = "joint `shoulder` places a body, and events cannot switch it; let the body be `free`, and the joint is a \
+        let message = "joint `shoulder` places a body, so events cannot switch it; make the body `free`, and the joint becomes a \
                        constraint";
         let column = 31 + action.len();
         check(

@@ -43,13 +43,13 @@ fn what_is_no_generalised_speed() {
     speed(
         "w [rad/s] = dot(phi)^2*(1 [s]);",
         &[
-            "7:59 a generalised speed is linear in the rates of coordinates, `a*dot(x) + b*dot(y) + c`; `dot(phi)` does not stand to the first power here",
+            "7:59 a generalised speed is linear in the rates of coordinates, `a*dot(x) + b*dot(y) + c`; `dot(phi)` is not linear here",
         ],
     );
     speed(
         "w [rad/s] = norm(dot([x, y]))/a;",
         &[
-            "7:59 a generalised speed is linear in the rates of coordinates, `a*dot(x) + b*dot(y) + c`; `dot(x)` does not stand to the first power here",
+            "7:59 a generalised speed is linear in the rates of coordinates, `a*dot(x) + b*dot(y) + c`; `dot(x)` is not linear here",
         ],
     );
     speed(
@@ -77,9 +77,7 @@ fn what_is_no_generalised_speed() {
     check(
         "w [rad/s] = dot(phi);",
         "w [rad/s] = dot(phi) + turn; } inputs { turn [rad/s] = 0;",
-        &[
-            "7:59 a generalised speed cannot depend on an input, which may jump; an input acts by loads, and shows in outputs",
-        ],
+        &["7:59 a generalised speed cannot depend on an input, which may jump; use inputs in loads and outputs"],
     );
 }
 
@@ -100,14 +98,14 @@ fn how_many_they_are() {
         " w [rad/s] = dot(phi);",
         "",
         &[
-            "7:10 generalised speeds: 1 given, 2 needed, as many as coordinates, less the constraints that hold whatever they are, `blade`",
+            "7:10 generalised speeds: 1 given, 2 needed, as many as coordinates, less the constraints that hold by construction, `blade`",
         ],
     );
     check(
         "w [rad/s] = dot(phi);",
         "w [rad/s] = dot(phi); s [m/s] = dot(x); r [m/s] = dot(y);",
         &[
-            "7:69 generalised speeds: 4 given, 2 needed, as many as coordinates, less the constraints that hold whatever they are, `blade`",
+            "7:69 generalised speeds: 4 given, 2 needed, as many as coordinates, less the constraints that hold by construction, `blade`",
         ],
     );
     in_the_plane(
@@ -119,7 +117,7 @@ fn how_many_they_are() {
         "constraints {",
         "constraints { turn: dot(phi) = 0; ",
         &[
-            "7:47 generalised speeds: 2 given, 1 needed, as many as coordinates, less the constraints that hold whatever they are, `turn`, `blade`",
+            "7:47 generalised speeds: 2 given, 1 needed, as many as coordinates, less the constraints that hold by construction, `turn`, `blade`",
         ],
     );
 }
@@ -130,7 +128,7 @@ fn those_that_follow_from_others() {
         "= dot(phi);",
         "= inner(dot([x, y]), along)/a;",
         &[
-            "7:47 generalised speed `w` follows from those above it and the constraints, so that they do not determine the rates of all coordinates; choose one that is independent",
+            "7:47 generalised speed `w` follows from those above it and the constraints, so the rates of some coordinates stay undetermined; choose an independent one",
         ],
     );
     // Across the blade nothing moves.
@@ -138,21 +136,21 @@ fn those_that_follow_from_others() {
         "= dot(phi);",
         "= (cos(phi)*dot(y) - sin(phi)*dot(x) + 2*v)/a;",
         &[
-            "7:47 generalised speed `w` follows from those above it and the constraints, so that they do not determine the rates of all coordinates; choose one that is independent",
+            "7:47 generalised speed `w` follows from those above it and the constraints, so the rates of some coordinates stay undetermined; choose an independent one",
         ],
     );
     check(
         "constraints {",
         "constraints { twice: tan(phi)*dot(x) = dot(y); ",
         &[
-            "7:47 generalised speeds: 2 given, 1 needed, as many as coordinates, less the constraints that hold whatever they are, `twice`, `blade`",
+            "7:47 generalised speeds: 2 given, 1 needed, as many as coordinates, less the constraints that hold by construction, `twice`, `blade`",
         ],
     );
     check(
         "w [rad/s] = dot(phi); }",
         "} constraints { twice: tan(phi)*dot(x) = dot(y); }",
         &[
-            "7:10 constraint `twice` follows from others, so that generalised speeds cannot satisfy both by construction; leave it out",
+            "7:10 constraint `twice` follows from others, so generalised speeds cannot satisfy both by construction; leave it out",
         ],
     );
 }

@@ -25,7 +25,7 @@ fn forms() {
     table("lift [mm] deg = linear { 0, 0; 1, 1; }", &["4:20 expected `over`: `lift [mm] over [deg] = ..`"]);
     table(
         "lift [mm] over = linear { 0, 0; 1, 1; }",
-        &["4:25 after `over` stands the unit of the arguments: `over [deg]`"],
+        &["4:25 `over` is followed by the unit of the arguments: `over [deg]`"],
     );
     table(
         "lift = spline { 0, 0; 1, 1; }",
@@ -40,7 +40,7 @@ fn forms() {
     );
     table(
         "lift = linear, cubic { 0, 0; 1, 1; }",
-        &["4:25 what `cubic` says has been said before; a table is one of each kind"],
+        &["4:25 `cubic` repeats or contradicts an earlier word; give one word of each kind"],
     );
     table(
         "lift = linear cubic { 0, 0; 1, 1; }",
@@ -59,11 +59,11 @@ fn rows() {
     table("lift = linear { 0, 1; }", &["4:10 table `lift` has one row; a function is given by two or more"]);
     table(
         "lift = linear { 0, 1; 2, 1; 1, 5; }",
-        &["4:38 the arguments of a table increase from row to row, and 1 stands below 2"],
+        &["4:38 the arguments of a table must increase from row to row; 1 follows 2"],
     );
     table(
         "lift = linear { 0, 1; 2, 1; 2, 5; }",
-        &["4:38 the arguments of a table increase from row to row, and 2 stands in the row above as well"],
+        &["4:38 the arguments of a table must increase from row to row; 2 is in the row above too"],
     );
     table(
         "lift = linear { 0, 1; 2, l; }",
@@ -71,15 +71,13 @@ fn rows() {
     );
     table(
         "lift = cubic, periodic { 0, 1; 2, 3; 4, 5; }",
-        &[
-            "4:50 the last row of a periodic table closes the period: its value is that of the first row, 1, and 5 stands here",
-        ],
+        &["4:50 the last row of a periodic table must repeat the value of the first, 1; this is 5"],
     );
     table(
         "lift = cubic, natural, periodic { 0, 1; 2, 3; 4, 1; }",
         &["4:24 a periodic table has no ends; leave out `natural` or `clamped`"],
     );
-    table("lift = linear, clamped { 0, 1; 2, 3; }", &["4:25 only a `cubic` is `natural` or `clamped` at its ends"]);
+    table("lift = linear, clamped { 0, 1; 2, 3; }", &["4:25 only a `cubic` table can be `natural` or `clamped`"]);
     table("lift = linear { 0, 1; 2, sqrt(-1); }", &["4:35 this is not a finite real number"]);
     table(
         "lift = cubic { 0, 1; 1e-200, 3; 2e-200, 1; }",
@@ -214,11 +212,11 @@ fn files() {
     let refused = |text: &str, message: &str| assert_eq!(in_file(text), Err(message.to_owned()), "{text}");
     refused("0,0\n90,top\n", &format!("{place}, line 2: `top` is not a number"));
     refused("0,0\n90,inf\n", &format!("{place}, line 2: `inf` is not a number"));
-    refused("0,0\n90\n", &format!("{place}, line 2: a row is two numbers, an argument and a value; here are 1"));
+    refused("0,0\n90\n", &format!("{place}, line 2: a row has two numbers, an argument and a value; this one has 1"));
     refused("a,b\nc,d\n", &format!("{place}, line 2: `c` is not a number"));
-    refused("0,0,3\n", &format!("{place}, line 1: a row is two numbers, an argument and a value; here are 3"));
+    refused("0,0,3\n", &format!("{place}, line 1: a row has two numbers, an argument and a value; this one has 3"));
     refused("0,0\n", "4:10 table `lift` has one row; a function is given by two or more");
-    refused("0,0\n2,0\n1,0\n", "4:50 the arguments of a table increase from row to row, and 1.0 stands below 2.0");
+    refused("0,0\n2,0\n1,0\n", "4:50 the arguments of a table must increase from row to row; 1.0 follows 2.0");
     let read = |written: &str| {
         let text = SOUND.replacen("let P", &format!("tables {{ lift = linear from {written}; }} let P"), 1);
         let folder = std::path::Path::new("/nowhere");
@@ -226,6 +224,9 @@ fn files() {
         read.and_then(|tokens| codegen::generate(tokens, &quote::quote!(sim_kernel))).unwrap_err().to_string()
     };
     assert!(read("\"lift.csv\"").starts_with("cannot read /nowhere/lift.csv: "));
-    assert_eq!(read("\"/lift.csv\""), "a file of rows is named from the crate's folder on: `from \"data/lift.csv\"`");
+    assert_eq!(
+        read("\"/lift.csv\""),
+        "the path of a table's file starts at the crate's folder: `from \"data/lift.csv\"`"
+    );
     assert_eq!(read("lift"), "a file of rows is named in quotes: `from \"lift.csv\"`");
 }

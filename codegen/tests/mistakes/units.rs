@@ -285,7 +285,7 @@ fn declared() {
         "l [m] = 1;",
         "l [mtr] = 1 [m];",
         &[
-            "3:17 `mtr` is not a known unit; known are m, g, s, N, J, W, Pa, bar, A, V, Hz, rad, deg, rpm, min, inch, lb and their like, with SI prefixes",
+            "3:17 `mtr` is not a known unit; known units are m, g, s, N, J, W, Pa, bar, A, V, Hz, rad, deg, rpm, min, inch, lb and others, with SI prefixes",
         ],
     );
     check("phi [rad];", "phi [red];", &["2:20 `red` is not a known unit (did you mean `rad`?)"]);

@@ -166,7 +166,7 @@ fn elements() {
             "6:16 a torque is in [N*m], and `m*g` is in [N] (m [kg], g [m/s^2])",
             "6:23 the angle that a torque turns is in [rad] or [deg] or a pure number, and `l` is in [m]",
             "3:14 `l` is declared in [m] here",
-            "6:23 no coordinate changes what this works along, so it moves nothing; leave it out",
+            "6:23 no coordinate changes this extent, so the load does nothing; leave it out",
         ],
     );
 }

@@ -1,10 +1,10 @@
-//! Arrays whose length is a mechanism's business.
+//! Arrays whose lengths depend on the mechanism.
 
 use crate::{Input, Scalar};
 use core::fmt::Debug;
 use core::ops::{Index, IndexMut};
 
-/// What arrays are made of.
+/// The elements of arrays.
 pub trait Element: Copy + Debug {
     /// A value to begin with.
     const BLANK: Self;
@@ -22,30 +22,30 @@ impl<T: Element, const N: usize> Element for [T; N] {
     const BLANK: [T; N] = [T::BLANK; N];
 }
 
-/// An array as long as its mechanism has it, named by an associated type because `[S; Self::N]` cannot be.
+/// An array whose length is given by its mechanism, named by an associated type because `[S; Self::N]` cannot be.
 pub trait Array<T: Element>: Element + AsRef<[T]> + AsMut<[T]> + Index<usize, Output = T> + IndexMut<usize> {
-    /// The array of `f(0), f(1), ..`, of this length. Where the type has a length of its own, it is that.
+    /// The array of `f(0), f(1), ..` with this length, which must be that of the type if the type has one.
     fn with_len(len: usize, f: impl FnMut(usize) -> T) -> Self;
 
-    /// The array of equal elements, likewise.
+    /// The array of equal elements, with this length.
     #[inline(always)]
     fn repeat(len: usize, value: T) -> Self {
         Self::with_len(len, |_| value)
     }
 
-    /// The array of `f(0), f(1), ..`, as long as this one.
+    /// The array of `f(0), f(1), ..` with the length of this one.
     #[inline(always)]
     fn like(&self, f: impl FnMut(usize) -> T) -> Self {
         Self::with_len(self.len(), f)
     }
 
-    /// How many elements it has.
+    /// The number of elements.
     #[inline(always)]
     fn len(&self) -> usize {
         self.as_ref().len()
     }
 
-    /// Whether it has none.
+    /// Whether it has no elements.
     #[inline(always)]
     fn is_empty(&self) -> bool {
         self.len() == 0
@@ -60,7 +60,7 @@ pub trait Array<T: Element>: Element + AsRef<[T]> + AsMut<[T]> + Index<usize, Ou
 
 /// An array whose length is that of its type.
 pub trait FixedArray<T: Element>: Array<T> {
-    /// How many elements it has.
+    /// The number of elements.
     const LEN: usize;
 
     /// The array of `f(0), f(1), ..`
@@ -81,7 +81,7 @@ impl<T: Element, const N: usize> FixedArray<T> for [T; N] {
 }
 
 impl<T: Element, const N: usize> Array<T> for [T; N] {
-    /// As `core::array::from_fn`, which takes the compiler several times as long.
+    /// Like `core::array::from_fn`, which takes several times as long to compile.
     #[inline(always)]
     fn with_len(len: usize, mut f: impl FnMut(usize) -> T) -> Self {
         debug_assert_eq!(len, N, "an array of another length");

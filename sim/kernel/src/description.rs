@@ -1,8 +1,8 @@
-//! What a mechanism says of itself: names, units, documentation, figures, drawing.
+//! The description of a mechanism: names, units, documentation, figures, drawing.
 
 use crate::event::{Conditional, Event};
 
-/// Everything about a mechanism that is known when it is built.
+/// Everything about a mechanism that is known at build time.
 #[derive(Debug)]
 pub struct Description {
     /// The name on the command line: `quick-return`.
@@ -21,12 +21,11 @@ pub struct Description {
     pub inputs: &'static [Quantity],
     /// Constraint rows. The unit is that of the multiplier.
     pub constraints: &'static [Quantity],
-    /// Those constraint rows, by index, that hold between speeds alone: positions are not corrected by them.
+    /// The constraint rows, by index, that hold between speeds alone: they do not correct positions.
     pub speed_constraints: &'static [usize],
-    /// Those, by index, that keep the norm of a quaternion.
+    /// The constraint rows, by index, that keep the norm of a quaternion.
     pub norm_constraints: &'static [usize],
-    /// The rows of C_q in the order in which they are eliminated, if so few of its entries may differ from 0 that this is
-    /// worth using; none otherwise.
+    /// The rows of C_q in the order of elimination, if C_q is so sparse that this pays off; none otherwise.
     pub sparsity: &'static [SparseRow],
     /// Constraints that events switch.
     pub conditionals: &'static [Conditional],
@@ -34,22 +33,22 @@ pub struct Description {
     pub events: &'static [Event],
     /// Outputs.
     pub outputs: &'static [Quantity],
-    /// Those outputs, by index, whose rates are computed: all that depend on neither accelerations nor multipliers.
+    /// The outputs, by index, whose rates are computed: all that depend on neither accelerations nor multipliers.
     pub rated_outputs: &'static [usize],
     /// Which outputs belong in one figure, in order.
     pub figures: &'static [Figure],
-    /// Those of `dynamics_jacobian`, `dynamics_sensitivity` and `inverse_dynamics` that are kernels of their own; the others
+    /// Which of `dynamics_jacobian`, `dynamics_sensitivity` and `inverse_dynamics` are kernels of their own; the others
     /// come from other kernels, the derivatives by dual numbers.
     pub optional_kernels: &'static [&'static str],
-    /// 2 if its vectors lie in a plane, 3 if they stand in space.
+    /// 2 if its vectors are planar, 3 if they are spatial.
     pub dimension: usize,
-    /// What to draw, in the order of the numbers of [`crate::Mechanism::drawing`].
+    /// The drawing, in the order of the numbers of [`crate::Mechanism::drawing`].
     pub drawing: &'static [Shape],
 }
 
-/// A row of C_q by its entries that need not be 0, and where it stands in C_q C_q': in the lower triangle nothing is filled
-/// outside the envelope, which begins in each row where C_q C_q' does (George and Liu, Computer Solution of Large Sparse
-/// Positive Definite Systems, 1981, chapter 4).
+/// A row of C_q by its entries that may be nonzero, and its place in C_q C_q': the factors fill only the envelope of
+/// the lower triangle, which begins in each row at the first entry of C_q C_q' (George and Liu, Computer Solution of
+/// Large Sparse Positive Definite Systems, 1981, chapter 4).
 #[derive(Clone, Copy, Debug)]
 pub struct SparseRow {
     /// The constraint.
@@ -88,13 +87,13 @@ pub struct Coordinate {
     pub speed: Quantity,
     /// Its acceleration.
     pub acceleration: Quantity,
-    /// What the declaration says of its start.
+    /// Its declared start.
     pub start: Start,
     /// Whether the declaration gives its starting speed.
     pub speed_given: bool,
 }
 
-/// What is known of where a coordinate starts.
+/// The declared start of a coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Start {
     /// Its value.
@@ -112,7 +111,7 @@ pub struct Figure {
     pub name: &'static str,
     /// Its title.
     pub title: &'static str,
-    /// How many outputs it shows.
+    /// The number of outputs it shows.
     pub len: usize,
 }
 
@@ -139,7 +138,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// How many points it has.
+    /// The number of its points.
     pub const fn points(self) -> usize {
         match self {
             Shape::Line(points) | Shape::Curve(points) | Shape::Ground(points) | Shape::Points(points) => points,
@@ -148,7 +147,7 @@ impl Shape {
         }
     }
 
-    /// How many numbers it takes in a plane (2) or in space (3).
+    /// The number of its numbers in the plane (2) or in space (3).
     pub const fn numbers(self, dimension: usize) -> usize {
         let more = match self {
             Shape::Slider => {

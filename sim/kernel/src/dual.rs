@@ -24,13 +24,13 @@ impl<S: Scalar> Dual<S> {
         Dual { value, derivative: S::from_f64(0.0) }
     }
 
-    /// What derivatives are taken by.
+    /// The variable of differentiation.
     #[inline(always)]
     pub fn variable(value: S) -> Self {
         Dual { value, derivative: S::from_f64(1.0) }
     }
 
-    /// f(self), of which `slope` is the derivative there.
+    /// f(self), with the derivative `slope` there.
     #[inline(always)]
     fn chain(self, value: S, slope: S) -> Self {
         Dual { value, derivative: slope * self.derivative }
@@ -173,7 +173,7 @@ impl<S: Scalar> Scalar for Dual<S> {
         self.chain(value, S::from_f64(0.5) / value)
     }
 
-    /// An exponent that does not change takes no part in the derivative: the logarithm exists for positive bases alone.
+    /// A constant exponent contributes nothing to the derivative: the logarithm exists only for positive bases.
     fn powf(self, exponent: Self) -> Self {
         let value = self.value.powf(exponent.value);
         let by_base = exponent.value * self.value.powf(exponent.value - one::<S>()) * self.derivative;
@@ -195,7 +195,7 @@ fn one<S: Scalar>() -> S {
     S::from_f64(1.0)
 }
 
-/// sqrt(1 - x^2), in factors that lose nothing near 1.
+/// sqrt(1 - x^2), in factors that keep their digits near 1.
 fn leg<S: Scalar>(x: S) -> S {
     ((one::<S>() - x) * (one::<S>() + x)).sqrt()
 }

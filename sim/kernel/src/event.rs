@@ -1,4 +1,4 @@
-//! What a mechanism says of its events: conditions, and what happens when they come to hold.
+//! The description of a mechanism's events: conditions and actions.
 
 /// A constraint that events switch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -7,13 +7,13 @@ pub struct Conditional {
     pub name: &'static str,
     /// The first of its rows.
     pub first_row: usize,
-    /// How many rows it has.
+    /// The number of its rows.
     pub rows: usize,
     /// Whether it holds at the start.
     pub initially_active: bool,
 }
 
-/// A condition that comes to hold at certain times.
+/// A condition that becomes true at certain times.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Event {
     /// Its name.
@@ -22,11 +22,11 @@ pub struct Event {
     pub direction: Direction,
     /// Whether the condition depends on accelerations or multipliers.
     pub on_forces: bool,
-    /// What happens then, one after the other; what is in one step happens at once.
+    /// The actions, in order; those in one step happen at once.
     pub steps: &'static [Step],
 }
 
-/// How left - right of an event must cross zero.
+/// The direction in which left - right of an event crosses zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// Either way.
@@ -37,15 +37,15 @@ pub enum Direction {
     Falling,
 }
 
-/// A part of what happens at an event. Values are indices into [`crate::Mechanism::event_values`], conditionals indices
+/// A group of actions of an event. Values are indices into [`crate::Mechanism::event_values`], conditionals indices
 /// into [`crate::Description::conditionals`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
     /// The motion ends at this occurrence, from 1.
     Stop(usize),
-    /// Parameters, coordinates and speeds get values, all of them of the state before.
+    /// Parameters, coordinates and speeds are set to values computed from the state before.
     Set(&'static [Assignment]),
-    /// Constraints hold from now on, or no more.
+    /// Constraints hold from now on, or no longer.
     Switch(&'static [Switch]),
     /// Constraints are hit.
     Impact(&'static [Hit]),
@@ -54,13 +54,13 @@ pub enum Step {
 /// A value for a parameter, a coordinate or a speed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Assignment {
-    /// What gets it.
+    /// The target.
     pub target: Target,
     /// Which value.
     pub value: usize,
 }
 
-/// What an event sets, by index.
+/// The target of an event's `set`, by index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
     /// A parameter.
@@ -85,6 +85,6 @@ pub struct Switch {
 pub struct Hit {
     /// Which.
     pub conditional: usize,
-    /// Which value is its coefficient of restitution.
+    /// The index of its coefficient of restitution.
     pub restitution: usize,
 }

@@ -1,4 +1,7 @@
-//! What an input of a mechanism is at the moment.
+//! The current state of an input: its declared course, or a held value.
+//!
+//! An input is a field of the mechanism, and the kernels evaluate its course. So every kernel sees a change of input,
+//! and no preparation is repeated.
 
 /// An input: it follows its declared course until it is set.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -20,7 +23,7 @@ impl<S: Copy> Input<S> {
         }
     }
 
-    /// What it is set to, if it is.
+    /// The value it is set to, if any.
     pub fn held(self) -> Option<S> {
         match self {
             Input::Declared => None,

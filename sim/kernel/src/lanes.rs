@@ -1,4 +1,8 @@
 //! Several numbers side by side, one for each of several trajectories.
+//!
+//! Vector types of `core::arch` would need `unsafe` in every operation and a type for every width. What is not inlined
+//! into a function compiled for wide vectors is compiled for the baseline: therefore `dynamics` is always inlined, and
+//! batches loop instead of passing closures.
 
 use crate::wave::sin_cos_each;
 use crate::{Mask, Scalar};
@@ -6,8 +10,8 @@ use core::ops::{Add, BitOr, Div, Mul, Neg, Sub};
 
 /// `N` numbers side by side, on which every operation is that of `f64` lane by lane, with the same bits.
 ///
-/// Plain arrays and loops of known length: the compiler makes vector instructions of them, as wide as the function
-/// allows into which a kernel is inlined, and nothing depends on its doing so.
+/// Plain arrays and loops of known length: the compiler turns them into vector instructions, as wide as the function
+/// allows into which a kernel is inlined; results do not depend on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Lanes<const N: usize>([f64; N]);
@@ -61,7 +65,7 @@ impl<const N: usize> LaneMask<N> {
         self.0[lane] != 0
     }
 
-    /// All bits of a lane stand for its truth, as vector instructions have it.
+    /// All bits of a lane are set for true, as with vector instructions.
     #[inline(always)]
     fn from_fn(f: impl Fn(usize) -> bool) -> Self {
         LaneMask(core::array::from_fn(|lane| if f(lane) { u64::MAX } else { 0 }))

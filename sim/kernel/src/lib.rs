@@ -1,5 +1,5 @@
-//! What generated kernels and the runtime share: the trait of a mechanism, the scalars its kernels run on, and
-//! what a mechanism says of itself. `no_std`; the only dependency is libm.
+//! The interface shared by generated kernels and the runtime: the trait of a mechanism, the scalars that kernels run
+//! on, and the description of a mechanism. `no_std`; the only dependency is libm.
 
 #![no_std]
 

@@ -40,7 +40,8 @@ pub trait Scalar:
     /// `yes` where the mask is true and `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
-    /// `above` where `self > 0`, `otherwise` where it is not, and NaN where it is NaN. What is not chosen may be anything.
+    /// `above` where `self > 0`, `otherwise` where it is not, and NaN where it is NaN. The value not chosen may be
+    /// anything.
     #[inline(always)]
     fn choose(self, above: Self, otherwise: Self) -> Self {
         let is_number = self.abs().greater(Self::from_f64(-1.0));

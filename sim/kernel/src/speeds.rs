@@ -2,26 +2,26 @@
 
 use crate::{Array, FixedArray, Kinematics, Mechanism, Quantity, Scalar};
 
-/// A mechanism whose declaration names generalised speeds u = W q' + w: its state is (q, u), which q' = N u + n and
-/// Kane's equations for u' move. Norms of quaternions and constraints between speeds hold for every u.
+/// A mechanism whose declaration names generalised speeds u = W q' + w: its state is (q, u), governed by q' = N u + n
+/// and Kane's equations for u'. Norms of quaternions and constraints between speeds hold for every u.
 ///
-/// k is the number of generalised speeds, r that of the constraints that are left. All quantities are in SI units.
+/// k is the number of generalised speeds, r that of the remaining constraints. All quantities are in SI units.
 pub trait GeneralizedSpeeds<S: Scalar = f64>: Mechanism<S> {
     /// Generalised speeds or their rates: k.
     type U: FixedArray<S>;
-    /// Multipliers of the constraints that are left: r.
+    /// Multipliers of the remaining constraints: r.
     type R: FixedArray<S>;
 
     /// The generalised speeds.
     const SPEEDS: &'static [Quantity];
-    /// Which constraints are left, of the m.
+    /// The remaining constraints, by index among the m.
     const ROWS: &'static [usize];
 
     /// u = W q' + w, k.
     fn generalized_speeds(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::U;
     /// q' = N u + n.
     fn prepared_kinematics(prepared: &Self::Prepared, t: S, q: &Self::Q, u: &Self::U) -> Kinematics<S, Self::Q>;
-    /// u' and the multipliers that are left.
+    /// u' and the remaining multipliers.
     fn prepared_speed_dynamics(
         prepared: &Self::Prepared,
         t: S,
@@ -63,8 +63,8 @@ pub fn prepared_velocities<S: Scalar, M: GeneralizedSpeeds<S>>(
 pub struct SpeedDynamics<S: Scalar, U, R> {
     /// u', k.
     pub rates: U,
-    /// lambda of the constraints that are left, r.
+    /// lambda of the remaining constraints, r.
     pub multipliers: R,
-    /// Where this is true the planned elimination met a pivot that it refused, and nothing above holds.
+    /// If true, the planned elimination refused a pivot, and nothing above is valid.
     pub refused: S::Mask,
 }

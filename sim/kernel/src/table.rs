@@ -15,7 +15,7 @@ pub struct Table {
 
 impl Table {
     /// A table of n `knots`, which increase, and n + 1 `pieces`: one before the first knot, one from each on. A piece
-    /// `[s, c0, c1, c2, c3]` has the value c0 + c1 u + c2 u^2 + c3 u^3 with u = x - s. Where `period` is not 0 it is that of
+    /// `[s, c0, c1, c2, c3]` has the value c0 + c1 u + c2 u^2 + c3 u^3 with u = x - s. A nonzero `period` is that of
     /// the function, the distance of the last knot from the first.
     pub const fn new(knots: &'static [f64], pieces: &'static [[f64; 5]], period: f64) -> Table {
         let scale = match knots {
@@ -47,14 +47,14 @@ impl Table {
             return self.pieces.get(self.place(x, *first)).copied().unwrap_or([f64::NAN; 5]);
         }
         let turns = libm::floor((x - first) / self.period) * self.period;
-        // Rounding may put what is left of x beside the rows.
+        // Rounding may move the reduced x out of the rows.
         let place = self.place(x - turns, *first).clamp(1, self.knots.len() - 1);
         let [start, rest @ ..] = self.pieces.get(place).copied().unwrap_or([f64::NAN; 5]);
         let [c0, c1, c2, c3] = rest;
         [start + turns, c0, c1, c2, c3]
     }
 
-    /// How many knots do not lie beyond x. Where rows are evenly spaced the first guess is right.
+    /// The number of knots up to x. Where rows are evenly spaced the first guess is right.
     fn place(&self, x: f64, first: f64) -> usize {
         let guess = ((x - first) * self.scale) as usize;
         match (self.knots.get(guess), self.knots.get(guess + 1)) {

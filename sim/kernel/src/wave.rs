@@ -11,7 +11,7 @@ const LARGEST: f64 = 1e6;
 /// Adding and subtracting it rounds to an integer, which then stands in the lowest bits.
 const ROUNDER: f64 = 1.5 * (1u64 << 52) as f64;
 
-/// pi/2 in parts of 33 bits, and what is left.
+/// pi/2 in parts of 33 bits, and the rest.
 const PI_HALVES: [f64; 4] =
     [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_711_166_5e-21, 8.478_427_660_368_9e-32];
 
@@ -117,7 +117,7 @@ fn evaluate(angle: f64, reduced: &Reduced) -> (f64, f64) {
     )
 }
 
-/// a - b and what rounding took from it (Knuth's two-sum).
+/// a - b and its rounding error (Knuth's two-sum).
 #[inline(always)]
 fn subtract(a: f64, b: f64) -> (f64, f64) {
     let difference = a - b;
@@ -227,7 +227,7 @@ mod tests {
             angles.push(20.0 * unit() - 10.0);
             angles.push(LARGEST * (2.0 * unit() - 1.0));
             angles.push(2f64.powf(-200.0 * unit()));
-            // Beyond the reduction, where libm takes over; up to 2^150, which 400 bits of pi reduce well enough.
+            // Beyond the reduction, where libm takes over; up to 2^150, which 400 bits of pi reduce accurately enough.
             angles.push(2f64.powf(20.0 + 130.0 * unit()));
             // Nearest doubles to multiples of pi/2, where almost all digits cancel.
             let multiple = (unit() * (LARGEST / FRAC_PI_2)).floor() * FRAC_PI_2;

@@ -24,28 +24,29 @@ pub struct Equilibrium<M: Mechanism> {
 
 /// Steps of Newton's method.
 const MOST_STEPS: usize = 100;
-/// Steps of the way that the mechanism would come to rest.
+/// The largest number of steps of the descent.
 const MOST_DESCENTS: usize = 1000;
-/// The longest first step, in what coordinates are measured by: radians, and parts of the mechanism's own length.
+/// The longest first step, in the scales of the coordinates: radians, and parts of the mechanism's own length.
 const LONGEST: f64 = 0.3;
-/// A step is as good as foretold where the residual falls within this part of what it should.
+/// A step is as good as predicted if the residual falls by at least this fraction of the prediction.
 const FORETOLD: f64 = 0.1;
-/// A step that is halved so often leads nowhere.
+/// The number of halvings after which a step is given up.
 const MOST_HALVINGS: i32 = 20;
-/// Descent ends where this step of Newton's method is left, in the same measure.
+/// Descent ends where Newton's step is this small, in the same scales.
 const NEAR: f64 = 0.1;
-/// How much stiffer than it has to be the way down is made, as a part of all stiffness.
+/// The margin of stiffness added in the descent, as a fraction of all stiffness.
 const STIFFER: f64 = 1e-3;
-/// A step may turn the force along it round, but to no more than this part of it: it has led down then.
+/// A step may reverse the force along it, but at most to this fraction of it: then it has led down.
 const TURNED: f64 = 0.5;
 
 /// The equilibrium near a start.
 ///
-/// By Newton's method on q''(q, 0) = 0 over the independent coordinates, in steps that are limited and halved until the residual
-/// falls. Where that ends elsewhere, as it does midway between two equilibria, it is the one at which the mechanism would come to rest
-/// if it moved slowly and everything resisted: the way down, in steps of (s M - K)^-1 Q with s so large that the
-/// matrix is positive, and Newton's method from near its end. Accelerations and steps are measured by the mass matrix, and steps by the
-/// mechanism's own length and the radian, so that no unit decides.
+/// By Newton's method on q''(q, 0) = 0 over the independent coordinates, in steps that are limited and halved until the
+/// residual falls. If that fails, as midway between two equilibria, the result is the position at which the mechanism
+/// would come to rest if it moved slowly with damping: descent in steps of (s M - K)^-1 Q, with s so large that the
+/// matrix is positive, and Newton's method from near its end. Newton's method also finds unstable equilibria. The mass
+/// matrix measures accelerations and steps, and the mechanism's own length and the radian measure steps, so the result
+/// does not depend on units.
 ///
 /// # Errors
 /// If the start cannot be assembled, [`What::NoEquilibrium`], and [`What::SingularState`] where it is in a singular position.
@@ -73,7 +74,7 @@ fn at_rest<M: Mechanism>(start: &Start<M>) -> Start<M> {
     Start { speeds: start.speeds.like(|_| 0.0), position_given: none.clone(), speed_given: none, ..start.clone() }
 }
 
-/// How a search ended.
+/// The end of a search.
 enum Ended {
     AtRest(Statics),
     Moving(Statics),
@@ -85,7 +86,7 @@ impl Ended {
     }
 }
 
-/// Where Newton's method leads from a position on the constraints.
+/// The result of Newton's method from a position on the constraints.
 fn newton(mechanism: &dyn AnyMechanism, q: Vec<f64>) -> Result<Ended, Failure> {
     let mut at = Statics::at(mechanism, q)?;
     let mut longest = LONGEST;
@@ -105,7 +106,7 @@ fn newton(mechanism: &dyn AnyMechanism, q: Vec<f64>) -> Result<Ended, Failure> {
     Ok(Ended::at(at))
 }
 
-/// Where the mechanism comes to rest.
+/// The position at which the mechanism comes to rest.
 fn descend(mechanism: &dyn AnyMechanism, q: Vec<f64>) -> Result<Ended, Failure> {
     let mut at = Statics::at(mechanism, q)?;
     for _ in 0..MOST_DESCENTS {
@@ -123,7 +124,7 @@ fn descend(mechanism: &dyn AnyMechanism, q: Vec<f64>) -> Result<Ended, Failure> 
     Ok(Ended::at(at))
 }
 
-/// The first of a step, its half and so on that leads where it should; with the force there, and which part it is.
+/// The first acceptable of a step, its half and so on; with the force there, and its fraction.
 ///
 /// # Errors
 /// [`What::SingularState`] if that is there.
@@ -146,7 +147,8 @@ fn halved(
     Ok(None)
 }
 
-/// That nothing was found where both searches ended; the singular position beside one of them, if there is one.
+/// The failure if neither search found an equilibrium; it names a singular position beside one of them, if there is
+/// one.
 fn nowhere(mechanism: &dyn AnyMechanism, stuck: &Statics, last: &Statics) -> Failure {
     let singular = [last, stuck].into_iter().find_map(|at| at.singular_nearby(mechanism));
     singular.unwrap_or_else(|| {

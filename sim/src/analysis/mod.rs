@@ -1,4 +1,4 @@
-//! What is found of a mechanism beside its motion in time, and whether all of it is right.
+//! Analyses of a mechanism other than its motion in time, and their verification.
 
 pub(crate) mod equilibrium;
 pub(crate) mod kinematics;

@@ -13,17 +13,18 @@ use crate::state::trajectory::{Phase, State, Trajectory};
 use sim_kernel::{Description, Mechanism};
 use std::f64::consts::TAU;
 
-/// The part within which two states are the same, of a motion's extent and of the speeds that lead through it.
+/// The tolerance within which two states are the same, relative to a motion's extent and to the speeds that lead
+/// through it.
 const SAME: f64 = 1e-6;
 
-/// What is asked of a section.
+/// The specification of a section.
 #[derive(Clone, Copy, Debug)]
 pub struct Sectioning {
     /// The event, by index.
     pub event: usize,
-    /// In which direction its condition has to cross; any, if none is given.
+    /// The direction in which its condition has to cross; any if none is given.
     pub crossing: Option<Crossing>,
-    /// After how many of its occurrences the motion ends.
+    /// The number of occurrences after which the motion ends.
     pub count: usize,
 }
 
@@ -38,7 +39,7 @@ pub struct Section<M: Mechanism> {
     pub period: Option<Period>,
 }
 
-/// How a motion repeats.
+/// The period of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Period {
     /// Seconds from one return to the same state to the next, on average.
@@ -47,16 +48,17 @@ pub struct Period {
     pub crossings: usize,
 }
 
-/// Runs a mechanism until an event has happened so often, or until the end of its settings, and keeps the states where it
-/// did: points of the return map (Guckenheimer and Holmes, Nonlinear Oscillations, 1983, sec. 1.5).
+/// Runs a mechanism until an event has happened this often, or until the end of its settings, and keeps the states at
+/// the event: points of the return map (Guckenheimer and Holmes, Nonlinear Oscillations, 1983, sec. 1.5).
 ///
-/// States are the same where coordinates, angles but for whole turns, and speeds agree to a millionth: angles of 1 rad, others of
-/// the largest that they are in the section, or that their speeds would make them from one crossing to the next; speeds of
-/// the largest in the section, or of those that lead through that in this time. So neither a section where the motion turns back,
-/// with speeds that are rounding, nor one through the origin hides a period. A periodic motion is told from three states on.
+/// States are the same if coordinates (angles modulo whole turns) and speeds agree to a millionth. The millionth is
+/// relative to 1 rad for angles, and for other coordinates to their largest value in the section, or to the distance
+/// that their speeds cover between crossings; for speeds, to the largest in the section, or to those that cover this
+/// distance in this time. So a period is found even in a section where the motion turns back, with speeds that are
+/// rounding, and in one through the origin. Detecting a period takes at least three states.
 ///
 /// # Errors
-/// If no start can be assembled, or no state sampled. What ends the motion on the way does not lose the states.
+/// If no start can be assembled, or no state sampled. A failure on the way does not lose the states.
 pub fn poincare<M: Mechanism>(
     mechanism: M,
     start: &Start<M>,
@@ -93,7 +95,7 @@ fn phase_before<'t, M: Mechanism>(trajectory: &'t Trajectory<M>, state: &State<M
     trajectory.phases.get(later.saturating_sub(1))
 }
 
-/// The least number of crossings after which all states are the same again.
+/// The least number of crossings after which all states repeat.
 fn period(description: &'static Description, states: &[At<f64>]) -> Option<Period> {
     let between = states.last()?.time - states.first()?.time;
     let usual = between / (states.len() - 1).max(1) as f64;
@@ -117,7 +119,7 @@ fn period(description: &'static Description, states: &[At<f64>]) -> Option<Perio
     Some(Period { seconds, crossings })
 }
 
-/// How far coordinates of one kind go, and how fast.
+/// The extent and speed of coordinates of one kind.
 struct Extent {
     positions: f64,
     speeds: f64,

@@ -8,27 +8,28 @@ use crate::state::trajectory::State;
 use sim_kernel::{Array, Dynamics, LaneMask, Lanes, Mask, Mechanism, Scalar};
 pub use vector::{Vectors, Work};
 
-/// States evaluated at once: what the widest vector instructions hold.
+/// The number of states evaluated at once: as many as the widest vector instructions hold.
 const LANES: usize = 8;
 
-/// What is found at a state.
+/// The results at a state.
 type Solution<M> = Dynamics<f64, <M as Mechanism>::Q, <M as Mechanism>::L>;
-/// A mechanism of which every lane is another trajectory.
+/// A mechanism with a separate trajectory in each lane.
 type InLanes<M> = <M as Mechanism>::On<Lanes<LANES>>;
-/// What its equations of motion need of the parameters.
+/// The prepared parameters of its equations of motion.
 type Prepared<M> = <InLanes<M> as Mechanism<Lanes<LANES>>>::Prepared;
 /// Its coordinates.
 type Q<M> = <InLanes<M> as Mechanism<Lanes<LANES>>>::Q;
-/// What is found in all lanes.
+/// The results in all lanes.
 type Solutions<M> = Dynamics<Lanes<LANES>, Q<M>, <InLanes<M> as Mechanism<Lanes<LANES>>>::L>;
 
-/// Accelerations, multipliers and power at each of many states: the same bits as [`accelerate`](crate::accelerate) gives
-/// one after the other, but eight at once, with the widest vector instructions that the processor has.
+/// Accelerations, multipliers and power at each of many states: with the same bits as
+/// [`accelerate`](crate::accelerate), but eight at once, with the widest vector instructions that the processor has.
 ///
 /// `found` gets an entry for each state, in their order; its memory is used again. A state whose pivots the planned
 /// elimination refuses is solved by complete pivoting.
 ///
-/// Returns the failures, with the places of their states; the others stand. What failed is marked `refused` in `found`.
+/// Returns the failures with the indices of their states; the other results are valid. Failed ones are marked `refused`
+/// in `found`.
 #[must_use = "these states have no solution"]
 pub fn accelerate_each<M: Mechanism>(
     mechanism: &M,
@@ -61,8 +62,8 @@ struct Batch<'a, M: Mechanism> {
     found: &'a mut [Solution<M>],
 }
 
-// Loops in what follows, because closures given to iterators are functions of their own, and what is not inlined is
-// compiled for the baseline.
+// The code below uses loops, because closures given to iterators are separate functions, and functions that are not
+// inlined are compiled for the baseline.
 impl<M: Mechanism> Work for Batch<'_, M> {
     type Output = Vec<(usize, Failure)>;
 
@@ -95,7 +96,7 @@ impl<M: Mechanism> Work for Batch<'_, M> {
     }
 }
 
-/// The last states, fewer than there are lanes: the first of them stands in for those that are missing.
+/// The last states, fewer than there are lanes: the first of them fills the missing lanes.
 #[cold]
 #[inline(never)]
 fn fill<M: Mechanism>(states: &[State<M>]) -> [State<M>; LANES] {
@@ -121,10 +122,10 @@ fn column<T>([a, b, c, d, e, f, g, h]: &[T; LANES], entry: impl Fn(&T) -> f64) -
     Lanes::from([entry(a), entry(b), entry(c), entry(d), entry(e), entry(f), entry(g), entry(h)])
 }
 
-/// Where anything of a solution is infinite or NaN.
+/// Whether anything of a solution is infinite or NaN.
 #[inline(always)]
 fn is_not_finite<M: Mechanism>(solved: &Solutions<M>) -> LaneMask<LANES> {
-    // 0 x is 0 unless x is infinite or NaN, and so is the sum of such.
+    // 0 x is 0 unless x is infinite or NaN, and so is the sum of such products.
     let zero = Lanes::from_f64(0.0);
     let mut sum = zero * solved.power;
     for i in 0..solved.accelerations.len() {

@@ -1,8 +1,8 @@
 //! Vector instructions: code compiled for each width that a processor may have, chosen at run time.
 
-/// Work that is compiled for every width of vector instructions. What it calls takes part where it is inlined.
+/// Work that is compiled for every width of vector instructions, with the functions that are inlined into it.
 pub trait Work {
-    /// What it gives.
+    /// Its result.
     type Output;
     /// Does it. Implementations are `#[inline(always)]`.
     fn run(self) -> Self::Output;
@@ -23,7 +23,7 @@ enum Width {
 }
 
 impl Vectors {
-    /// Those that every processor of this build's target has.
+    /// The instructions that every processor of this build's target has.
     pub const BASELINE: Vectors = Vectors(Width::Baseline);
 
     /// The widest.

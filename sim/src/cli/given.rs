@@ -12,16 +12,16 @@ pub(super) fn mechanism_with<M: Mechanism>(description: &Description, settings: 
     Ok(M::defaults().with_parameters(parameters))
 }
 
-/// Sets parameters to what the user says.
+/// Sets parameters to the user's values.
 fn set(parameters: &mut [f64], description: &Description, settings: &[String]) -> Result<(), Stop> {
     for text in settings {
         let (name, value) = split_assignment("--set", text)?;
         let known = || description.parameters.iter().map(|p| p.name);
         if description.coordinates.iter().any(|c| [c.position.name, c.speed.name].contains(&name)) {
-            return Err(Stop::Usage(format!("`{name}` is no parameter; its start is set by `--initial {text}`")));
+            return Err(Stop::Usage(format!("`{name}` is not a parameter; set its start with `--initial {text}`")));
         }
         if description.inputs.iter().any(|input| input.name == name) {
-            return Err(Stop::Usage(format!("`{name}` is an input; `run` holds it by `--input {text}`")));
+            return Err(Stop::Usage(format!("`{name}` is an input; hold it with `run --input {text}`")));
         }
         let at = known().position(|p| p == name).ok_or_else(|| unknown("parameter", name, known()))?;
         parameters[at] = parse_quantity(name, value, description.parameters[at].unit)?;
@@ -29,7 +29,7 @@ fn set(parameters: &mut [f64], description: &Description, settings: &[String]) -
     Ok(())
 }
 
-/// The mechanism with inputs held at what the user says.
+/// The mechanism with inputs held at the user's values.
 pub(super) fn held_at<M: Mechanism>(mechanism: &M, description: &Description, settings: &[String]) -> Result<M, Stop> {
     let mut inputs = mechanism.inputs();
     hold(inputs.as_mut(), description, settings)?;
@@ -41,7 +41,7 @@ fn hold(inputs: &mut [Input<f64>], description: &Description, settings: &[String
         let (name, value) = split_assignment("--input", text)?;
         let known = || description.inputs.iter().map(|input| input.name);
         if description.parameters.iter().any(|p| p.name == name) {
-            return Err(Stop::Usage(format!("`{name}` is a parameter; it is set by `--set {text}`")));
+            return Err(Stop::Usage(format!("`{name}` is a parameter; set it with `--set {text}`")));
         }
         let at = known().position(|input| input == name).ok_or_else(|| unknown("input", name, known()))?;
         inputs[at] = Input::Held(parse_quantity(name, value, description.inputs[at].unit)?);
@@ -49,7 +49,7 @@ fn hold(inputs: &mut [Input<f64>], description: &Description, settings: &[String
     Ok(())
 }
 
-/// The declared start with what the user says of it.
+/// The declared start with the user's values.
 pub(super) fn start_with<M: Mechanism>(
     mechanism: &M,
     description: &Description,
@@ -77,7 +77,7 @@ enum Started {
     Speed(usize),
 }
 
-/// What the user says of the start.
+/// The user's start values.
 fn started(description: &Description, settings: &[String]) -> Result<Vec<(Started, f64)>, Stop> {
     let mut said = Vec::new();
     for text in settings {
@@ -89,7 +89,7 @@ fn started(description: &Description, settings: &[String]) -> Result<Vec<(Starte
             said.push((Started::Speed(at), parse_quantity(name, value, coordinates[at].speed.unit)?));
         } else {
             if description.parameters.iter().any(|p| p.name == name) {
-                return Err(Stop::Usage(format!("`{name}` is a parameter; it is set by `--set {text}`")));
+                return Err(Stop::Usage(format!("`{name}` is a parameter; set it with `--set {text}`")));
             }
             let known = coordinates.iter().flat_map(|c| [c.position.name, c.speed.name]);
             return Err(unknown("coordinate or speed", name, known));

@@ -1,4 +1,4 @@
-//! The command line over any mechanisms. A user's own program has all of it in one line:
+//! The command line over any mechanisms. A user's own program gets all of it in one line:
 //!
 //! ```no_run
 //! sim::mechanism! {
@@ -52,7 +52,7 @@ pub struct Entry {
     poincare: fn(&PoincareArguments, Voice) -> Result<(), Stop>,
 }
 
-/// Makes a mechanism known to [`main`].
+/// Registers a mechanism with [`main`].
 pub fn entry<M: Mechanism>() -> Entry {
     Entry {
         description: const { &M::DESCRIPTION },
@@ -67,13 +67,13 @@ pub fn entry<M: Mechanism>() -> Entry {
     }
 }
 
-/// Why a command did not do what it was asked.
+/// Why a command failed.
 enum Stop {
-    /// The words of the command line are wrong; exit status 2.
+    /// The command line is wrong; exit status 2.
     Usage(String),
     /// The work failed; exit status 1.
     Failed(anyhow::Error),
-    /// The user ended it; exit status 130.
+    /// The user interrupted it; exit status 130.
     Interrupted(anyhow::Error),
 }
 
@@ -83,8 +83,8 @@ impl<E: Into<anyhow::Error>> From<E> for Stop {
     }
 }
 
-/// Reads the command line, does what it says, and gives the exit status: 0 for success, 1 for a run that failed,
-/// 2 for words that could not be understood, 130 for a run that was interrupted.
+/// Executes the command line and gives the exit status: 0 for success, 1 for a failed run, 2 for a wrong command line,
+/// 130 for an interrupted run.
 pub fn main(mechanisms: &[Entry]) -> ExitCode {
     signals::listen();
     let words: Vec<OsString> = std::env::args_os().collect();
@@ -107,7 +107,7 @@ pub fn main(mechanisms: &[Entry]) -> ExitCode {
     }
 }
 
-/// Does what the command line says; what a run file says is put before the user's own words.
+/// Executes the command line; the arguments of a run file are put before the user's own.
 fn with_run_file(mechanisms: &[Entry], arguments: Arguments, words: &[OsString]) -> Result<(), Stop> {
     let path = match &arguments.command {
         Command::Run(run) if run.model.ends_with(".json") => run.model.clone(),
@@ -143,7 +143,7 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
     }
 }
 
-/// Prints to a standard output that may be closed: whoever closed it has read enough.
+/// Prints to standard output, which the reader may have closed.
 fn print(text: &str) -> Result<(), Stop> {
     match std::io::stdout().lock().write_all(text.as_bytes()) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(error.into()),
@@ -151,7 +151,7 @@ fn print(text: &str) -> Result<(), Stop> {
     }
 }
 
-/// What this program is called.
+/// The name of this program.
 fn program() -> String {
     let name = std::env::args_os().next().map(std::path::PathBuf::from);
     let name = name.as_ref().and_then(|path| path.file_stem()).map(|name| name.to_string_lossy().into_owned());

@@ -1,4 +1,4 @@
-//! Help and completions in the words of the program that shows them: its own name, and mechanisms that it has.
+//! Help and completions with the name and the mechanisms of the program that shows them.
 
 use crate::cli::Entry;
 use crate::cli::arguments::Arguments;
@@ -8,7 +8,7 @@ use clap::{Command, CommandFactory};
 /// The program that examples are written for, with mechanisms that it has.
 const WRITTEN_FOR: &str = "sim ";
 const THEIRS: [&str; 6] = ["quick-return", "four-bar", "slider-crank", "cart-pole", "double-pendulum", "pendulum"];
-/// What only these have.
+/// Words of examples that only these mechanisms have.
 const THEIR_OWN: [&str; 8] = ["O2A", "alpha", "x6", "phi", "--input", "--event", "--drive", "shorter"];
 
 /// The command line of a program with these mechanisms.
@@ -42,7 +42,7 @@ pub(super) fn with_names(mechanisms: &[Entry], program: &str) -> Command {
     })
 }
 
-/// Help with examples of another program and its mechanisms turned into those of this one; `plain` where none is left.
+/// Help with the examples translated to this program and its mechanisms; `plain` if none is left.
 fn spoken(text: &str, program: &str, model: &str, plain: &str) -> String {
     let mut lines: Vec<String> = Vec::new();
     let mut heading = None;

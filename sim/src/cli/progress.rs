@@ -1,4 +1,4 @@
-//! What is seen of a long run while it lasts, and its end by Ctrl-C.
+//! The progress bar of a long run, and its end by Ctrl-C.
 
 use crate::Failure;
 use crate::cli::Stop;
@@ -14,11 +14,11 @@ use std::time::Duration;
 
 static REACHED: AtomicU64 = AtomicU64::new(0);
 
-/// No bar before this: most runs are over by then.
+/// No bar before this time: most runs are over by then.
 const PATIENCE: Duration = Duration::from_secs(1);
 const BETWEEN: Duration = Duration::from_millis(100);
 
-/// Runs with a bar on a terminal, from the second second on. Ctrl-C ends the run, and what it has is kept.
+/// Runs with a progress bar on a terminal, after the first second. Ctrl-C ends the run and keeps its results.
 pub(super) fn watched<T>(
     settings: &Settings,
     voice: Voice,

@@ -80,7 +80,7 @@ impl SettingsArguments {
 
     fn stepping(&self, method: Method, end: f64) -> Result<Stepping, Stop> {
         let steps = match (&self.step, self.steps) {
-            // A step that divides the run up to rounding is taken as it is.
+            // A step that divides the run within rounding is used unchanged.
             (Some(step), _) => (end / positive("--step", step)? * (1.0 - 1e-12)).ceil().max(1.0),
             (None, Some(steps)) => steps as f64,
             (None, None) if method.is_adaptive() => return Ok(Stepping::Adaptive(self.tolerance()?)),
@@ -131,7 +131,7 @@ impl SettingsArguments {
     }
 }
 
-/// That a method has no use for a tolerance.
+/// The message for a method that has no use for a tolerance.
 fn no_tolerance(method: Method) -> Stop {
     let adaptive: Vec<&str> =
         Method::ALL.iter().filter(|method| method.is_adaptive()).map(|method| method.name()).collect();

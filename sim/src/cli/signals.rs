@@ -1,4 +1,7 @@
-//! The end of a command by Ctrl-C or by whoever ends processes.
+//! The end of a command by Ctrl-C or a signal.
+//!
+//! Runs check a flag between steps and write what they have. Everything else ends at once: a thread waits for the
+//! signal, moves complete files to their place if the tables are among them, and exits.
 
 use crate::cli::files::folder;
 #[cfg(unix)]
@@ -13,7 +16,7 @@ pub(super) static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 /// Whether a run looks at that.
 static IS_LOOKED_AT: AtomicBool = AtomicBool::new(false);
 
-/// Hears SIGINT and SIGTERM from here on. (SIGHUP keeps its meaning: `nohup` works.)
+/// Handles SIGINT and SIGTERM from here on. (SIGHUP keeps its meaning: `nohup` works.)
 pub(super) fn listen() {
     #[cfg(unix)]
     if let Ok(mut signals) = Signals::new([SIGINT, SIGTERM]) {
@@ -23,7 +26,7 @@ pub(super) fn listen() {
     let _ = ctrlc::set_handler(heard);
 }
 
-/// Does work that looks at [`INTERRUPTED`]: the first signal ends it, and what it has is written.
+/// Does work that checks [`INTERRUPTED`]: the first signal ends it, and its results are written.
 pub(super) fn interruptible<T>(work: impl FnOnce() -> T) -> T {
     IS_LOOKED_AT.store(true, Ordering::SeqCst);
     let done = work();
@@ -31,7 +34,7 @@ pub(super) fn interruptible<T>(work: impl FnOnce() -> T) -> T {
     done
 }
 
-/// The first signal ends a run, which then writes what it has; any other ends the program with the files that are whole.
+/// The first signal ends a run, which then writes its results; any other ends the program, keeping complete files.
 fn heard() {
     if IS_LOOKED_AT.load(Ordering::SeqCst) && !INTERRUPTED.swap(true, Ordering::SeqCst) {
         return;

@@ -1,4 +1,4 @@
-//! What events do: constraints that are switched, parameters and coordinates that are set, impacts.
+//! The actions of events: switching constraints, setting parameters and coordinates, impacts.
 //!
 //! An impact changes the speeds by the impulsive equations (Pfeiffer and Glocker, Multibody Dynamics with Unilateral
 //! Contacts, 1996, chapter 8, for bilateral rows and Newton's coefficient e):
@@ -22,7 +22,7 @@ use crate::state::trajectory::State;
 use sim_kernel::event::{Assignment, Event, Hit, Step, Switch, Target};
 use sim_kernel::{Array, Mechanism};
 
-/// What an event has changed.
+/// The changes by an event.
 #[derive(Clone, Copy, Debug)]
 pub struct Change<M: Mechanism> {
     /// The mechanism from then on.
@@ -31,13 +31,13 @@ pub struct Change<M: Mechanism> {
     pub state: State<M>,
     /// The impulse of each constraint row: its multiplier, summed up over the time of the impact.
     pub impulses: M::L,
-    /// The kinetic energy that is gone, in joules.
+    /// The lost kinetic energy, in joules.
     pub energy_taken: f64,
     /// Whether the motion ends here.
     pub ends: bool,
 }
 
-/// Does what an event says, for the so-many-th time.
+/// Carries out the actions of an event for this occurrence.
 ///
 /// # Errors
 /// [`What::NotFinite`], [`What::Restitution`], [`What::EventOpens`], and as the equations of an impact.
@@ -165,7 +165,7 @@ impl<M: Mechanism> Change<M> {
         Ok(())
     }
 
-    /// That the positions satisfy the constraints, up to how exactly an event is located.
+    /// Checks that the positions satisfy the constraints, to the accuracy of locating an event.
     fn check_closed(&self, mechanism: &M, event: &'static Event) -> Result<(), Failure> {
         let (time, q) = (self.state.time, &self.state.positions);
         let (values, magnitudes) = (mechanism.constraints(time, q), mechanism.constraint_magnitudes(time, q));
@@ -180,7 +180,7 @@ impl<M: Mechanism> Change<M> {
     }
 }
 
-/// A rate this small beside its terms is rounding.
+/// A rate this small relative to its terms is rounding.
 const ROUNDING: f64 = 1e-12;
-/// How far open a constraint may be at an event, relative to its terms, to be closed by a projection.
+/// The largest residual of a constraint at an event, relative to its terms, that a projection closes.
 const LOCATED: f64 = 1e-7;

@@ -1,4 +1,4 @@
-//! The conditions of events at one time, and what two times tell of what lies between.
+//! The conditions of events at one time, and the crossings between two times.
 
 use crate::integrate::Step;
 use crate::motion::Motion;
@@ -13,7 +13,7 @@ use sim_kernel::{Array, Mechanism};
 pub(super) struct Point<M: Mechanism> {
     pub(super) time: f64,
     pub(super) values: M::Events,
-    /// Of the values, by time.
+    /// The rates of the values in time.
     pub(super) rates: M::Events,
 }
 
@@ -86,14 +86,15 @@ pub(super) fn crosses([before, after]: [f64; 2]) -> bool {
     finite && before != 0.0 && (after == 0.0 || (before < 0.0) != (after < 0.0))
 }
 
-/// A condition at two points: its values, and what its rates there would make of the time between.
+/// A condition at two points: its values, and its rates times the interval.
 #[inline]
 pub(super) fn ends<M: Mechanism>(event: usize, from: &Point<M>, to: &Point<M>) -> ([f64; 2], [f64; 2]) {
     let h = to.time - from.time;
     ([from.values[event], to.values[event]], [h * from.rates[event], h * to.rates[event]])
 }
 
-/// Whether a condition may be zero between two points: it changes its sign, or it is not far from zero beside what it changes by.
+/// Whether a condition may be zero between two points: it changes its sign, or its distance from zero is small relative
+/// to its change.
 #[inline]
 pub(super) fn may_reach_zero<M: Mechanism>(event: usize, from: &Point<M>, to: &Point<M>) -> bool {
     let (values, rates) = ends(event, from, to);
@@ -108,12 +109,12 @@ pub(super) fn turns_back(values: [f64; 2], rates: [f64; 2]) -> bool {
     values[0] * values[1] > 0.0 && sign * rates[0] < 0.0 && sign * rates[1] > 0.0
 }
 
-/// Whether the value where the sign changes has come near zero; at a jump or a pole it has not.
+/// Whether the value at the sign change is near zero; at a jump or a pole it is not.
 pub(super) fn is_root(value: f64, [before, after]: [f64; 2]) -> bool {
     value.abs() <= 0.5 * before.abs().max(after.abs())
 }
 
-/// To what a time is located, in seconds.
+/// The accuracy of located times, in seconds.
 pub(crate) fn tolerance(time: f64) -> f64 {
     f64::max(1e-12, 4.0 * f64::EPSILON * time.abs())
 }

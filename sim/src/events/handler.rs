@@ -1,4 +1,4 @@
-//! What events do to a motion: they change its mechanism and state, or end it.
+//! Applies events to a motion: they change its mechanism and state, or end it.
 
 use super::act::{Change, act};
 use super::conditions::tolerance;
@@ -15,30 +15,30 @@ use sim_kernel::event::{self, Direction, Event};
 use sim_kernel::{Array, Mechanism};
 use std::collections::VecDeque;
 
-/// So many events that change something within an instant, and they chatter.
+/// The number of changing events within an instant that counts as chatter.
 const MOST_AT_ONCE: usize = 32;
-/// The instant, as a part of the whole time.
+/// The instant, as a fraction of the whole time.
 const INSTANT: f64 = 1e-9;
 
-/// Finds the events of a motion and does what they say.
+/// Finds the events of a motion and carries out their actions.
 #[derive(Clone, Debug)]
 pub(crate) struct EventHandler<M: Mechanism> {
     search: EventSearch<M>,
     stop: Option<StopAt>,
-    /// How long the motion is to last, in seconds, and when that ends.
+    /// The duration of the motion, in seconds, and its end.
     span: f64,
     end: f64,
-    /// How often each event has happened that does something.
+    /// How often each event with actions has happened.
     counts: Vec<usize>,
-    /// When each of them has last happened.
+    /// The last time of each of them.
     last: Vec<f64>,
     /// When the last of all happened.
     acted: VecDeque<f64>,
     /// The kinetic energy that events have taken, in joules.
     energy_taken: f64,
-    /// The first occurrence of those that are to act.
+    /// The first occurrence whose actions are due.
     acting: Option<usize>,
-    /// What the next phase starts from.
+    /// The start of the next phase.
     next_phase: Option<(M, State<M>)>,
     /// Whether an event has ended the motion.
     has_ended: bool,
@@ -101,12 +101,12 @@ impl<M: Mechanism> EventHandler<M> {
         self.has_ended
     }
 
-    /// What the next phase starts from, if there is one.
+    /// The start of the next phase, if there is one.
     pub(crate) fn next_phase(&mut self) -> Option<(M, State<M>)> {
         self.next_phase.take()
     }
 
-    /// Starts a phase: does what events say that happen there.
+    /// Starts a phase: carries out the actions of events that happen there.
     ///
     /// # Errors
     /// As what events do.
@@ -119,7 +119,7 @@ impl<M: Mechanism> EventHandler<M> {
         self.act_at_start(motion, sample, onset, |_| true)
     }
 
-    /// Goes on where the owner of the motion has changed its mechanism: conditions that this leaves as they were are watched on, and
+    /// Continues after the owner of the motion has changed its mechanism: unaffected conditions are tracked on, and
     /// others as from a start.
     ///
     /// # Errors
@@ -138,7 +138,7 @@ impl<M: Mechanism> EventHandler<M> {
         self.act_at_start(motion, sample, onset, |event| before[event] != now[event])
     }
 
-    /// How conditions go on from a sample, if any event does something.
+    /// The onset of conditions at a sample, if any event has actions.
     fn onset(&self, motion: &Motion<M>, sample: &Sample<M>) -> Result<Option<Onset<M>>, Failure> {
         match any_acts(motion.mechanism().description().events) {
             true => Onset::of(motion, sample, self.span).map(Some),
@@ -146,7 +146,7 @@ impl<M: Mechanism> EventHandler<M> {
         }
     }
 
-    /// Does what those events say, of some, that happen at a start.
+    /// Carries out the actions of those events, among some, that happen at a start.
     fn act_at_start(
         &mut self,
         motion: &Motion<M>,
@@ -163,7 +163,7 @@ impl<M: Mechanism> EventHandler<M> {
         if self.search.found.len() > at { self.act_from(motion.mechanism(), at) } else { Ok(()) }
     }
 
-    /// Searches a step. Where an event in it changes something or ends the motion, the step counts as far as the state there.
+    /// Searches a step. If an event in it changes something or ends the motion, the step counts up to the state there.
     ///
     /// # Errors
     /// As [`EventSearch::search`].
@@ -181,7 +181,7 @@ impl<M: Mechanism> EventHandler<M> {
         Ok(ending.map(|at| &self.search.found[at].state))
     }
 
-    /// Does what the events in the last step say, which counts no further.
+    /// Carries out the actions of the events in the last step, which ends there.
     ///
     /// # Errors
     /// As what events do.
@@ -202,9 +202,9 @@ impl<M: Mechanism> EventHandler<M> {
         Some(at)
     }
 
-    /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and goes on
-    /// through zero. Where the event has just happened that is only so if it was an impact, which should have turned it
-    /// back, or if the condition returns to zero within an instant.
+    /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and
+    /// continues through zero. If the event has just happened, this requires that it was an impact, which should have
+    /// turned it back, or that the condition returns to zero within an instant.
     fn is_due(&self, mechanism: &M, onset: &Onset<M>, index: usize, time: f64) -> bool {
         let described = &mechanism.description().events[index];
         let through = match described.direction {
@@ -234,13 +234,12 @@ impl<M: Mechanism> EventHandler<M> {
         Ok(())
     }
 
-    /// What happens within this time happens at once.
+    /// Events within this time are simultaneous.
     fn instant(&self) -> f64 {
         (INSTANT * self.span).max(100.0 * tolerance(self.end))
     }
 
-    /// The first occurrence in a step that does something. What happens after it is forgotten, but for what happens at
-    /// the same time.
+    /// The first occurrence in a step that has actions. Later occurrences are dropped, except simultaneous ones.
     fn first_acting(&mut self, mechanism: &M, first: usize) -> Option<usize> {
         let found = &mut self.search.found;
         let does_something = |event: &Occurrence<M>| !mechanism.description().events[event.event].steps.is_empty();
@@ -252,7 +251,7 @@ impl<M: Mechanism> EventHandler<M> {
         Some(at)
     }
 
-    /// Does what the occurrences from here on say, one after the other.
+    /// Carries out the actions of the occurrences from here on, in order.
     fn act_from(&mut self, mechanism: &M, at: usize) -> Result<(), Failure> {
         let mut mechanism = *mechanism;
         let mut state = self.search.found[at].state;
@@ -273,7 +272,7 @@ impl<M: Mechanism> EventHandler<M> {
             changes |= described.steps.iter().any(|step| !matches!(step, event::Step::Stop(_)));
             self.search.found[index].change = Some(change);
         }
-        // An event that is to stop the run later changes nothing, but the phase has ended there.
+        // An event that stops the run at a later occurrence changes nothing, but the phase has ended there.
         self.next_phase = (changes || !self.has_ended).then_some((mechanism, state));
         Ok(())
     }

@@ -1,8 +1,8 @@
 //! When the declared events happen.
 //!
-//! Each step is searched as finely as the conditions change: where the cubic of a condition's values and rates at two
-//! times does not foretell its value between them, both halves are searched. A condition that only touches zero has
-//! its extremum there.
+//! Each step is searched as finely as the conditions change: if the cubic of a condition's values and rates at two
+//! times does not predict its value between them, both halves are searched. A condition that only touches zero has its
+//! extremum there.
 
 mod act;
 mod conditions;
@@ -25,7 +25,7 @@ use onset::Onset;
 use sim_kernel::event::Direction;
 use sim_kernel::{Array, Mechanism};
 
-/// How a condition, left - right, passes zero.
+/// The direction in which a condition, left - right, passes zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Crossing {
     /// From below.
@@ -45,9 +45,9 @@ pub struct Occurrence<M: Mechanism> {
     pub name: &'static str,
     /// How.
     pub crossing: Crossing,
-    /// When and where: time, positions and speeds, before anything is changed.
+    /// Time, positions and speeds, before any change.
     pub state: State<M>,
-    /// What it has changed, if it does anything.
+    /// Its change, if it has actions.
     pub change: Option<Change<M>>,
 }
 
@@ -65,11 +65,11 @@ impl<M: Mechanism> Occurrence<M> {
     }
 }
 
-/// Halvings of a step, after which what a condition does between is not looked at.
+/// The number of halvings of a step, below which a condition is not resolved.
 const MOST_HALVINGS: usize = 8;
-/// Occurrences in one step, after which something chatters.
+/// The number of occurrences in one step that counts as chatter.
 const MOST_IN_A_STEP: usize = 64;
-/// How near zero, relative to the largest value of a condition, it has to turn to touch it.
+/// How close to zero, relative to its largest value, a condition has to turn to touch it.
 const TOUCH: f64 = 1e-9;
 
 /// All that has happened along a motion, in the order of time, located to max(1e-12 s, 4 ulp of t) on the projected
@@ -79,15 +79,15 @@ const TOUCH: f64 = 1e-9;
 /// by a jump or a pole, or where the condition is not finite.
 #[derive(Clone, Debug)]
 pub struct EventSearch<M: Mechanism> {
-    /// What was found.
+    /// The occurrences found.
     pub found: Vec<Occurrence<M>>,
-    /// From when on each condition counts.
+    /// The time from which each condition counts.
     begin: M::Events,
     last: Option<Point<M>>,
-    /// The values of conditions just before the mechanism was changed, where it has been since.
+    /// The values of conditions just before the mechanism was changed, if it has been since.
     before: Option<M::Events>,
     largest: M::Events,
-    /// How conditions go on from the beginning, where events change the motion.
+    /// The onset of conditions at the beginning, if events change the motion.
     onset: Option<Onset<M>>,
 }
 
@@ -105,24 +105,24 @@ impl<M: Mechanism> EventSearch<M> {
         }
     }
 
-    /// Goes on from a time at which the motion has changed.
+    /// Continues from a time at which the motion has changed.
     pub(crate) fn restart(&mut self, begin: f64, onset: Option<Onset<M>>) {
         (self.begin, self.last, self.before, self.onset) = (self.begin.like(|_| begin), None, None, onset);
     }
 
-    /// Goes on from where the mechanism has been changed: conditions that this leaves as they were are watched on, and others from
-    /// here, as from a start. A jump over zero is no event.
+    /// Continues after a change of the mechanism: unaffected conditions are tracked on, and others from here, as from a
+    /// start. A jump over zero is not an event.
     pub(crate) fn resume(&mut self, onset: Option<Onset<M>>) {
         self.before = self.last.take().map(|last| last.values).or(self.before);
         self.onset = onset;
     }
 
-    /// What conditions were before a change of the mechanism, if they are known.
+    /// The conditions before a change of the mechanism, if known.
     pub(crate) fn before(&self) -> Option<M::Events> {
         self.last.map(|last| last.values).or(self.before)
     }
 
-    /// The point that a step is searched from where there was none before it.
+    /// The first point of a search without a step before it.
     fn first_point(&mut self, mut point: Point<M>) -> Point<M> {
         for event in 0..self.begin.len() {
             match self.before {
@@ -227,7 +227,7 @@ impl<M: Mechanism> EventSearch<M> {
         }
     }
 
-    /// Whether the cubic of both ends tells the value at two places between them, to a hundredth.
+    /// Whether the cubic of both ends predicts the value at two places between them, to a hundredth.
     fn is_foretold(
         &self,
         step: &mut Step<M>,
@@ -305,7 +305,7 @@ impl<M: Mechanism> EventSearch<M> {
     }
 }
 
-/// The value of a condition where a search starts: what holds there is left and not crossed.
+/// The value of a condition where a search starts: a condition that holds there is being left, not crossed.
 fn started<M: Mechanism>(point: &Point<M>, event: usize, onset: Option<&Onset<M>>) -> f64 {
     let is_zero = point.values[event].abs() <= 2.0 * tolerance(point.time) * point.rates[event].abs();
     let sign = match onset {

@@ -1,7 +1,9 @@
-//! How the conditions of events go on from the start of a phase.
+//! The sign of each event condition after the start of a phase.
 //!
-//! After an event that changes something its condition is zero, up to rounding: whether it is being left or crossed again, is
-//! told by its derivatives along the motion. A condition that an active constraint holds at zero is rounding throughout.
+//! After an event that changes something, its condition is zero up to rounding, so its sign is taken from the first
+//! derivative along the motion, or from the second. This distinguishes a ball that leaves the floor from one that
+//! nothing holds. A condition that stays below the tolerance of constraints through a step keeps its sign, so that a
+//! contact that is held does not land again.
 
 use super::conditions::{conditions, moved, tolerance};
 use crate::motion::Motion;
@@ -16,9 +18,9 @@ pub(crate) struct Onset<M: Mechanism> {
     values: M::Events,
     rates: M::Events,
     seconds: M::Events,
-    /// What is no more than the tolerance of constraints and of rounding.
+    /// The tolerance of constraints and rounding.
     pub(crate) noise: M::Events,
-    /// What the change of a condition in the time `d` must exceed to be more than rounding.
+    /// The rounding of the change of a condition in the time `d`.
     significant: M::Events,
     d: f64,
     tolerance: f64,
@@ -30,8 +32,8 @@ const OFFSET: f64 = 4e-12;
 const ROUNDING: f64 = 1e-14;
 
 impl<M: Mechanism> Onset<M> {
-    /// By differences over 1e-5 of the time in which the motion goes a long way, or of the span of the run: third derivatives
-    /// then make less of a rate than rounding.
+    /// By differences over 1e-5 of the time scale of the motion, or of the span of the run: third derivatives then
+    /// contribute less than rounding.
     pub(crate) fn of(motion: &Motion<M>, sample: &Sample<M>, span: f64) -> Result<Onset<M>, Failure> {
         let [fast, sharp] = [&sample.state.speeds, &sample.accelerations].map(|change| motion.size(change));
         let d = 1e-5 * span.min(1.0 / fast.max(sharp.sqrt()));
@@ -70,7 +72,7 @@ impl<M: Mechanism> Onset<M> {
         self.values[event].abs() <= 2.0 * self.tolerance * self.rates[event].abs() + self.noise[event]
     }
 
-    /// The sign that a condition has from here on, if it holds here: that of its first derivative, or of its second.
+    /// The sign of a condition from here on, if it holds here: that of its first derivative, or of its second.
     pub(crate) fn sign(&self, event: usize) -> f64 {
         let (rate, second, least) = (self.rates[event], self.seconds[event], self.significant[event]);
         match () {
@@ -80,7 +82,7 @@ impl<M: Mechanism> Onset<M> {
         }
     }
 
-    /// After which time a condition that leaves zero here is zero again, by its derivatives.
+    /// The time after which a condition that leaves zero here returns to zero, by its derivatives.
     pub(crate) fn returns_after(&self, event: usize) -> f64 {
         let time = -2.0 * self.rates[event] / self.seconds[event];
         if time >= 0.0 { time } else { f64::INFINITY }

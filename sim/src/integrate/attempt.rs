@@ -1,4 +1,7 @@
-//! One step that is attempted, and why it fails.
+//! One attempted step, and why it may fail.
+//!
+//! A projection that moves the end of a step by more than a thousand tolerances is refused: it would lead to another
+//! branch of the motion.
 
 use super::method::{Advance, Attempt};
 use crate::motion::Motion;
@@ -10,9 +13,10 @@ use crate::state::settings::Tolerance;
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 
-/// How far projection may move the end of a step, in units of the tolerance: further is another branch of the motion.
+/// The largest move of a step's end by projection, in units of the tolerance: further away lies another branch of the
+/// motion.
 const MOST_MOVED: f64 = 1000.0;
-/// The same in a singular position, where rounding moves it.
+/// The same at a singular position, where rounding moves it.
 const MOST_MOVED_THERE: f64 = 1.0;
 
 /// The differences of positions and speeds.
@@ -49,10 +53,10 @@ pub(super) fn attempt<M: Mechanism>(
     Ok(tolerance.map_or(error, |tolerance| error.max(moved(tolerance) / most_moved)))
 }
 
-/// A constraint whose rows are this near to depending on others, as a sine, explains why a step fails.
+/// A constraint whose rows are this close to dependence, as a sine, explains why a step fails.
 const NEARLY_SINGULAR: f64 = 1e-2;
 
-/// Why no step is small enough: a singular position, what the last attempt failed with, or the tolerance.
+/// Why no step is small enough: a singular position, the failure of the last attempt, or the tolerance.
 pub(super) fn too_small<M: Mechanism>(motion: &Motion<M>, at: &State<M>, step: f64, cause: Option<Failure>) -> Failure {
     let cause =
         cause.unwrap_or_else(|| Failure::at(motion.mechanism(), What::StepTooSmall { step }, at.time, &at.positions));

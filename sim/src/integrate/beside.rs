@@ -1,4 +1,8 @@
 //! Accelerations beside a singular position.
+//!
+//! These accelerations are those of the polynomial nearest to the values on the branch on both sides, weighted by the
+//! fourth power of s, where it is smooth and the equations of motion give nothing better. At a cusp, or where the
+//! motion comes to rest, the run ends with a message.
 
 use crate::motion::Motion;
 use crate::motion::project::project;
@@ -10,12 +14,12 @@ use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 use std::f64::consts::PI;
 
-/// How far to look to either side, in the measures of the coordinates.
+/// The distance to look to either side, in the scales of the coordinates.
 const REACH: f64 = 0.25;
 /// A node that projection moves by more than this fraction of REACH may be on another branch.
 const ASTRAY: f64 = 0.1;
-/// How well smooth accelerations are known by their neighbourhood, relative to what they are or centripetal ones would be: near a
-/// dead point, which is no crossing, they are not smooth.
+/// The accuracy of smooth accelerations from their neighbourhood, relative to their size or that of centripetal ones:
+/// near a dead point, which is not a crossing, they are not smooth.
 const SMOOTH: f64 = 1e-6;
 
 /// The neighbourhood of a state.
@@ -23,16 +27,16 @@ struct Around<'a, M: Mechanism> {
     motion: &'a Motion<M>,
     followed: Followed<'a, M>,
     state: State<M>,
-    /// Those that foretell it.
+    /// The accelerations that predict it.
     accelerations: M::Q,
-    /// How far it extends to either side, in seconds.
+    /// Its extent to either side, in seconds.
     reach: f64,
     /// The largest squared length in it of the independent part of each row of C_q D.
     longest: M::L,
 }
 
 impl<'a, M: Mechanism> Around<'a, M> {
-    /// The neighbourhood of a state up to a distance in seconds, foretold from these accelerations.
+    /// The neighbourhood of a state up to a distance in seconds, predicted from these accelerations.
     fn new(motion: &'a Motion<M>, state: State<M>, accelerations: M::Q, reach: f64) -> Around<'a, M> {
         let followed = Followed::at(motion, &state);
         let squares = |ahead: f64| {
@@ -52,8 +56,8 @@ impl<'a, M: Mechanism> Around<'a, M> {
         (0..self.longest.len()).filter(|row| self.longest[*row] > 0.0).map(sine).fold(f64::INFINITY, f64::min)
     }
 
-    /// The polynomial nearest to the accelerations in the neighbourhood: along the branch they are smooth, and known the better
-    /// the farther from the singular position. With it about how well that knows them. The states there need not be those of
+    /// The polynomial nearest to the accelerations in the neighbourhood, with its approximate error. Along the branch
+    /// accelerations are smooth, and more accurate farther from the singular position. The states need not be those of
     /// the motion, but lie on its branch.
     fn extrapolated(&self) -> (M::Q, f64) {
         let (state, measures) = (&self.state, self.motion.measures());
@@ -83,17 +87,17 @@ impl<'a, M: Mechanism> Around<'a, M> {
     }
 }
 
-/// How far smooth accelerations may be extrapolated, in seconds. `None` if nothing moves, or if states are not brought onto the
-/// constraints.
+/// The time over which smooth accelerations may be extrapolated, in seconds. `None` if nothing moves, or if states are
+/// not projected.
 fn natural_reach<M: Mechanism>(motion: &Motion<M>, state: &State<M>, accelerations: &M::Q) -> Option<f64> {
     let [speed, acceleration] = [&state.speeds, accelerations].map(|rates| motion.size(rates));
     let reach = (REACH / speed).min((REACH / acceleration).sqrt());
     (motion.mechanism().m() > 0 && motion.keeps_constraints() && reach.is_finite()).then_some(reach)
 }
 
-/// Accelerations at a state beside a singular position that are more accurate than those that the equations of motion give, if
-/// there are. `rough` ones foretell the neighbourhood, and over `resolved` seconds to both sides the motion is known to be
-/// smooth.
+/// Accelerations at a state beside a singular position that are more accurate than those of the equations of motion, if
+/// there are any. `rough` ones predict the neighbourhood; over `resolved` seconds to both sides the motion is known to
+/// be smooth.
 pub(super) fn better_accelerations<M: Mechanism>(
     motion: &Motion<M>,
     state: State<M>,
@@ -122,8 +126,8 @@ pub(super) fn better_accelerations<M: Mechanism>(
     (known_to.is_finite() && direct.is_none_or(is_better)).then_some(found)
 }
 
-/// The sample that a motion starts with: beside a singular position with accelerations that are more accurate than those that
-/// the equations of motion give. The motion takes note of how long rows of C_q are.
+/// The first sample of a motion; beside a singular position its accelerations are more accurate than those of the
+/// equations of motion. The motion records the lengths of the rows of C_q.
 ///
 /// # Errors
 /// As the right-hand side.

@@ -1,4 +1,4 @@
-//! How long the steps of an adaptive method are.
+//! The step size control of adaptive methods.
 
 use crate::motion::Motion;
 use crate::state::failure::Failure;
@@ -10,7 +10,7 @@ use sim_kernel::{Array, Mechanism};
 /// Bounds of the ratio of successive steps.
 const LEAST_RATIO: f64 = 0.2;
 const LARGEST_RATIO: f64 = 6.0;
-/// What the estimate is not trusted with.
+/// The safety factor.
 const SAFETY: f64 = 0.9;
 
 /// Proportional-integral control of steps (Gustafsson; Hairer, Wanner, Solving Ordinary Differential Equations II,
@@ -28,7 +28,7 @@ impl Controller {
         Controller { order, previous_error: 1e-4, rejected: false }
     }
 
-    /// What it remembers as bytes, or from them.
+    /// Its state as bytes, or from them.
     pub(super) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
         bytes.number(&mut self.previous_error)?;
         bytes.flag(&mut self.rejected)

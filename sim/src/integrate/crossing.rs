@@ -1,4 +1,14 @@
 //! Steps over singular positions.
+//!
+//! Beside a singular position rounding is amplified by 1/s^2, with s the sine of a row of C_q to the rows before it.
+//! The position is predicted from positions, speeds and accelerations. One step of DOP853, whatever the method, is
+//! placed so that the position falls in the widest gap between its stages, which are kept on the constraints. A step
+//! whose end would lie beside this or the next singular position is made longer.
+//!
+//! The error of that step is estimated, and the step repeated shorter; a looser bound holds only where both ends come
+//! so close that rounding forbids more. The step counts only if it did pass a singular position. It may lead beyond the
+//! end of a run, and then counts up to the end. An adaptive step that ends much closer to such a position than it
+//! began, unpredicted, is repeated by halves.
 
 use super::attempt::attempt;
 use super::dop853::Dop853;
@@ -12,25 +22,25 @@ use crate::state::settings::Tolerance;
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::Mechanism;
 
-/// The least sine of the angle between a row of C_q and those before it that a step over a singular position begins and ends
-/// at. Where such a step is not good enough it is halved, at most so often.
+/// The least sine of the angle between a row of C_q and those before it that a step over a singular position begins and
+/// ends at, and the largest number of halvings of such a step that is not accurate enough.
 const LEAST_SINE: f64 = 0.1;
 const MOST_HALVINGS: i32 = 5;
-/// An error this large is not rounding's: the step is too long, and is made shorter while that is possible, which is to at most
-/// this part of what it was.
+/// An error this large is not due to rounding: the step is too long, and is shortened while that is possible, at most
+/// to this fraction.
 const NOT_ROUNDING: f64 = 100.0;
 const SHORTER: f64 = 0.9;
-/// What such a step is good to at most. Rounding in its accelerations grows with the inverse cube of that sine.
+/// The best accuracy of such a step. Rounding in its accelerations grows with the inverse cube of that sine.
 const TOLERANCE: f64 = 1.25e-12;
 
-/// In so many parts of such a step singular positions are looked for: of two that lie near each other the second turns back
-/// what the first has turned round.
+/// The number of parts of such a step in which singular positions are searched: of two close together, the second
+/// reverses the turn of the first.
 const LOOKS: usize = 16;
 
-/// Sines that are not looked after fall by no more than this factor in a step.
+/// Without special care, sines fall by no more than this factor in a step.
 const FALLS: f64 = 0.5;
 
-/// How to go on.
+/// How to continue.
 pub(super) enum Way {
     /// As if there were no singular position.
     On,
@@ -40,8 +50,8 @@ pub(super) enum Way {
     Crossed,
 }
 
-/// What leads a motion over singular positions: steps of DOP853 whose error is estimated, whatever method and steps lead to
-/// them, with stages that are brought onto the constraints.
+/// Leads a motion over singular positions, by steps of DOP853 with an error estimate, whatever the method of the run,
+/// with stages projected onto the constraints.
 #[derive(Clone, Debug)]
 pub(super) struct Crossing<M: Mechanism> {
     method: Dop853<M>,
@@ -51,7 +61,7 @@ pub(super) struct Crossing<M: Mechanism> {
     sines: [f64; 2],
 }
 
-/// A step over a singular position. It may go beyond the time that was asked for, where nothing can start: the motion goes on
+/// A step over a singular position. It may go beyond the requested time, where no step can start: the motion continues
 /// along it.
 #[derive(Clone, Debug)]
 struct Over<M: Mechanism> {
@@ -59,7 +69,7 @@ struct Over<M: Mechanism> {
     reached: Sample<M>,
     /// The smallest sine where it ends.
     end_sine: f64,
-    /// The singular positions in it that the motion has not come to.
+    /// The singular positions in it that the motion has not reached.
     ahead: Vec<Singularity>,
 }
 
@@ -68,7 +78,7 @@ impl<M: Mechanism> Crossing<M> {
         Crossing { method: Dop853::new(mechanism), over: None, sines: [f64::INFINITY; 2] }
     }
 
-    /// What it remembers between steps as bytes, or from them, at a state.
+    /// Its state between steps as bytes, or from them, at a state.
     pub(super) fn transfer(&mut self, bytes: &mut Bytes, mechanism: &M, at: &State<M>) -> Result<(), Damaged> {
         bytes.numbers(&mut self.sines)?;
         if self.over.as_ref().is_some_and(|over| over.reached.state.time <= at.time) {
@@ -97,8 +107,8 @@ impl<M: Mechanism> Crossing<M> {
         self.over.is_some()
     }
 
-    /// Goes on along a step over a singular position that goes beyond where the motion is, as far as to an end; whether it is on
-    /// one.
+    /// Continues along a step over a singular position that extends beyond the present state, up to an end; gives
+    /// whether there is one.
     ///
     /// # Errors
     /// As dense output.
@@ -129,7 +139,7 @@ impl<M: Mechanism> Crossing<M> {
         Ok(true)
     }
 
-    /// Takes note that a step has ended here.
+    /// Records that a step has ended here.
     pub(super) fn ended(&mut self, motion: &Motion<M>) {
         self.sines = [self.sines[1], motion.least_sine()];
     }
@@ -144,16 +154,16 @@ impl<M: Mechanism> Crossing<M> {
         may_be_ahead(self.sines.map(|sine| motion.relative(sine)))
     }
 
-    /// Whether the step that has just been made came near a singular position that nothing had foretold: it may have ended
-    /// beside it, or beyond one that its stages lay beside.
+    /// Whether the last step came close to an unpredicted singular position: it may have ended beside it, or passed one
+    /// with stages beside it.
     pub(super) fn is_surprised(&self, motion: &Motion<M>) -> bool {
         let [before, now] = [self.sines[1], motion.least_sine()].map(|sine| motion.relative(sine));
         !self.may_be_ahead(motion) && now < FALLS * before && may_be_ahead([before, now])
     }
 
-    /// Makes a step over the singular position ahead, or says how to go on. No step is longer than `longest` but one that has
-    /// to be for its ends to be far enough. A step that leads beyond `end` is made all the same, and counts as far as that: what
-    /// is beside a singular position is known from both sides of it.
+    /// Makes a step over the singular position ahead, or says how to continue. A step is longer than `longest` only if
+    /// its ends would otherwise be too close. A step that leads beyond `end` is made all the same and counts up to
+    /// `end`: the motion beside a singular position is known from both sides of it.
     pub(super) fn lead(
         &mut self,
         motion: &Motion<M>,
@@ -188,7 +198,7 @@ impl<M: Mechanism> Crossing<M> {
         Ok(Way::On)
     }
 
-    /// The step has been worth it if it has passed a singular position.
+    /// The step counts if it has passed a singular position.
     fn check(
         &mut self,
         motion: &Motion<M>,
@@ -219,15 +229,15 @@ impl<M: Mechanism> Crossing<M> {
     }
 }
 
-/// The largest speed, in what its coordinate is measured by: near a singular position a speed that happens to be small is
-/// known no better than those beside it.
+/// The largest speed, in the scales of the coordinates: near a singular position a speed that happens to be small is no
+/// more accurate than the others.
 fn rate<M: Mechanism>(motion: &Motion<M>, at: &Sample<M>) -> f64 {
     motion.size(&at.state.speeds)
 }
 
 impl Steps {
-    /// Notes the singular positions that a step has passed, each of so many parts of it at most one. A step looked at as a whole
-    /// is an ordinary one: most of them are told quickly to have passed none.
+    /// Records the singular positions that a step has passed, at most one in each of so many parts. An ordinary step is
+    /// one part: for most steps a quick test shows that there is none.
     pub(super) fn note<M: Mechanism>(
         &mut self,
         motion: &Motion<M>,

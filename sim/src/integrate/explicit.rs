@@ -1,4 +1,7 @@
 //! Explicit Runge-Kutta methods.
+//!
+//! The right-hand side is compiled into the steps, and its rare cases (a refused pivot, partitioning, projected stages)
+//! take and give states by value in functions of their own, so that the states of stages stay in registers.
 
 use super::method::{Advance, Attempt};
 use super::tableau::{ErrorEstimate, MOST_STAGES, RK4, Tableau, Weight};

@@ -1,8 +1,12 @@
-//! Steps that lead nowhere.
+//! Detects steps that make no progress.
+//!
+//! Where a load jumps to and fro, as dry friction on a block at rest does, steps of some 1e-11 s meet the tolerance and
+//! a run would take days. Many attempts in a row that advance by a negligible part of the longest step are reported as
+//! a tolerance that cannot be met. The length of the run does not matter.
 
 use crate::state::saved::{Bytes, Damaged};
 
-/// How far attempts have come lately.
+/// The recent progress of attempts.
 #[derive(Clone, Debug)]
 pub(super) struct Headway {
     since: f64,
@@ -12,8 +16,8 @@ pub(super) struct Headway {
 }
 
 impl Headway {
-    /// So many attempts that lead no further than this part of the longest step each will come to no end: where a load jumps
-    /// to and fro, steps stay short enough to be accepted.
+    /// The number of attempts, and the fraction of the longest step that each must advance: where a load jumps to and
+    /// fro, steps stay short enough to be accepted.
     const ATTEMPTS: u32 = 20_000;
     const LEAST: f64 = 1e-8;
 
@@ -30,12 +34,12 @@ impl Headway {
         bytes.duration(&mut self.longest)
     }
 
-    /// Begins to count anew: a step has ended at a time where it was asked to.
+    /// Restarts the count: a step has ended at a requested time.
     pub(super) fn is_asked_to_stop(&mut self, at: f64) {
         (self.since, self.attempts) = (at, 0);
     }
 
-    /// Takes note of a step.
+    /// Records a step.
     pub(super) fn comes(&mut self, length: f64) {
         self.longest = self.longest.max(length);
     }

@@ -5,7 +5,7 @@ use crate::state::saved::{Bytes, Damaged};
 use crate::state::settings::Method;
 use sim_kernel::Mechanism;
 
-/// One of the methods that settings name, with what it remembers of its last step.
+/// One of the methods that settings name, with its memory of the last step.
 #[derive(Clone, Debug)]
 pub(crate) enum Integrator<M: Mechanism> {
     Explicit(ExplicitRungeKutta<M>),
@@ -27,7 +27,7 @@ impl<M: Mechanism> Integrator<M> {
         }
     }
 
-    /// What it remembers between steps as bytes, or from them. The stages of an explicit method serve its last step alone.
+    /// Its state between steps as bytes, or from them. The stages of an explicit method serve its last step alone.
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
         match self {
             Integrator::Explicit(_) | Integrator::Dop853(_) => Ok(()),

@@ -1,4 +1,4 @@
-//! What a method of integration is.
+//! The trait of integration methods.
 
 use crate::motion::Motion;
 use crate::motion::measures::Measures;
@@ -8,10 +8,10 @@ use crate::state::settings::Tolerance;
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 
-/// A method that advances a motion step by step. `examples/own_integrator.rs` has one of one's own.
+/// A method that advances a motion step by step. `examples/own_integrator.rs` shows a custom one.
 ///
-/// A method knows nothing of constraints, events or records: the end that it gives is projected, and what is looked at
-/// inside a step is asked of [`Advance::inside`] and projected too.
+/// A method knows nothing of constraints, events or records: its end is projected, and states inside a step come from
+/// [`Advance::inside`] and are projected too.
 pub trait Advance<M: Mechanism> {
     /// The order of its error estimate plus 1, by which steps are chosen; none if it makes no estimate.
     fn control_order(&self) -> Option<f64> {
@@ -23,7 +23,7 @@ pub trait Advance<M: Mechanism> {
         0.5
     }
 
-    /// Whether its stages follow one from another, so that each may be brought onto the constraints first.
+    /// Whether its stages are computed one from another, so that each can be projected first.
     fn is_explicit(&self) -> bool {
         true
     }
@@ -31,7 +31,7 @@ pub trait Advance<M: Mechanism> {
     /// Advances from a sample to `time`.
     ///
     /// # Errors
-    /// Whatever the right-hand side fails with, and what the method itself does.
+    /// Failures of the right-hand side, and those of the method itself.
     fn step(
         &mut self,
         motion: &Motion<M>,
@@ -45,7 +45,7 @@ pub trait Advance<M: Mechanism> {
     /// By default the quintic that has positions, speeds and accelerations of both ends.
     ///
     /// # Errors
-    /// Whatever the right-hand side fails with, if it is needed again.
+    /// Failures of the right-hand side, if it is evaluated again.
     fn inside(
         &mut self,
         motion: &Motion<M>,
@@ -58,7 +58,7 @@ pub trait Advance<M: Mechanism> {
     }
 }
 
-/// Where a step came to.
+/// The end of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Attempt<M: Mechanism> {
     /// The state at its end.
@@ -70,8 +70,8 @@ pub struct Attempt<M: Mechanism> {
 impl Tolerance {
     /// The norm of an error of positions and speeds in units of the tolerance: root of the mean square.
     ///
-    /// Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, (II.4.11); the absolute part is a part of what each
-    /// coordinate is measured by, so that neither a unit nor a size decides.
+    /// Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, (II.4.11); the absolute part is a fraction
+    /// of the scale of each coordinate, so it depends on neither units nor sizes.
     #[inline]
     pub fn norm<M: Mechanism>(
         &self,

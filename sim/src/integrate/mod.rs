@@ -1,4 +1,4 @@
-//! Integration step by step: each step is attempted by a method, projected, and shown to whoever watches.
+//! Integration step by step: each step is attempted by a method, projected, and passed to the watcher.
 
 mod attempt;
 mod beside;
@@ -37,7 +37,7 @@ use crate::state::trajectory::Sample;
 use sim_kernel::Mechanism;
 use std::ops::ControlFlow;
 
-/// How many steps were made.
+/// The number of steps made.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Steps {
     /// Accepted.
@@ -74,22 +74,22 @@ fn transfer_singularities<M: Mechanism>(
 /// When and how far to integrate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Course {
-    /// Where equal steps are counted from, in seconds.
+    /// The time from which equal steps are counted, in seconds.
     pub begin: f64,
     /// The end, in seconds.
     pub end: f64,
-    /// How long the steps are.
+    /// The length of the steps.
     pub stepping: Stepping,
 }
 
 impl Course {
-    /// The way to an end, of a run that began then. To an earlier one equal steps are as long as those of the whole, or, where it
-    /// lies between two of them, a little shorter.
+    /// The course to an end, for a run that began at this time. To an earlier end, equal steps are as long as those of
+    /// the whole run, or a little shorter if the end lies between two of them.
     pub(crate) fn new(settings: &Settings, begin: f64, end: f64) -> Course {
         let stepping = match settings.stepping {
             Stepping::Equal(count) if end < settings.end => {
                 let part = (end - begin) / (settings.end - begin);
-                // A little less than what rounding could add to a whole number of steps.
+                // A little less than rounding could add to a whole number of steps.
                 Stepping::Equal((part * count as f64 - 1e-6).ceil().max(1.0) as usize)
             }
             stepping => stepping,

@@ -8,7 +8,7 @@ use super::{DOP853, DOPRI5, EULER, ErrorEstimate, HEUN, RK3, RK4, Tableau, Weigh
 struct Tree {
     nodes: usize,
     subtrees: Vec<usize>,
-    /// 1/gamma is what the weights must give.
+    /// The weights must give 1/gamma.
     gamma: f64,
 }
 

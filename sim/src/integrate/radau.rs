@@ -39,9 +39,10 @@ const T_INVERSE: [[f64; 3]; 3] = [
 const ESTIMATE: [f64; 3] = [-(13.0 + 7.0 * ROOT6) / 3.0, (-13.0 + 7.0 * ROOT6) / 3.0, -1.0 / 3.0];
 
 const MOST_ITERATIONS: usize = 10;
-/// Changes that do not fall any more are rounding, which stiffness amplifies, if they are below this part of the tolerance.
+/// Changes that no longer decrease are rounding, which stiffness amplifies, if they are below this fraction of the
+/// tolerance.
 const STAGNANT: f64 = 0.05;
-/// What equal steps solve their equations to.
+/// The accuracy of the equations of equal steps.
 const TIGHT: Tolerance = Tolerance::new(1e-12);
 
 /// The method, with the stages of its last step.
@@ -49,7 +50,7 @@ const TIGHT: Tolerance = Tolerance::new(1e-12);
 pub struct Radau5<M: Mechanism> {
     /// Changes of the state from the start of the step to each stage.
     stages: [Rates<M>; 3],
-    /// The length of the last step, whose polynomial foretells the next; 0 if there is none.
+    /// The length of the last step, whose polynomial predicts the next; 0 if there is none.
     last: f64,
     /// The time that the last step came to.
     reached: f64,
@@ -81,7 +82,7 @@ impl<M: Mechanism> Radau5<M> {
         }
     }
 
-    /// What it remembers between steps as bytes, or from them: the polynomial of the last one. Jacobian and factors are new in
+    /// Its state between steps as bytes, or from them: the polynomial of the last one. Jacobian and factors are new in
     /// each step.
     pub(super) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
         for stage in &mut self.stages {
@@ -129,10 +130,10 @@ impl<M: Mechanism> Radau5<M> {
         [part(|z| z.re), part(|z| z.im)]
     }
 
-    /// Where the polynomial of the last step foretells the stages of the next.
+    /// The prediction of the next step's stages by the polynomial of the last one.
     fn foretell(&mut self, from: &Sample<M>, h: f64) {
         let (last, stages) = (self.last, self.stages);
-        // A step that was refused foretells nothing.
+        // A refused step predicts nothing.
         if last == 0.0 || self.reached != from.state.time {
             self.stages = [Rates::zero(from.accelerations.len()); 3];
             return;
@@ -145,7 +146,7 @@ impl<M: Mechanism> Radau5<M> {
         });
     }
 
-    /// Newton's method for the stages; the right-hand sides there, or nothing where it does not converge.
+    /// Newton's method for the stages; the right-hand sides there, or nothing if it does not converge.
     fn solve_stages(
         &mut self,
         motion: &Motion<M>,
@@ -183,7 +184,7 @@ impl<M: Mechanism> Radau5<M> {
             self.stages.iter_mut().zip(&changes).for_each(|(stage, change)| stage.add(1.0, change));
             let ratio = change / last_change;
             let left = if iteration == 0 { f64::INFINITY } else { change * ratio / (1.0 - ratio) };
-            // Where the prediction was as good as rounding allows, changes do not fall any more.
+            // If the prediction is accurate to rounding, changes do not decrease any more.
             let is_small = change <= if iteration == 0 { 1e-2 * enough } else { enough };
             if is_small || (ratio < 1.0 && left <= enough) {
                 return Ok(Some(rates));
@@ -248,7 +249,7 @@ impl<M: Mechanism> Advance<M> for Radau5<M> {
         let (by_positions, by_speeds) = motion.jacobian(from)?;
         self.jacobian = Blocks { by_positions, by_speeds };
         self.foretell(from, h);
-        // Unless the step succeeds, the next one starts from nothing.
+        // Unless the step succeeds, the next one starts without a prediction.
         self.last = 0.0;
         if !self.factorise(h) {
             return Err(fail());
@@ -321,7 +322,8 @@ mod tests {
             assert!((weight - 1.0 / f64::from(k + 1)).abs() < 1e-15);
         }
     }
-    /// The estimate takes the slope of the polynomial through the stages from that at the start, so what is left is of order 3.
+    /// The estimate takes the slope of the polynomial through the stages from that at the start, so the rest is of
+    /// order 3.
     #[test]
     fn the_estimate_compares_slopes_at_the_start() {
         for k in 1..4 {

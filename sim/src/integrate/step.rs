@@ -1,4 +1,7 @@
-//! A step that was made, and what is inside it.
+//! An accepted step, with its dense output.
+//!
+//! Dense output uses the projected end and the right-hand side there, and each point taken from it is projected. DOP853
+//! has its own interpolant of order 7, Radau its collocation polynomial; all others use the quintic of both ends.
 
 use super::beside::better_accelerations;
 use super::method::Advance;
@@ -16,7 +19,7 @@ pub struct Step<'s, M: Mechanism> {
     pub from: &'s Sample<M>,
     /// Its end, on the constraints.
     pub to: &'s Sample<M>,
-    /// Where the method has come from and gone to: before the start and beyond the end where those lie beside a singular position.
+    /// The ends of the method's own step: before the start and beyond the end if those lie beside a singular position.
     pub(super) begun: &'s Sample<M>,
     pub(super) reached: &'s Sample<M>,
     /// The smallest sine between a constraint and those before it at `to`.
@@ -38,10 +41,10 @@ impl<M: Mechanism> Step<'_, M> {
         self.find(time).map(|found| found.state())
     }
 
-    /// The state at a time inside it with what follows from it. Beside a singular position the equations of motion determine
-    /// that badly, and in it not at all: there accelerations are those that regular positions on both sides make likely, unless
-    /// that is known no better. Reactions, which may have a pole, and power are what the equations give; where these are lost in
-    /// rounding, those of the nearer end.
+    /// The sample at a time inside it. Beside a singular position the equations of motion determine it badly, and at
+    /// the position not at all: there accelerations are fitted to regular positions on both sides, if that is more
+    /// accurate. Reactions, which may have a pole, and power come from the equations; where they are lost in rounding,
+    /// from the nearer end.
     ///
     /// # Errors
     /// As the projection and the right-hand side.
@@ -72,7 +75,7 @@ impl<M: Mechanism> Step<'_, M> {
         }
     }
 
-    /// How long a step the method has made, in seconds.
+    /// The length of the method's own step, in seconds.
     fn made(&self) -> f64 {
         self.reached.state.time - self.begun.state.time
     }
@@ -110,7 +113,7 @@ struct Inside<M: Mechanism> {
 }
 
 impl<M: Mechanism> Inside<M> {
-    /// The one that is known better.
+    /// The more accurate one.
     fn state(&self) -> State<M> {
         if self.sine < AT { self.interpolated } else { self.kept }
     }

@@ -1,4 +1,7 @@
 //! Steps, one after the other.
+//!
+//! Times of equal steps are computed from the start each time, and the row of a step is its own first stage, so
+//! recording costs no right-hand side.
 
 use super::attempt::{attempt, explained, too_small};
 use super::control::{Controller, initial_step};
@@ -13,10 +16,10 @@ use crate::state::settings::{Stepping, Tolerance};
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::Mechanism;
 
-/// What steps over singular positions are good to between equal steps.
+/// The tolerance of steps over singular positions between equal steps.
 const EXACT: Tolerance = Tolerance::new(1e-12);
 
-/// How far a motion has come, and how long its next step may be.
+/// The progress of a motion, and the length of its next step.
 #[derive(Clone, Debug)]
 pub(crate) struct Stepper<M: Mechanism> {
     course: Course,
@@ -29,7 +32,7 @@ pub(crate) struct Stepper<M: Mechanism> {
     pace: Pace,
 }
 
-/// How the last step was made.
+/// The kind of the last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Made {
     /// By the method.
@@ -38,10 +41,10 @@ enum Made {
     Across,
 }
 
-/// How long steps are.
+/// The length of steps.
 #[derive(Clone, Debug)]
 enum Pace {
-    /// The so-many-th of equal ones is the next.
+    /// The index of the next equal step.
     Equal { count: usize, step: usize },
     /// As long as the tolerance allows.
     Adaptive(Adaptive),
@@ -53,7 +56,7 @@ struct Adaptive {
     controller: Controller,
     /// The length of the next step, in seconds.
     h: f64,
-    /// That of the first.
+    /// The length of the first step.
     first: f64,
     headway: Headway,
 }
@@ -104,14 +107,14 @@ impl<M: Mechanism> Stepper<M> {
             bytes.index(from, 2)?;
             let mut has_moved = last.is_some();
             bytes.flag(&mut has_moved)?;
-            // Of that step itself no more is needed.
+            // Nothing else of that step is needed.
             *last = has_moved.then_some(Made::Normally);
             crossing.transfer(bytes, mechanism, &ends[usize::from(has_moved) ^ *from].state)?;
             pace.transfer(bytes)
         })
     }
 
-    /// Where its course ends, in seconds.
+    /// The end of its course, in seconds.
     pub(crate) fn end(&self) -> f64 {
         self.course.end
     }
@@ -154,7 +157,7 @@ impl<M: Mechanism> Stepper<M> {
         Ok(self.last_step(motion, method))
     }
 
-    /// Where the motion is, as the last step has it.
+    /// The present state, according to the last step.
     ///
     /// # Errors
     /// As dense output.
@@ -193,7 +196,7 @@ impl Pace {
 
     fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
         match self {
-            // Which is the next is told by the time.
+            // The time tells which is the next.
             Pace::Equal { .. } => Ok(()),
             Pace::Adaptive(Adaptive { controller, h, first, headway, .. }) => {
                 controller.transfer(bytes)?;
@@ -243,25 +246,25 @@ fn equal_step<M: Mechanism>(
     Ok(Some(Made::Normally))
 }
 
-/// The first of so many equal steps that may end later than now, or one before it.
+/// The first of so many equal steps that may end later than now, or the one before it.
 fn first_step(course: &Course, count: usize, now: f64) -> usize {
     let passed = count as f64 * (now - course.begin) / (course.end - course.begin);
     (passed as usize).max(1)
 }
 
-/// A step that a time is still changed by.
+/// A step that still changes a time.
 fn shortest(now: f64) -> f64 {
     16.0 * f64::EPSILON * now.abs()
 }
 
-/// Where the next of so many equal steps ends.
+/// The end of the next of so many equal steps.
 fn next_goal(course: &Course, count: usize, step: &mut usize, now: f64) -> Option<f64> {
     let Course { begin, end, .. } = *course;
     let length = (end - begin) / count as f64;
     while *step <= count {
         // From the start each time, so that times do not accumulate rounding.
         let goal = if *step == count { end } else { begin + (end - begin) * (*step as f64 / count as f64) };
-        // A step over a singular position may end near one of these times or beyond it, which is then left out.
+        // A step over a singular position may end near one of these times or beyond it; that time is then skipped.
         let rest = if *step < count { 0.1 * length } else { 4.0 * f64::EPSILON * goal.abs() };
         if goal - now > rest {
             return Some(goal);
@@ -272,7 +275,7 @@ fn next_goal(course: &Course, count: usize, step: &mut usize, now: f64) -> Optio
 }
 
 impl Adaptive {
-    /// Makes a step that is good to the tolerance.
+    /// Makes a step that meets the tolerance.
     fn step<M: Mechanism>(
         &mut self,
         motion: &Motion<M>,
@@ -314,7 +317,7 @@ impl Adaptive {
                 Ok(error) if error <= 1.0 => {
                     crossing.ended(motion);
                     steps.accepted += 1;
-                    // These steps may be so long that nothing foretells what they pass.
+                    // These steps may be so long that they pass positions that nothing predicts.
                     steps.note(motion, method, [from, to], 1)?;
                     self.accepted([now, time, wanted], error, course.end);
                     return Ok(Some(Made::Normally));
@@ -330,11 +333,11 @@ impl Adaptive {
         }
     }
 
-    /// Takes note of a step from a time to another that was wanted to be as long, with this error, on the way to an end.
+    /// Records a step between two times, of this desired length and error, on the way to an end.
     fn accepted(&mut self, [now, time, wanted]: [f64; 3], error: f64, end: f64) {
         self.headway.comes(time - now);
         let next = (time - now) * self.controller.accepted(error);
-        // A step that was cut short says little of how long they may be.
+        // A step that was cut short says little about the possible length.
         let is_cut = time < wanted || time < now + self.h;
         self.h = if is_cut { next.max(self.h) } else { next };
         if time == end {

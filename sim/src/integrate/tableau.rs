@@ -15,12 +15,12 @@ pub struct Tableau {
     pub c: &'static [f64],
     /// Order of convergence.
     pub order: usize,
-    /// What estimates the error.
+    /// The error estimate.
     pub error: ErrorEstimate,
 }
 
 impl Tableau {
-    /// How many stages the step itself weighs.
+    /// The number of stages that the step itself uses.
     #[inline]
     pub(super) const fn stages_of_step(&self) -> usize {
         let (mut stages, mut i) = (0, 0);
@@ -44,7 +44,7 @@ impl Tableau {
     }
 }
 
-/// How the error of a step is estimated, from weights of its stages.
+/// The error estimate of a step, from weights of its stages.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ErrorEstimate {
     /// Not at all.
@@ -55,7 +55,7 @@ pub enum ErrorEstimate {
     Embedded53(&'static [Weight], &'static [Weight]),
 }
 
-/// Stages of the largest method, those of its dense output included.
+/// The number of stages of the largest method, including its dense output.
 pub(crate) const MOST_STAGES: usize = 16;
 
 /// Euler's explicit method.

@@ -1,9 +1,9 @@
-//! A place in the motion of a mechanism whose type is erased.
+//! A place in the motion of a type-erased mechanism.
 
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Dual, Mechanism};
 
-/// Time, coordinates, speeds, accelerations and multipliers, as numbers of any kind. Those that are left out are zero.
+/// Time, coordinates, speeds, accelerations and multipliers, as numbers of any kind. Omitted ones are zero.
 #[derive(Clone, Copy)]
 pub(crate) struct At<'a, S> {
     pub(crate) time: S,

@@ -1,8 +1,8 @@
-//! What a controller changes.
+//! The quantities that a controller changes.
 
 use sim_kernel::{Description, Mechanism};
 
-/// What a controller changes: by index, in the order of declaration.
+/// The quantity that a controller changes: by index, in the order of declaration.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Control {
     /// An input.

@@ -1,4 +1,7 @@
 //! Constraints between speeds, which say nothing of positions.
+//!
+//! Such a row enters everywhere as the rate of a constraint between positions does; only corrections of positions leave
+//! it out. So the runtime knows one kind of row, and this list.
 
 use sim_kernel::{Array, Mechanism};
 

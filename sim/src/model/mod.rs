@@ -1,6 +1,8 @@
-//! A mechanism whose type is erased: its kernels on slices, whose lengths are known when the program runs.
+//! A type-erased mechanism: its kernels on slices, whose lengths are known at run time.
 //!
-//! What is computed a few times in a program is written for these, and so is compiled once, not once for each mechanism.
+//! What runs at every step knows the mechanism's sizes at compile time and is compiled for each mechanism. Everything
+//! else (assembly, mobility, sweeps, linearisation, verification, tables, reports) is written for these kernels, and
+//! compiled once. Public functions stay generic and are a few lines each.
 
 mod at;
 pub(crate) mod conditional;
@@ -52,10 +54,11 @@ pub(crate) trait AnyMechanism {
     fn accelerate_with(&self, parameters: &[f64], inputs: &[Input], at: At<f64>) -> Result<DVector<f64>, Failure>;
     /// The inputs as they are at a time, each held at its value there.
     fn held_inputs(&self, time: f64, q: &[f64]) -> Vec<Input>;
-    /// d(q'', lambda)/dq and d(q'', lambda)/dq', each n + m x n, from the generated kernels; `None` where these refuse a pivot.
+    /// d(q'', lambda)/dq and d(q'', lambda)/dq', each n + m x n, from the generated kernels; `None` if these refuse a
+    /// pivot.
     fn by_state(&self, time: f64, q: &[f64], qd: &[f64]) -> Option<[DMatrix<f64>; 2]>;
     /// Accelerations and multipliers with their derivatives along a change of positions and speeds, and of a control;
-    /// `None` where the elimination refuses a pivot.
+    /// `None` if the elimination refuses a pivot.
     fn solution_along(&self, at: At<Dual>, control: Option<Control>) -> Option<Vec<Dual>>;
     /// C, C_q by rows, and C_t, likewise.
     fn constraints_along(&self, at: At<Dual>, control: Option<Control>) -> [Vec<Dual>; 3];
@@ -66,7 +69,7 @@ pub(crate) trait AnyMechanism {
 }
 
 impl dyn AnyMechanism + '_ {
-    /// Whether a row of the constraints holds: all do but those of released ones.
+    /// Whether a row of the constraints holds: all do except those of released constraints.
     pub(crate) fn is_active(&self, row: usize) -> bool {
         is_row_active(self.description(), &self.activities(), row)
     }

@@ -8,8 +8,8 @@ use crate::numerics::solve::{Solved, solve};
 use crate::state::failure::{Failure, What, constraint_name};
 use sim_kernel::{Array, Dynamics, Mechanism};
 
-/// M^-1 C_q' (C_q M^-1 C_q')^-1 r: the change of speeds that an impulse along the constraints makes to change their
-/// rates by r.
+/// M^-1 C_q' (C_q M^-1 C_q')^-1 r: the change of speeds by an impulse along the constraints that changes their rates by
+/// r.
 pub(crate) fn by_inertia<M: Mechanism>(
     mechanism: &M,
     time: f64,
@@ -20,7 +20,7 @@ pub(crate) fn by_inertia<M: Mechanism>(
     Ok(impulse(mechanism, time, q, jacobian, residual)?.0)
 }
 
-/// That change, and the impulse that makes it: x and y with [M C_q'; C_q 0] [x; y] = [0; r].
+/// That change, and its impulse: x and y with [M C_q'; C_q 0] [x; y] = [0; r].
 pub(crate) fn impulse<M: Mechanism>(
     mechanism: &M,
     time: f64,
@@ -47,8 +47,8 @@ fn saddle<M: Mechanism>(mechanism: &M, mass: &M::QQ, jacobian: &M::LQ) -> M::ZZ 
     M::ZZ::with_len(size, |i| M::Z::with_len(size, |j| entry(i, j)))
 }
 
-/// Solves for accelerations and multipliers. Reactions that no equation determines, because their constraints say
-/// what others say already, are zero here.
+/// Solves for accelerations and multipliers. Reactions that no equation determines, because their constraints are
+/// redundant, are zero here.
 fn solve_motion<M: Mechanism>(
     mechanism: &M,
     matrix: M::ZZ,
@@ -67,9 +67,9 @@ fn solve_motion<M: Mechanism>(
     }
 }
 
-/// Accelerations, multipliers and power at a state, by the generated elimination; where that refuses a pivot, by
-/// complete pivoting on the mass matrix and the constraint Jacobian. Where constraints depend on each other the multipliers
-/// are those of least norm, in SI units.
+/// Accelerations, multipliers and power at a state, by the generated elimination; if that refuses a pivot, by complete
+/// pivoting on the mass matrix and the constraint Jacobian. If constraints depend on each other the multipliers are
+/// those of least norm, in SI units.
 ///
 /// # Errors
 /// [`What::Singular`] if no unique solution exists, [`What::NotFinite`] if an expression leaves its domain.
@@ -83,7 +83,7 @@ pub fn accelerate<M: Mechanism>(
     solve_equations(mechanism, &mechanism.prepare(), time, q, qd)
 }
 
-/// The same, for what has been prepared.
+/// The same, for a prepared mechanism.
 #[inline(always)]
 pub(crate) fn solve_equations<M: Mechanism>(
     mechanism: &M,
@@ -99,8 +99,8 @@ pub(crate) fn solve_equations<M: Mechanism>(
     accelerate_by_pivoting(mechanism, None, time, *q, *qd)
 }
 
-/// The same where constraints are redundant, as these measures have it: beside the constraints too they are then met in
-/// least squares, where [`accelerate`] would take each row of C_q as it is.
+/// The same for redundant constraints, according to these measures: off the constraints they are then met in least
+/// squares, whereas [`accelerate`] would use each row of C_q as it is.
 #[cold]
 pub(crate) fn accelerate_redundant<M: Mechanism>(
     mechanism: &M,
@@ -119,7 +119,7 @@ fn is_finite<Q: Array<f64>, L: Array<f64>>(solved: &Dynamics<f64, Q, L>) -> bool
     all_finite(solved.accelerations.as_ref()) && all_finite(solved.multipliers.as_ref()) && solved.power.is_finite()
 }
 
-/// By value, so that states that do not come here stay in registers.
+/// By value, so that other states stay in registers.
 #[cold]
 fn accelerate_by_pivoting<M: Mechanism>(
     mechanism: &M,
@@ -140,7 +140,7 @@ fn accelerate_by_pivoting<M: Mechanism>(
         (saddle(mechanism, &mass, jacobian), M::Z::with_len(mechanism.n() + mechanism.m(), rhs))
     };
     let (matrix, rhs) = system(&jacobian, &constraint_convective);
-    // Constraints first: what is wrong with them spoils the equations of the coordinates too.
+    // Constraints first: their errors spoil the equations of the coordinates too.
     let is_sound = |row: &usize| matrix[*row].iter().sum::<f64>().is_finite() && rhs[*row].is_finite();
     if let Some(row) = (n..n + m).chain(0..n).find(|row| !is_sound(row)) {
         let quantity = match row < n {

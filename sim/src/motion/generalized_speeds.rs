@@ -1,8 +1,8 @@
 //! Where generalised speeds determine the speeds well enough to be integrated.
 //!
-//! Where they cease to, N in q' = N u + n grows without bound, and its derivatives more so: the error of a step of order p
-//! grows as the power p + 1 of N, long before digits are lost. So a step is made in them only where N is near the best that
-//! it has been; a constant N always is.
+//! Where u ceases to determine q', N in q' = N u + n grows without bound, and the error of a step of order p grows as
+//! N^(p+1), long before digits are lost. So a step is made in u only if N is near its best value so far, at the step's
+//! start, middle and end. A constant N always is.
 
 use crate::motion::measures::Measures;
 use crate::motion::project::project;
@@ -12,9 +12,9 @@ use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 use std::cell::Cell;
 
-/// The least part of the longest distance so far between a row of W, or of what holds whatever generalised speeds are, and the
-/// rows before it. With 0.7, equal steps of order 4 near where they cease are fifty times worse than in rates; with 0.95 ten times,
-/// as where N is best.
+/// The least fraction of the longest distance so far between a row of W, or of the rows that hold by construction, and
+/// the rows before it. With 0.7, equal steps of order 4 near the singularity are fifty times worse than in rates; with
+/// 0.95 ten times, as where N is best.
 const LEAST_PART: f64 = 0.95;
 
 /// Whether generalised speeds are declared.
@@ -23,8 +23,8 @@ pub(crate) fn has_generalized_speeds<M: Mechanism>(mechanism: &M) -> bool {
     mechanism.rows_left().is_some()
 }
 
-/// Whether generalised speeds determine the speeds well in a step from a sample to a time: at its start, and in its middle and
-/// at its end, as foretold. `farthest` keeps the squares of the longest distances so far.
+/// Whether generalised speeds determine the speeds well in a step from a sample to a time: at its start, and in its
+/// middle and at its end, as predicted. `farthest` keeps the squares of the longest distances so far.
 pub(crate) fn determine_speeds<M: Mechanism>(
     mechanism: &M,
     measures: &Measures<M>,
@@ -53,7 +53,7 @@ pub(crate) fn determine_speeds<M: Mechanism>(
     are_apart(here) && [0.5, 1.0].into_iter().all(|fraction| are_apart(ahead(fraction)))
 }
 
-/// States beside the first one, which may lie where generalised speeds hardly determine the speeds.
+/// States beside the first one, which may lie close to the singularity.
 fn around<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &State<M>) -> impl Iterator<Item = State<M>> {
     [-1.0, -0.5, 0.5, 1.0].into_iter().filter_map(|side| {
         let positions = state.positions.like(|j| state.positions[j] + side * measures.coordinates()[j]);
@@ -73,7 +73,7 @@ fn distances<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &State<
     })
 }
 
-/// W, and below it the rows of C_q that hold whatever generalised speeds are; n x n, for changes that count as 1.
+/// W, and below it the rows of C_q that hold by construction; n x n, for changes that count as 1.
 fn rows<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &State<M>, left: &[usize]) -> M::QQ {
     let (time, q, none) = (state.time, &state.positions, state.positions.like(|_| 0.0));
     let jacobian = mechanism.constraint_jacobian(time, q);

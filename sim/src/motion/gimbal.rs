@@ -1,16 +1,17 @@
-//! Gimbal lock: positions in which the angles of an attitude no longer say how it turns.
+//! Gimbal lock: positions in which the angles of an attitude do not determine its angular velocity.
 
 use crate::state::failure::{Failure, What};
 use nalgebra::DMatrix;
 use sim_kernel::{Description, Mechanism};
 
-/// A motion of the coordinates with kinetic energy this small beside others of their size is none of the body.
+/// A motion of the coordinates with so small a kinetic energy, relative to others of the same size, does not move the
+/// body.
 const STILL: f64 = 1e-9;
-/// Entries of a direction this small beside the largest have no part in it.
+/// Entries of a direction this small relative to the largest count as zero.
 const NO_PART: f64 = 0.1;
 
-/// The failure that a motion has here, said as gimbal lock if it is that: in space, where some coordinates can change
-/// together without anything moving, and each of them alone moves something.
+/// The failure of a motion here, reported as gimbal lock if it is: in space, some coordinates can change together
+/// without moving anything, though each of them alone moves something.
 pub(crate) fn explained<M: Mechanism>(failure: Failure, mechanism: &M, time: f64, q: &M::Q) -> Failure {
     let (mass, jacobian) = (mechanism.mass_matrix(time, q), mechanism.constraint_jacobian(time, q));
     let mass = DMatrix::from_fn(mechanism.n(), mechanism.n(), |i, j| mass[i][j]);
@@ -22,7 +23,7 @@ pub(crate) fn explained<M: Mechanism>(failure: Failure, mechanism: &M, time: f64
     Failure { what: What::GimbalLock { angles }, ..failure }
 }
 
-/// The coordinates that have part in a motion without kinetic energy, by the mass matrix and the entries of C_q.
+/// The coordinates in a motion without kinetic energy, by the mass matrix and the entries of C_q.
 fn locked(
     description: &'static Description,
     mass: &DMatrix<f64>,
@@ -45,7 +46,7 @@ fn locked(
     let direction = eigen.eigenvectors.column(at);
     let largest = direction.amax();
     let parts: Vec<usize> = (0..n).filter(|i| direction[*i].abs() > NO_PART * largest).collect();
-    // The length of a quaternion moves nothing either, and is held by its constraint.
+    // The length of a quaternion moves nothing either, but its constraint holds it.
     if description.norm_constraints.iter().any(|row| parts.iter().any(|i| jacobian(*row, *i) != 0.0)) {
         return vec![];
     }

@@ -1,12 +1,12 @@
-//! Tensors of inertia that parameters make: whether any body has them.
+//! Inertia tensors made of parameters: whether a body can have them.
 //!
-//! The declaration is read again and the entries of each tensor are evaluated as outputs of it. Those of numbers alone are
-//! checked when the mechanism is built.
+//! The declaration is parsed again and the entries of each tensor are evaluated as outputs. Tensors of numbers alone
+//! are checked when the mechanism is built.
 
 use crate::state::failure::Failure;
 use sim_kernel::Mechanism;
 
-/// That every body in space has an inertia that a body can have: positive, and no principal moment above the sum of the
+/// Checks that every spatial body has a possible inertia: positive, and no principal moment above the sum of the
 /// others.
 ///
 /// # Errors
@@ -30,7 +30,7 @@ mod declared {
     use codegen::oracle::{Oracle, Solution, State};
     use sim_kernel::Input;
 
-    /// That every body in space has an inertia that a body can have: positive, and no principal moment above the sum of the
+    /// Checks that every spatial body has a possible inertia: positive, and no principal moment above the sum of the
     /// others.
     ///
     /// # Errors

@@ -1,4 +1,7 @@
 //! How a motion is kept on its constraints.
+//!
+//! Integration methods know nothing of constraints: [`Motion::sample`](super::Motion) and `keep` are the only hooks of
+//! every stabilisation. Partitioning makes the dependent part follow in every right-hand side.
 
 use crate::motion::Motion;
 use crate::motion::project::{by_mass, project_measured};

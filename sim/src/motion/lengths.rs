@@ -1,9 +1,9 @@
-//! What coordinates and constraints are measured by, from the kernels: the mechanism's own length, and the size of terms.
+//! The scales of coordinates and constraints, from the kernels: the mechanism's own length, and the size of terms.
 
 use crate::model::AnyMechanism;
 use nalgebra::DMatrix;
 
-/// A matrix of columns for coordinates and rows for constraints in what these are measured by.
+/// A matrix with a column per coordinate and a row per constraint, in their scales.
 pub(crate) fn without_units(
     mut jacobian: DMatrix<f64>,
     (coordinates, constraints): &(Vec<f64>, Vec<f64>),
@@ -14,7 +14,7 @@ pub(crate) fn without_units(
     jacobian
 }
 
-/// What coordinates and constraints are measured by, n and m.
+/// The scales of coordinates and constraints, n and m.
 pub(crate) fn measure(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let coordinates = of_coordinates(mechanism, time, q);
     let (terms, jacobian) = (mechanism.constraint_magnitudes(time, q), mechanism.constraint_jacobian(time, q));
@@ -35,19 +35,20 @@ fn of_coordinates(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Vec<f64
     coordinates.iter().map(|coordinate| if coordinate.position.is_length { length } else { 1.0 }).collect()
 }
 
-/// An arm by which an angle moves a point is no measure where it is this small beside the root of moments of inertia over masses.
+/// A lever arm is ignored if it is this small relative to the root of moments of inertia over masses.
 const SHORTEST: f64 = 0.01;
 
-/// The mechanism's own length, in metres: all lengths of the same mechanism twice as large make it twice as large.
+/// The mechanism's own length, in metres: it scales with the mechanism.
 ///
-/// How far its points move for a change of its angles: by the constraints, the median of rows in which both lengths and
-/// angles stand; else by its inertia; else the largest length that it starts at, or that is a parameter of it; else 1 m.
+/// It is the distance that points move per change of angles: from the constraints, the median over rows with both
+/// lengths and angles; otherwise from the inertia; otherwise the largest length in the start or the parameters;
+/// otherwise 1 m.
 pub(crate) fn own_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> f64 {
     let coordinates = mechanism.description().coordinates;
     let is_length: Vec<bool> = coordinates.iter().map(|coordinate| coordinate.position.is_length).collect();
     let sources: [&dyn Fn() -> f64; 3] = [
         &|| {
-            // An arm that is short beside its inertia is one in a dead point.
+            // An arm that is short relative to the inertia belongs to a dead point.
             let shortest = SHORTEST * gyration(&mechanism.mass_matrix(time, q), &is_length);
             let mut arms = lever_arms(&mechanism.constraint_jacobian(time, q), &is_length);
             arms.retain(|arm| !(*arm < shortest && shortest.is_finite()));
@@ -65,7 +66,7 @@ pub(crate) fn own_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> 
     sources.iter().map(|length| length()).find(|length| *length > 0.0 && length.is_finite()).unwrap_or(1.0)
 }
 
-/// For each row with both kinds of coordinates how long its part of angles is beside that of lengths.
+/// For each row with both kinds of coordinates, the length of its angular part relative to that of its linear part.
 fn lever_arms(jacobian: &DMatrix<f64>, is_length: &[bool]) -> Vec<f64> {
     let part = |row: usize, of_lengths: bool| {
         let columns = (0..is_length.len()).filter(|j| is_length[*j] == of_lengths);
@@ -75,7 +76,7 @@ fn lever_arms(jacobian: &DMatrix<f64>, is_length: &[bool]) -> Vec<f64> {
     arms.filter(|arm| *arm > 0.0 && arm.is_finite()).collect()
 }
 
-/// The larger of the two in the middle; 0 of none.
+/// The upper median; 0 for none.
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_unstable_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(0.0)

@@ -1,4 +1,4 @@
-//! A mechanism measured where a motion starts.
+//! The scales of a mechanism at the start of a motion.
 
 use crate::motion::measures::Measures;
 use crate::motion::mobility::{Mobility, mobility};
@@ -11,7 +11,7 @@ impl<M: Mechanism> Measures<M> {
         Measures::with_mobility(mechanism, time, q, &mobility(mechanism, time, q))
     }
 
-    /// The same, its degrees of freedom being known.
+    /// The same with known degrees of freedom.
     pub fn with_mobility(mechanism: &M, time: f64, q: &M::Q, mobility: &Mobility) -> Measures<M> {
         let freedoms = [mobility.configuration_freedom, mobility.degrees_of_freedom];
         Measures::of(mechanism, &Any(mechanism), (time, q), freedoms, !mobility.dependent.is_empty())

@@ -1,5 +1,10 @@
-//! What the coordinates and the constraints of a mechanism are measured by, so that no unit of length decides what is small,
-//! what is near, and what depends on what.
+//! The scales of a mechanism's coordinates and constraints, which make smallness, nearness and dependence independent
+//! of the unit of length.
+//!
+//! Coordinates are measured by the mechanism's own length or by 1 rad, constraints by their terms. Projections, sines
+//! of rows, choices of coordinates and absolute tolerances all use these scales. The mechanism's length is the median
+//! lever arm in the rows of C_q: it depends neither on the origin nor on masses, where one light body would spoil the
+//! metric.
 
 use crate::model::AnyMechanism;
 use crate::model::conditional::released_rows;
@@ -8,22 +13,22 @@ use crate::numerics::arrays::array;
 use crate::state::saved::{Bytes, Damaged};
 use sim_kernel::{Array, Description, Mechanism};
 
-/// What the coordinates and the constraints of a mechanism are measured by, and the ranks of its constraint Jacobian: found
-/// once, where a motion starts.
+/// The scales of a mechanism's coordinates and constraints, and the ranks of its constraint Jacobian, found once at the
+/// start of a motion.
 #[derive(Clone, Copy, Debug)]
 pub struct Measures<M: Mechanism> {
     /// For each coordinate the change that counts as 1: the mechanism's own length for lengths, and 1 for all others, n.
     coordinates: M::Q,
-    /// For each constraint the largest that its terms are, or that such changes of the coordinates make it, m.
+    /// For each constraint the largest of its terms, or of its changes by such changes of the coordinates, m.
     constraints: M::L,
     /// The ranks of C_q without the rows between speeds, and with them.
     ranks: [usize; 2],
-    /// Whether some of the constraints that hold say what others say already.
+    /// Whether some of the constraints that hold are redundant.
     is_redundant: bool,
 }
 
 impl<M: Mechanism> Measures<M> {
-    /// Those of a mechanism at a position, its degrees of freedom being known.
+    /// Those of a mechanism at a position, with known degrees of freedom.
     pub(crate) fn of(
         mechanism: &M,
         any: &dyn AnyMechanism,
@@ -36,7 +41,7 @@ impl<M: Mechanism> Measures<M> {
         Measures { ranks, is_redundant, ..Measures::of_independent(mechanism, any, time, q) }
     }
 
-    /// The same where all constraints that hold are taken to be independent.
+    /// The same, with all constraints that hold taken as independent.
     pub(crate) fn of_independent(mechanism: &M, any: &dyn AnyMechanism, time: f64, q: &M::Q) -> Measures<M> {
         let (coordinates, constraints) = measure(any, time, q.as_ref());
         let rank = mechanism.m() - released_rows(mechanism);
@@ -78,7 +83,7 @@ impl<M: Mechanism> Measures<M> {
         self.ranks[1]
     }
 
-    /// Whether some of the constraints that hold say what others say already.
+    /// Whether some of the constraints that hold are redundant.
     #[inline(always)]
     pub(crate) fn is_redundant(&self) -> bool {
         self.is_redundant
@@ -102,7 +107,7 @@ impl<M: Mechanism> Measures<M> {
         }
     }
 
-    /// The largest part of a change of coordinates, beside those that count as 1.
+    /// The largest part of a change of coordinates, relative to those that count as 1.
     #[inline(always)]
     pub(crate) fn size(&self, mechanism: &M, change: &M::Q) -> f64 {
         let largest = |part: &dyn Fn(usize) -> f64| (0..change.len()).fold(0.0f64, |size, j| size.max(part(j).abs()));
@@ -113,7 +118,7 @@ impl<M: Mechanism> Measures<M> {
     }
 }
 
-/// Whether there are lengths and others among the coordinates, so that they have to be measured by different numbers.
+/// Whether the coordinates contain both lengths and others, so that they have different scales.
 #[inline(always)]
 pub(crate) fn mixes_lengths<M: Mechanism>(_mechanism: &M) -> bool {
     const { lengths_are_mixed(&M::DESCRIPTION) }

@@ -4,12 +4,13 @@ use crate::motion::measures::Measures;
 use crate::motion::rows::{Linear, Rows};
 use sim_kernel::{Array, Mechanism};
 
-/// A residual below this part of a constraint's terms is met.
+/// A constraint with a residual below this fraction of its terms is met.
 pub(crate) const TOLERANCE: f64 = 1e-12;
-/// A residual above this part of a constraint's terms is never put down to rounding: a state known no better is lost.
+/// A residual above this fraction of a constraint's terms is never attributed to rounding. The tolerance of the
+/// projection grows with the terms of a constraint, so a run whose coordinates explode would otherwise pass.
 const LARGEST_ROUNDING: f64 = 1e-6;
 
-/// Whether all of these residuals are at most this part of what the constraints are measured by.
+/// Whether all of these residuals are at most this fraction of the scales of the constraints.
 #[inline(always)]
 pub(crate) fn is_within<M: Mechanism>(measures: &Measures<M>, values: &M::L, part: f64) -> bool {
     (0..values.len()).all(|row| values[row].abs() <= part * measures.constraints()[row])

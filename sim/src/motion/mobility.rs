@@ -1,4 +1,7 @@
-//! Degrees of freedom, constraints that say what others say already, and those that do so in one position alone.
+//! Degrees of freedom, redundant constraints, and constraints that are dependent in one position alone.
+//!
+//! Positions nearby tell redundant from singular: rows that depend on others at all of them are redundant, and rows
+//! that do so at the start alone make it singular.
 
 use crate::model::AnyMechanism;
 use crate::motion::lengths::{measure, without_units};
@@ -9,25 +12,25 @@ use crate::state::saved::{Bytes, Damaged};
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::Mechanism;
 
-/// What the constraints leave free at a position and near it.
+/// The freedom that the constraints leave at a position and near it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mobility {
-    /// How many speeds are independent: n less the rank of C_q, rows between speeds included.
+    /// The number of independent speeds: n less the rank of C_q, rows between speeds included.
     pub degrees_of_freedom: usize,
-    /// How many coordinates it takes to say where the mechanism is: more than the degrees of freedom where constraints hold
-    /// between speeds alone.
+    /// The number of independent coordinates: more than the degrees of freedom if constraints hold between speeds
+    /// alone.
     pub configuration_freedom: usize,
     /// The constraints that depend on those before them, here and in every position near this one: they are redundant.
     pub dependent: Vec<&'static str>,
     /// The constraints that do so here and not nearby: the position is singular.
     pub singular: Vec<&'static str>,
-    /// For each of them those before it that it follows from; none if it says nothing at all. How all of these share their
-    /// reactions is not determined: those of least norm are given, the smallest sum of lambda^2 in SI units.
+    /// For each of them, the ones before it that it follows from; none if the row is empty. Their individual reactions
+    /// are not determined; those of least norm, the smallest sum of lambda^2 in SI units, are given.
     pub implied_by: Vec<Vec<&'static str>>,
 }
 
 impl Mobility {
-    /// A line for each dependent constraint: from which others it follows, and what is shown of their reactions.
+    /// A line for each dependent constraint: the others that it follows from, and the reactions that are shown.
     pub fn redundancies(&self) -> Vec<String> {
         let line = |(name, others): (&&str, &Vec<&str>)| match others.is_empty() {
             true => format!("`{name}` constrains nothing here; its reaction is shown as 0"),
@@ -60,7 +63,7 @@ impl Mobility {
         bytes.list(&mut self.implied_by, Vec::new, |bytes, others| bytes.list(others, || "", name))
     }
 
-    /// That a motion can start here.
+    /// Checks that a motion can start here.
     ///
     /// # Errors
     /// [`What::SingularStart`] if the position is singular.
@@ -72,14 +75,15 @@ impl Mobility {
     }
 }
 
-/// A part of a constraint this small beside the whole is rounding.
+/// A part of a constraint this small relative to the whole is rounding.
 const NO_PART: f64 = 1e-7;
 
-/// A row is dependent whose distance from the space of those before it is less than this part of its length, here or nearby.
+/// A row is dependent if its distance from the space of those before it is less than this fraction of its length, here
+/// or nearby.
 const DEPENDENT: f64 = 1e-7;
 
-/// Degrees of freedom and dependent constraints at a position, by orthogonalisation of the rows of C_q, in order. Rows that
-/// depend on others there are looked at in positions near it too.
+/// Degrees of freedom and dependent constraints at a position, by orthogonalisation of the rows of C_q, in order. Rows
+/// that depend on others there are checked at nearby positions too.
 pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
     mobility_of(&Any(mechanism), time, q.as_ref())
 }
@@ -112,7 +116,7 @@ pub(crate) fn mobility_of(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) ->
     }
 }
 
-/// C_q without units at a position, and where rows depend on others or vanish there, in positions near it too.
+/// The dimensionless C_q at a position, and if rows depend on others or vanish there, at nearby positions too.
 fn jacobians(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Vec<DMatrix<f64>> {
     let measures = measure(mechanism, time, q);
     let jacobian = |q: &[f64]| without_units(mechanism.constraint_jacobian(time, q), &measures);
@@ -126,7 +130,7 @@ fn jacobians(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Vec<DMatrix<
     [here].into_iter().chain(nearby.iter().map(|q| jacobian(q))).collect()
 }
 
-/// The rows that depend on those before them, of those that hold, beside these lengths.
+/// The rows that depend on those before them, among those that hold, relative to these lengths.
 fn dependent_rows(mechanism: &dyn AnyMechanism, jacobian: &DMatrix<f64>, lengths: &[f64]) -> Vec<usize> {
     let sines = independence(jacobian, lengths);
     (0..sines.len()).filter(|row| mechanism.is_active(*row) && !(sines[*row] > DEPENDENT)).collect()
@@ -148,12 +152,13 @@ fn implying(jacobian: &DMatrix<f64>, row: usize, dependent: &[usize]) -> Vec<usi
     before.into_iter().zip(parts.iter()).filter(|(_, part)| part.abs() > NO_PART).map(|(i, _)| i).collect()
 }
 
-/// For each row of C_q the sine of its angle to the space of those before it, times how long it is beside its length elsewhere.
+/// For each row of C_q the sine of its angle to the space of those before it, times its length relative to its length
+/// elsewhere.
 fn independence(jacobian: &DMatrix<f64>, lengths: &[f64]) -> Vec<f64> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let of_row = |(i, length): (usize, &f64)| {
         let mut rest: DVector<f64> = jacobian.row(i).transpose();
-        // Twice, so that rounding leaves nothing of what was taken.
+        // Twice, to remove the rounding of the first subtraction.
         for direction in basis.iter().chain(&basis) {
             rest -= direction * direction.dot(&rest);
         }
@@ -166,17 +171,17 @@ fn independence(jacobian: &DMatrix<f64>, lengths: &[f64]) -> Vec<f64> {
     lengths.iter().enumerate().map(of_row).collect()
 }
 
-/// A negative kinetic energy this small beside the others is rounding.
+/// A negative kinetic energy this small relative to the others is rounding.
 const NEGATIVE: f64 = 1e-10;
 
-/// Whether a unit has one of mass in it.
+/// Whether a unit contains a mass.
 fn has_mass(unit: &str) -> bool {
     let words = unit.split(|c: char| !c.is_alphabetic());
     let is_mass = |word: &str| word == "lb" || word.strip_suffix('g').is_some_and(|prefix| prefix.chars().count() <= 1);
     words.into_iter().any(is_mass)
 }
 
-/// That no motion has negative kinetic energy: the mass matrix, constraints apart, has no negative eigenvalue.
+/// Checks that no motion has negative kinetic energy: the mass matrix, constraints apart, has no negative eigenvalue.
 ///
 /// # Errors
 /// [`What::NegativeMass`], with the parameters that are negative.

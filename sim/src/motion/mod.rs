@@ -34,7 +34,7 @@ use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 use std::cell::{Cell, RefCell};
 
-/// A mechanism in motion: its right-hand side, its stabilisation, and what they have been asked.
+/// A mechanism in motion: its right-hand side, its stabilisation, and counts of their use.
 #[derive(Clone, Debug)]
 pub struct Motion<M: Mechanism> {
     mechanism: M,
@@ -45,20 +45,21 @@ pub struct Motion<M: Mechanism> {
     evaluations: Cell<u64>,
     /// The squares of the longest rows of C_q so far.
     longest: Cell<M::L>,
-    /// Where constraints are redundant, the largest that the smallest sine has been.
+    /// With redundant constraints, the largest value so far of the smallest sine.
     widest: Cell<f64>,
-    /// 1/s^2 where a state was last kept on the constraints; s is the smallest sine between a row of C_q and those before.
+    /// 1/s^2 where a state was last projected onto the constraints; s is the smallest sine between a row of C_q and
+    /// those before.
     closeness: Cell<f64>,
-    /// Whether states inside a step are brought onto the constraints too.
+    /// Whether states inside a step are projected onto the constraints too.
     keeps_stages: Cell<bool>,
     /// Whether the step is made in generalised speeds.
     is_in_speeds: Cell<bool>,
-    /// The squares of the longest distances so far between rows of what determines the speeds then.
+    /// The squares of the longest distances so far between the rows that then determine the speeds.
     farthest_of_speeds: Cell<M::Q>,
 }
 
 impl<M: Mechanism> Motion<M> {
-    /// The motion of a mechanism, kept on its constraints in this way, with what it is measured by.
+    /// The motion of a mechanism, kept on its constraints in this way, with its scales.
     pub fn new(mechanism: M, stabilisation: Stabilisation, measures: Measures<M>) -> Motion<M> {
         Motion {
             prepared: mechanism.prepare(),
@@ -76,8 +77,8 @@ impl<M: Mechanism> Motion<M> {
         }
     }
 
-    /// What it remembers between steps as bytes, or from them. What is independent is chosen anew for each step, and the least sine
-    /// is told by its end.
+    /// Its state between steps as bytes, or from them. The independent parts are chosen anew for each step, and the
+    /// least sine follows from its end.
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
         bytes.mechanism(&mut self.mechanism)?;
         self.prepared = self.mechanism.prepare();
@@ -89,7 +90,7 @@ impl<M: Mechanism> Motion<M> {
         bytes.numbers(self.farthest_of_speeds.get_mut().as_mut())
     }
 
-    /// What coordinates and constraints are measured by.
+    /// The scales of coordinates and constraints.
     pub fn measures(&self) -> &Measures<M> {
         &self.measures
     }
@@ -105,19 +106,19 @@ impl<M: Mechanism> Motion<M> {
         &self.mechanism
     }
 
-    /// What its equations of motion need of the parameters.
+    /// The prepared parameters of its equations of motion.
     #[inline(always)]
     pub(crate) fn prepared(&self) -> &M::Prepared {
         &self.prepared
     }
 
-    /// How many right-hand sides have been evaluated.
+    /// The number of evaluations of the right-hand side.
     pub fn evaluations(&self) -> u64 {
         self.evaluations.get()
     }
 
-    /// The right-hand side at a state inside a step. Where only the parts of the coordinates along the constraints are integrated, the others
-    /// are first made to follow.
+    /// The right-hand side at a state inside a step. With partitioning, the dependent parts of the coordinates are
+    /// first made to follow.
     ///
     /// # Errors
     /// As [`accelerate`](crate::accelerate), and as the solution of the constraints.
@@ -125,8 +126,8 @@ impl<M: Mechanism> Motion<M> {
         self.sample_in_place(state)
     }
 
-    /// The same, compiled into its caller: what is evaluated step by step so stays in registers, which saves a quarter of a
-    /// run.
+    /// The same, compiled into its caller: states then stay in registers instead of going through memory in pieces,
+    /// which saves a quarter of a run.
     #[inline(always)]
     pub(crate) fn sample_in_place(&self, mut state: State<M>) -> Result<Sample<M>, Failure> {
         self.evaluations.set(self.evaluations.get() + 1);
@@ -158,8 +159,8 @@ impl<M: Mechanism> Motion<M> {
         Ok(state)
     }
 
-    /// d(q'')/dq and d(q'')/dq' at a sample: the generated kernel, or difference quotients where that refuses a pivot or is
-    /// not what is integrated.
+    /// d(q'')/dq and d(q'')/dq' at a sample: the generated kernel, or difference quotients if that refuses a pivot or
+    /// does not describe the integrated equations.
     ///
     /// # Errors
     /// As the right-hand side.
@@ -196,30 +197,30 @@ impl<M: Mechanism> Motion<M> {
         Ok((by_positions, by_speeds))
     }
 
-    /// The smallest sine between a row of C_q and those before it, where a state was last kept on the constraints; of
-    /// combinations of redundant ones not yet [`relative`](Motion::relative).
+    /// The smallest sine between a row of C_q and those before it, where a state was last projected; for combinations
+    /// of redundant rows not yet [`relative`](Motion::relative).
     #[inline]
     pub(crate) fn least_sine(&self) -> f64 {
         1.0 / self.closeness.get().sqrt()
     }
 
-    /// A least sine as it counts beside the largest that it has been, where constraints are redundant.
+    /// A least sine relative to its largest value so far, if constraints are redundant.
     #[inline]
     pub(crate) fn relative(&self, sine: f64) -> f64 {
         if self.measures.is_redundant() { sine / self.widest.get() } else { sine }
     }
 
-    /// The [`least_sine`](Motion::least_sine), as it counts.
+    /// The relative [`least_sine`](Motion::least_sine).
     pub(crate) fn relative_sine(&self) -> f64 {
         self.relative(self.least_sine())
     }
 
-    /// Whether states are brought onto the constraints at all.
+    /// Whether states are projected onto the constraints at all.
     pub(crate) fn keeps_constraints(&self) -> bool {
         !matches!(self.stabilisation, Stabilisation::Baumgarte(_) | Stabilisation::None)
     }
 
-    /// Has states inside a step brought onto the constraints too, or no longer.
+    /// Sets whether states inside a step are projected onto the constraints too.
     pub(crate) fn keep_stages(&self, keeps: bool) {
         self.keeps_stages
             .set(keeps && matches!(self.stabilisation, Stabilisation::Projection | Stabilisation::MassProjection));
@@ -230,15 +231,15 @@ impl<M: Mechanism> Motion<M> {
         self.longest.get()
     }
 
-    /// Takes note of a smallest sine: what combinations of redundant constraints are beside each other depends on the
-    /// mechanism, and counts as regular where it is largest.
+    /// Records a smallest sine: for combinations of redundant constraints its regular value depends on the mechanism,
+    /// and is taken to be the largest.
     pub(crate) fn widen(&self, sine: f64) {
         if sine.is_finite() {
             self.widest.set(self.widest.get().max(sine));
         }
     }
 
-    /// Takes note of the squares of the lengths of rows.
+    /// Records the squares of the lengths of rows.
     pub(crate) fn lengthen(&self, square: impl Fn(usize) -> f64) {
         let longest = self.longest.get();
         self.longest.set(longest.like(|row| longest[row].max(square(row))));
@@ -250,12 +251,12 @@ impl<M: Mechanism> Motion<M> {
         has_generalized_speeds(&self.mechanism) && self.is_in_speeds.get()
     }
 
-    /// Has the step made in the speeds themselves if it fails because generalised speeds do not determine them.
+    /// Switches to the speeds themselves if the step fails because generalised speeds do not determine them.
     pub(crate) fn falls_back(&self, failure: &Failure) -> bool {
         failure.what == What::SpeedsUndetermined && self.is_in_speeds.replace(false)
     }
 
-    /// Makes ready for states near this one: chooses what is independent by it.
+    /// Prepares for states near this one: chooses the independent parts by it.
     pub fn start(&self, state: &State<M>) {
         if self.stabilisation == Stabilisation::Partitioning {
             self.partition.borrow_mut().choose(&self.mechanism, &self.measures, state.time, &state.positions);
@@ -268,7 +269,7 @@ impl<M: Mechanism> Motion<M> {
         self.is_in_speeds.set(may_be_in_speeds && determine());
     }
 
-    /// Makes ready for a step from a sample to a time: chooses what is independent in it.
+    /// Prepares for a step from a sample to a time: chooses the independent parts for it.
     #[inline]
     pub fn prepare(&self, from: &Sample<M>, time: f64) {
         if self.stabilisation == Stabilisation::Partitioning {
@@ -277,7 +278,8 @@ impl<M: Mechanism> Motion<M> {
     }
 }
 
-/// What Baumgarte's method takes from the accelerations: x with [M C_q'; C_q 0] [x; .] = [0; 2 a C' + a^2 C].
+/// The correction that Baumgarte's method subtracts from the accelerations: x with
+/// [M C_q'; C_q 0] [x; .] = [0; 2 a C' + a^2 C].
 #[cold]
 fn baumgarte<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: State<M>, rate: f64) -> Result<M::Q, Failure> {
     let linear = mechanism.constraint_linearization(state.time, &state.positions);

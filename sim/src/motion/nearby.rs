@@ -1,18 +1,19 @@
-//! Positions near one that satisfy the constraints too. What is so at all of them is no accident of a single position.
+//! Positions near one that satisfy the constraints too. A property of all of them is not accidental to a single
+//! position.
 
 use crate::model::AnyMechanism;
 use crate::motion::lengths::{measure, without_units};
 use nalgebra::DVector;
 
-/// How far away they are: this part of what the coordinate is measured by that moves most beside it.
+/// Their distance: this fraction of the scale of the coordinate with the largest relative change.
 const AWAY: f64 = 0.01;
-/// A singular value this small beside the largest, or beside 1, is zero.
+/// A singular value this small relative to the largest, or to 1, is zero.
 const NULL: f64 = 1e-9;
-/// In what share the next direction is added to each, so that more than those of the basis are tried.
+/// The share of the next direction that is added to each, so that more directions than the basis are tried.
 const SHARE: f64 = 0.37;
 
-/// Those found by going in directions that C_q allows here, to both sides, and back onto the constraints. Where nothing
-/// moves there are none.
+/// Those found by moving along directions that C_q allows here, to both sides, and projecting. If nothing moves there
+/// are none.
 pub(crate) fn nearby_positions(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Vec<Vec<f64>> {
     let measures = measure(mechanism, time, q);
     let basis = null_space(mechanism, time, q, &measures);
@@ -35,7 +36,7 @@ pub(crate) fn nearby_positions(mechanism: &dyn AnyMechanism, time: f64, q: &[f64
     found
 }
 
-/// An orthonormal basis of the speeds that the constraints that hold allow, in what coordinates are measured by.
+/// An orthonormal basis of the speeds that the active constraints allow, in the scales of the coordinates.
 fn null_space(
     mechanism: &dyn AnyMechanism,
     time: f64,
@@ -44,7 +45,7 @@ fn null_space(
 ) -> Vec<DVector<f64>> {
     let (n, jacobian) = (q.len(), without_units(mechanism.constraint_jacobian(time, q), measures));
     let rows = jacobian.nrows();
-    // Square at least, so that the decomposition gives all directions.
+    // At least square, so that the decomposition gives all directions.
     let mut matrix = jacobian.resize_vertically(n.max(rows), 0.0);
     (0..rows).filter(|row| !mechanism.is_active(*row)).for_each(|row| matrix.row_mut(row).fill(0.0));
     if matrix.iter().any(|entry| !entry.is_finite()) {

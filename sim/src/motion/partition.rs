@@ -1,9 +1,9 @@
 //! Partitioning: the parts of the coordinates along the constraints are independent, and those across follow from them.
 //!
 //! The directions across are those of the rows of C_q in the middle of a step: Mani, Haug and Atkinson, Journal of
-//! Mechanisms, Transmissions, and Automation in Design 107 (1985); Potra and Yen, Mechanics of Structures and Machines 19
-//! (1991). Single coordinates (Wehage and Haug, Journal of Mechanical Design 104, 1982) change their length beside the motion
-//! within a step: near dead points, and wherever a crank turns far, equal steps then lose up to three digits.
+//! Mechanisms, Transmissions, and Automation in Design 107 (1985); Potra and Yen, Mechanics of Structures and Machines
+//! 19 (1991). Single coordinates (Wehage and Haug, Journal of Mechanical Design 104, 1982) change their share of the
+//! motion within a step: near dead points, and wherever a crank turns far, equal steps then lose up to three digits.
 
 use crate::model::level::{between_positions, has_speed_rows};
 use crate::motion::measures::Measures;
@@ -40,7 +40,7 @@ impl<M: Mechanism> Partition<M> {
         Partition { positions: none.clone(), speeds: none }
     }
 
-    /// Chooses for a step from a sample to a time, by the position in its middle, foretold from its start.
+    /// Chooses for a step from a sample to a time, by the position in its middle, predicted from its start.
     pub(crate) fn renew(&mut self, mechanism: &M, measures: &Measures<M>, from: &Sample<M>, time: f64) {
         let (state, h) = (&from.state, (time - from.state.time) / 2.0);
         let moved = |i: usize| state.positions[i] + h * (state.speeds[i] + h / 2.0 * from.accelerations[i]);
@@ -61,7 +61,7 @@ impl<M: Mechanism> Partition<M> {
         if has_speed_rows(mechanism) { &self.speeds } else { &self.positions }
     }
 
-    /// Makes the parts across the constraints follow from those along them.
+    /// Computes the parts across the constraints from those along them.
     pub(crate) fn follow(&self, mechanism: &M, measures: &Measures<M>, state: &mut State<M>) -> Result<(), Failure> {
         if mechanism.m() == 0 {
             return Ok(());
@@ -117,7 +117,7 @@ impl<M: Mechanism> Across<M> {
         Ok(measures.change(mechanism, q.like(along)))
     }
 
-    /// The share of each direction in that change, by elimination with pivoting over the rows; those that are left are
+    /// The share of each direction in that change, by elimination with pivoting over the rows; the remaining rows are
     /// redundant.
     fn shares(&self, mechanism: &M, measures: &Measures<M>, jacobian: &M::LQ, residual: &M::L) -> Option<M::L> {
         let (rows, sizes) = (scaled(mechanism, measures, jacobian), measures.constraints());
@@ -151,7 +151,7 @@ impl<M: Mechanism> Across<M> {
     }
 }
 
-/// Rows in what coordinates and constraints are measured by.
+/// Rows in the scales of coordinates and constraints.
 fn scaled<M: Mechanism>(mechanism: &M, measures: &Measures<M>, jacobian: &M::LQ) -> M::LQ {
     let mut rows = measures.columns(mechanism, jacobian);
     for (i, size) in measures.constraints().iter().enumerate() {

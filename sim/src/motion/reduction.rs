@@ -1,23 +1,28 @@
-//! Constraints of which some say what others say already, reduced to as many as C_q has rank.
+//! Redundant constraints, reduced to the rank of C_q.
 //!
-//! On the constraints the redundant rows of C_q depend on the others; beside them, where stages of a step lie, they nearly do,
-//! and a solution that met them all would be a pole. Rows are therefore combined by the left singular vectors that belong to
-//! the largest singular values: what is solved for then meets all rows in least squares, and depends smoothly on the state.
+//! On the constraints the redundant rows of C_q depend on the others; off them, where stages of a step lie, they nearly
+//! do, and a solution that satisfied them all would have a pole. Rows are therefore combined by the left singular
+//! vectors of the largest singular values: the solution then satisfies all rows in least squares, and depends smoothly
+//! on the state.
+//!
+//! Taking each row as it is would make a pivot of rounding. Leaving out fixed rows would fail at positions where other
+//! rows carry the rank. Only mechanisms with redundant rows pay for the reduction.
 
 use crate::motion::measures::Measures;
 use sim_kernel::{Array, Mechanism};
 
-/// K, of which each row makes one row of the reduced constraints of those declared; the last rows are zero.
+/// K: each of its rows combines the declared constraints to one reduced constraint; the last rows are zero.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reduction<M: Mechanism> {
     combinations: M::LL,
 }
 
 impl<M: Mechanism> Reduction<M> {
-    /// That of C_q to so many rows.
+    /// The reduction of C_q to this many rows.
     ///
-    /// Rows are orthonormalised with pivoting, which finds the row space up to what C_q is off its rank; one step of
-    /// orthogonal iteration (Golub and Van Loan, Matrix Computations, 2013, section 8.2.4) leaves the square of that.
+    /// Rows are orthonormalised with pivoting, which finds the row space up to the deviation of C_q from its rank; one
+    /// step of orthogonal iteration (Golub and Van Loan, Matrix Computations, 2013, section 8.2.4) leaves the square of
+    /// that.
     pub(crate) fn new(mechanism: &M, jacobian: &M::LQ, measures: &Measures<M>, rank: usize) -> Reduction<M> {
         let m = jacobian.len();
         let mut scaled = measures.columns(mechanism, jacobian);
@@ -84,7 +89,7 @@ pub(crate) fn row_space<A: Array<R>, R: Array<f64>>(mut rows: A, rank: usize) ->
         let length = |i: &usize| inner(&rows[*i], &rows[*i]);
         let Some(longest) = (k..rows.len()).max_by(|a, b| length(a).total_cmp(&length(b))) else { break };
         rows.as_mut().swap(k, longest);
-        // They have been taken from it once, below.
+        // They have been subtracted once, below.
         orthonormalise(rows.as_mut(), k, 1);
         let direction = rows[k];
         for i in k + 1..rows.len() {
@@ -94,8 +99,8 @@ pub(crate) fn row_space<A: Array<R>, R: Array<f64>>(mut rows: A, rank: usize) ->
     rows
 }
 
-/// Takes from row k its parts along those before it, so often, and brings it to length 1. Rounding leaves nothing of them
-/// after two times.
+/// Takes from row k its parts along those before it, this many times, and normalises it. Two times remove them to
+/// rounding.
 fn orthonormalise<A: Array<f64>>(rows: &mut [A], k: usize, times: usize) {
     let (before, row) = rows.split_at_mut(k);
     let Some(row) = row.first_mut() else { return };
@@ -106,7 +111,7 @@ fn orthonormalise<A: Array<f64>>(rows: &mut [A], k: usize, times: usize) {
     row.as_mut().iter_mut().for_each(|entry| *entry *= factor);
 }
 
-/// The inner product, added up in lanes: most of the time of a mechanism with redundant constraints is spent here.
+/// The inner product, summed in lanes: most of the time of a mechanism with redundant constraints is spent here.
 #[inline]
 fn inner<A: Array<f64>>(a: &A, b: &A) -> f64 {
     const LANES: usize = 8;

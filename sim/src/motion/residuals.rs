@@ -1,4 +1,4 @@
-//! What is left of constraints and of their rates.
+//! The residuals of constraints and of their rates.
 
 use crate::motion::rows::{Dense, Linear, Rows};
 use crate::state::failure::largest;

@@ -1,11 +1,11 @@
 //! Singular positions, where constraints that are independent elsewhere depend on each other, and how a motion passes them.
 //!
-//! Branches of the configuration space cross there. Speeds do not jump, so the motion goes straight on along its own; but
+//! Branches of the configuration space cross there. Speeds do not jump, so the motion continues on its own branch; but
 //! with s the sine of the angle between a row of C_q and those before it, rounding of positions is amplified by 1/s and
-//! that of speeds by 1/s^2. Steps are therefore laid so that such a position falls between stages.
+//! that of speeds by 1/s^2. Steps are therefore placed so that such a position falls between stages.
 //!
-//! Sines are taken of C_q D: each coordinate is counted in what it is measured by, so that they are the same for a linkage of
-//! 1 mm and for one of 100 m.
+//! Sines are those of C_q D, with each coordinate in its scale, so they are the same for a linkage of 1 mm and for one
+//! of 100 m.
 
 use crate::motion::Motion;
 use crate::motion::reduction::Reduction;
@@ -23,49 +23,50 @@ pub struct Singularity {
     pub constraint: &'static str,
     /// When, in seconds.
     pub time: f64,
-    /// What is left there of the sine of its angle to them; its row of C_q counts relative to the longest that it has been.
+    /// The remaining sine of its angle to them; its row of C_q counts relative to its greatest length so far.
     pub sine: f64,
 }
 
-/// Below this sine a projection would spoil what a step knows better: rounding of 1e-16 times 1/s^2 is 1e-12.
+/// Below this sine a projection would make a step less accurate: rounding of 1e-16 times 1/s^2 is 1e-12.
 pub(crate) const AT: f64 = 0.01;
 /// Below this one reactions are lost: they follow from accelerations.
 pub(crate) const IN: f64 = 1e-3;
-/// Below this one accelerations may be known better by those on both sides, as they follow from positions and speeds that have
-/// been projected.
+/// Below this one accelerations may be more accurate if fitted to those on both sides, because they follow from
+/// projected positions and speeds.
 pub(crate) const BESIDE: f64 = 0.1;
-/// A row of C_q that vanishes within this part of its length does so but for the error of what it was foretold from.
+/// A row of C_q this short, relative to its length, vanishes within the error of the prediction.
 const FORETOLD: f64 = 0.1;
 /// The same where it was found inside a step that was made.
 const FOUND: f64 = 0.01;
-/// A row this near to the space of those before it, as a sine, depends on them everywhere.
+/// A row this close to the space of those before it, as a sine, depends on them everywhere.
 const DEPENDENT: f64 = 1e-9;
-/// How near before a singular position the step over it may start, in units of the longest.
+/// The least distance before a singular position at which the step over it may start, in units of the longest.
 const APPROACH: f64 = 0.9;
 
-/// By what a step over a singular position is made longer if its end would lie beside the next one, or beside this one as that
-/// is just ahead: they keep it in wide gaps between stages.
+/// The factors by which a step over a singular position is lengthened if its end would lie beside the next one, or
+/// beside this one because that is just ahead: they keep it in wide gaps between stages.
 const LONGER: [f64; 4] = [1.25, 2.6, 18.0, 64.0];
-/// What of the least sine is far enough at its end.
+/// The fraction of the least sine that is sufficient at its end.
 const FAR_ENOUGH: f64 = 0.7;
-/// By how much a sine that is not must be larger at another end, for the step to be made longer.
+/// The factor by which an insufficient sine must grow at another end, for the step to be lengthened.
 const MUCH_FARTHER: f64 = 2.0;
 
-/// How far the sines at the ends of steps are foretold, in steps as long as the last.
+/// The horizon for predicting the sines at the ends of steps, in steps as long as the last.
 const FORESIGHT: f64 = 3.0;
-/// Below this sine, foretold, the way ahead is looked at.
+/// The predicted sine below which the way ahead is searched.
 const LOOK: f64 = 0.3;
-/// By how much the time to a singular position may differ from what the sine and its rate here make it, where that is beyond
-/// the next step: a sine that falls to zero does so evenly at last.
+/// The tolerance of the time to a singular position beyond the next step, as predicted from the sine and its rate: a
+/// sine that falls to zero does so linearly in the end.
 const UNEVEN: f64 = 2.0;
 
-/// Where a step changes the sine by less than this part of it, the sine tells how far the position is.
+/// If a step changes the sine by less than this fraction, the sine tells the distance of the position.
 const EVEN: f64 = 0.02;
-/// Below this sine the way ahead is looked at then, if the sine falls: a step over a singular position begins at about half.
+/// The falling sine below which the way ahead is then searched: a step over a singular position begins at about half of
+/// it.
 const LOOK_EVENLY: f64 = 0.2;
 
-/// Whether a singular position may lie within the next steps, after two that ended at these sines. Where there have not been two,
-/// it may.
+/// Whether a singular position may lie within the next steps, after two that ended at these sines. Before there have
+/// been two, it may.
 #[inline]
 pub(crate) fn may_be_ahead([before, now]: [f64; 2]) -> bool {
     let falls = before - now;
@@ -75,18 +76,18 @@ pub(crate) fn may_be_ahead([before, now]: [f64; 2]) -> bool {
     }
 }
 
-/// How steps over singular positions are laid.
+/// The placement of steps over singular positions.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lie {
-    /// The longest that a step may be that need not be longer, in seconds.
+    /// The longest ordinary step, in seconds.
     pub(crate) longest: f64,
     /// The place in a step that is farthest from its stages.
     pub(crate) gap: f64,
-    /// The sine that a step over a singular position begins and ends at, at least; it may be longer for that.
+    /// The least sine at the ends of a step over a singular position; the step may be lengthened for it.
     pub(crate) least_sine: f64,
 }
 
-/// What lies ahead within about a step.
+/// The way ahead within about a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Ahead {
     /// No singular position.
@@ -97,7 +98,7 @@ pub(crate) enum Ahead {
     Over(f64),
 }
 
-/// How to go on from a sample so that stages keep away from the singular position ahead, if there is one.
+/// How to continue from a sample so that stages avoid the singular position ahead, if there is one.
 pub(crate) fn look_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie) -> Ahead {
     let now = from.state.time;
     match singularity_ahead(motion, from, lie) {
@@ -107,7 +108,7 @@ pub(crate) fn look_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie
     }
 }
 
-/// How long a step over a singular position is made, so that its end is far enough from any.
+/// The length of a step over a singular position whose end is far enough from any.
 fn far_enough<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie, length: f64) -> f64 {
     let followed = Followed::at(motion, &from.state);
     let least_sine = |longer: f64| {
@@ -128,13 +129,13 @@ fn far_enough<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie, len
     best.0 * length
 }
 
-/// The positions so long after a state, foretold from positions, speeds and accelerations.
+/// The positions at this time after a state, predicted from positions, speeds and accelerations.
 pub(crate) fn foretold<M: Mechanism>(state: &State<M>, accelerations: &M::Q, ahead: f64) -> M::Q {
     state.positions.like(|i| state.positions[i] + ahead * (state.speeds[i] + ahead / 2.0 * accelerations[i]))
 }
 
-/// The time to the first singular position within about a step, foretold from positions, speeds and accelerations, and how
-/// long a step over it may be.
+/// The time to the first singular position within about a step, predicted from positions, speeds and accelerations, and
+/// the possible length of a step over it.
 fn singularity_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie) -> Option<(f64, f64)> {
     let state = &from.state;
     let followed = Followed::at(motion, state);
@@ -157,15 +158,15 @@ fn singularity_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &L
     (0..here.len()).filter_map(of_row).min_by(|(a, _), (b, _)| a.total_cmp(b))
 }
 
-/// The rows of C_q D whose independence is followed: those declared, or where some are redundant, combinations of them that
-/// are not and that stay the same.
+/// The rows of C_q D whose independence is tracked: those declared, or if some are redundant, fixed independent
+/// combinations of them.
 pub(crate) struct Followed<'a, M: Mechanism> {
     motion: &'a Motion<M>,
     reduction: Option<Reduction<M>>,
 }
 
 impl<'a, M: Mechanism> Followed<'a, M> {
-    /// Those at a state.
+    /// The rows at a state.
     pub(crate) fn at(motion: &'a Motion<M>, state: &State<M>) -> Followed<'a, M> {
         let measures = motion.measures();
         let reduction = measures.is_redundant().then(|| {
@@ -181,8 +182,7 @@ impl<'a, M: Mechanism> Followed<'a, M> {
         self.independent(&self.rows(time, q))
     }
 
-    /// Whether a row may have turned round between two positions. Where rows are sparse that is told in a time that grows with
-    /// their number alone.
+    /// Whether a row may have reversed between two positions. For sparse rows this takes time linear in their number.
     pub(crate) fn may_have_passed(&self, [from, to]: [&State<M>; 2]) -> bool {
         let mechanism = self.motion.mechanism();
         if !is_sparse(mechanism) || self.reduction.is_some() {
@@ -210,8 +210,8 @@ impl<'a, M: Mechanism> Followed<'a, M> {
         self.reduction.as_ref().map_or(columns, |reduction| reduction.rows(&columns))
     }
 
-    /// The length of the independent part of a row, relative to the longest that the row has been; of combinations relative
-    /// to the longest that the shortest of these parts has been.
+    /// The length of the independent part of a row, relative to its greatest length so far; for combinations, relative
+    /// to the greatest length so far of the shortest part.
     fn sine(&self, row: usize, parts: &M::LQ) -> f64 {
         let square = inner(&parts[row], &parts[row]);
         match self.reduction {
@@ -220,13 +220,13 @@ impl<'a, M: Mechanism> Followed<'a, M> {
         }
     }
 
-    /// The row nearest to depending on those before it, of those that do not everywhere, with its sine.
+    /// The row closest to depending on those before it, among those that are not redundant, with its sine.
     fn weakest(&self, parts: &M::LQ) -> Option<(usize, f64)> {
         let sines = (0..parts.len()).map(|row| (row, self.sine(row, parts))).filter(|(_, sine)| *sine > 0.0);
         sines.min_by(|(_, a), (_, b)| a.total_cmp(b))
     }
 
-    /// The constraint that a row is, or that has the largest part in it.
+    /// The constraint of a row, or the one with the largest part in it.
     fn constraint(&self, row: usize) -> &'static str {
         constraint_name(
             self.motion.mechanism(),
@@ -234,8 +234,8 @@ impl<'a, M: Mechanism> Followed<'a, M> {
         )
     }
 
-    /// The singular position between two times, if there is one: the part of a row that is independent of those before it turns
-    /// round. `at` gives the state at a time.
+    /// The singular position between two times, if there is one: there the independent part of a row reverses. `at`
+    /// gives the state at a time.
     pub(crate) fn passed(
         &self,
         [from, to]: [f64; 2],
@@ -267,7 +267,7 @@ fn root_between(
     if first > 0.0 && last < 0.0 { find_root(first, last, tolerance, f).map(Some) } else { Ok(None) }
 }
 
-/// The constraint that is nearest to depending on those before it, of those that do not everywhere, with its sine.
+/// The constraint closest to depending on those before it, among those that are not redundant, with its sine.
 pub(crate) fn weakest_constraint<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Option<(&'static str, f64)> {
     let followed = Followed::at(motion, state);
     let rows = followed.rows(state.time, &state.positions);
@@ -280,14 +280,14 @@ pub(crate) fn weakest_constraint<M: Mechanism>(motion: &Motion<M>, state: &State
     followed.weakest(&parts).map(|(row, sine)| (followed.constraint(row), sine))
 }
 
-/// The part of each row that is orthogonal to those before it; zero for one that depends on them everywhere. The k-th row is
-/// given with the first that it need not be orthogonal to.
+/// The part of each row that is orthogonal to those before it; zero for one that depends on them everywhere. The k-th
+/// row is given with the index of the first row that it need not be orthogonal to.
 fn independent_parts<A: Array<Q>, Q: Array<f64>>(jacobian: &A, row: impl Fn(usize) -> (usize, usize)) -> A {
     let mut parts = *jacobian;
     for k in 0..jacobian.len() {
         let (i, first) = row(k);
         let mut part = parts[i];
-        // Twice, so that rounding leaves nothing of what was taken.
+        // Twice, to remove the rounding of the first subtraction.
         for (j, _) in (first..k).chain(first..k).map(&row) {
             let square = inner(&parts[j], &parts[j]);
             if square > 0.0 {

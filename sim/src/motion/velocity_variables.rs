@@ -1,9 +1,11 @@
-//! What is integrated beside the coordinates: generalised speeds u, where some are declared and determine the speeds well, and
-//! the speeds q' elsewhere. Of a body that turns, angular velocities change less than the rates of its coordinates and have
-//! equations of their own, whose solution keeps digits that the rates lose.
+//! What is integrated beside the coordinates: generalised speeds u where they are declared and determine the speeds
+//! well, and the speeds q' elsewhere.
 //!
-//! States and samples are in q and q'. A step in generalised speeds starts with u = W q' + w, has q' = N u + n at its stages,
-//! and u' = W q'' + W' q' + w'. Whatever moves its positions onto the constraints leaves u as it is.
+//! The angular velocities of a rotating body change less than the rates of its coordinates, and their equations keep
+//! digits that the rates lose. States, samples, rows and events are always in q and q'. A step in generalised speeds
+//! starts with u = W q' + w, has q' = N u + n at its stages, and u' = W q'' + W' q' + w'. Projection moves positions
+//! and keeps u. An error of u counts as the error of q' that it causes, so u needs no scale of its own. Radau takes all
+//! of its steps in q': its linear systems have half the size where q' is the rate of q.
 
 use crate::motion::Motion;
 use crate::state::failure::{Failure, What};
@@ -41,7 +43,7 @@ impl<M: Mechanism> Integrated<M> {
     }
 }
 
-/// Where speeds follow from velocity variables.
+/// The relation of speeds to velocity variables.
 impl<M: Mechanism> Motion<M> {
     /// A state as what is integrated.
     #[inline(always)]
@@ -52,7 +54,7 @@ impl<M: Mechanism> Motion<M> {
         }
     }
 
-    /// The state of what is integrated.
+    /// The integrated state.
     ///
     /// # Errors
     /// [`What::SpeedsUndetermined`].
@@ -64,7 +66,7 @@ impl<M: Mechanism> Motion<M> {
         }
     }
 
-    /// The same where a step ends, so that the next one starts with the same velocity variables.
+    /// The same at the end of a step, so that the next one starts with the same velocity variables.
     ///
     /// # Errors
     /// [`What::SpeedsUndetermined`].
@@ -76,7 +78,7 @@ impl<M: Mechanism> Motion<M> {
         }
     }
 
-    /// How what is integrated changes at a sample.
+    /// The rates of the integrated variables at a sample.
     #[inline(always)]
     pub(crate) fn rates(&self, sample: &Sample<M>) -> Rates<M> {
         match self.is_in_generalized_speeds() {
@@ -85,7 +87,7 @@ impl<M: Mechanism> Motion<M> {
         }
     }
 
-    /// A small change at a state as one of positions and speeds: of what is integrated, in speeds that it makes.
+    /// A small change of the integrated variables at a state, as one of positions and speeds.
     ///
     /// # Errors
     /// [`What::SpeedsUndetermined`].
@@ -99,8 +101,8 @@ impl<M: Mechanism> Motion<M> {
         Ok((change.positions, changed.like(|i| changed[i] - unchanged[i])))
     }
 
-    /// Brings a state onto the constraints in some way that may move its positions, its generalised speeds as they were but for
-    /// what constraints that are left ask of them.
+    /// Projects a state in a way that may move its positions, and keeps its generalised speeds except for corrections
+    /// by the remaining constraints.
     pub(crate) fn with_velocity_variables_kept(
         &self,
         state: &mut State<M>,
@@ -108,7 +110,7 @@ impl<M: Mechanism> Motion<M> {
     ) -> Result<(), Failure> {
         let kept = self.velocity_variables(state);
         bring(state)?;
-        // Where generalised speeds do not determine them, the speeds that it was brought with serve.
+        // If generalised speeds do not determine them, the projected speeds are used.
         if let Ok(speeds) = self.refined_speeds(state, &kept) {
             state.speeds = speeds;
             if self.mechanism().rows_left().is_some_and(|rows| !rows.is_empty()) {
@@ -132,8 +134,8 @@ impl<M: Mechanism> Motion<M> {
         }
     }
 
-    /// The same, corrected by what rounding leaves of u - (W q' + w): it adds up over many short steps, since the squares of
-    /// quaternions round alike in all of them.
+    /// The same, corrected by the rounding of u - (W q' + w), which would accumulate over many short steps, since the
+    /// squares of quaternions round alike in all of them.
     fn refined_speeds(&self, at: &State<M>, variables: &M::Q) -> Result<M::Q, Failure> {
         let speeds = self.speeds(at, variables)?;
         let found = self.velocity_variables(&State { speeds, ..*at });

@@ -1,4 +1,4 @@
-//! Sorting a few by insertion. The library's sort is long, and would be compiled once for each mechanism.
+//! Insertion sort for a few items. The library's sort is long, and would be compiled for each mechanism.
 
 use std::cmp::Ordering;
 

@@ -2,7 +2,7 @@
 
 use nalgebra::ComplexField;
 
-/// L U factors with partial pivoting of an n x n matrix; its room is kept from one matrix to the next.
+/// L U factors with partial pivoting of an n x n matrix; its memory is reused from one matrix to the next.
 #[derive(Clone, Debug)]
 pub(crate) struct Lu<T> {
     n: usize,
@@ -79,7 +79,7 @@ mod tests {
     use super::Lu;
     use nalgebra::Complex;
 
-    /// Exchanges in every column, the second of rows that the first has given multipliers.
+    /// Exchanges in every column, the second among rows that already have multipliers from the first.
     #[test]
     fn systems_are_solved() {
         let matrix = [[1.0, 1.0, 8.0], [2.0, 2.0, 1.0], [4.0, 1.0, 0.0]];

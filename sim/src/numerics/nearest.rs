@@ -1,8 +1,8 @@
-//! Smooth functions from values that are known unequally well.
+//! Smooth functions from values of unequal accuracy.
 
 use sim_kernel::Array;
 
-/// So many values are looked at, at most.
+/// The largest number of values used.
 pub(crate) const MOST_KNOWN: usize = 12;
 
 /// Values at a fraction of an interval, with the inverse of their variance.
@@ -13,8 +13,8 @@ pub(crate) struct Known<A> {
     pub(crate) values: A,
 }
 
-/// What the polynomial that is nearest to known values has at another fraction, with about how far that may be off:
-/// with `none`, zeros, where nothing is known. It has as many terms as leave the smallest on both sides of where they end.
+/// The value, at another fraction, of the polynomial nearest to known values, with its approximate error. Terms are cut
+/// where those on both sides of the cut are smallest.
 ///
 /// Forsythe, Journal of the Society for Industrial and Applied Mathematics 5 (1957), pp. 74-88: polynomials that are orthogonal
 /// over the fractions, by recurrence.
@@ -24,7 +24,7 @@ pub(crate) fn nearest_polynomial<A: Array<f64>>(
     none: A,
     size: impl Fn(&A) -> f64,
 ) -> (A, f64) {
-    // The last terms foretell the first that is left out, but for a factor.
+    // The last terms predict the first omitted one up to a factor.
     const DOUBT: f64 = 10.0;
     let (mut before, mut here) = ([0.0; MOST_KNOWN], [1.0; MOST_KNOWN]);
     let (mut before_at, mut here_at, mut norm_before) = (0.0, 1.0, f64::INFINITY);
@@ -69,14 +69,14 @@ mod tests {
         let (found, off) = nearest_polynomial(&known(cubic, |x| 1.0 + x), 0.43, [0.0; 2], size);
         let exact = cubic(0.43);
         assert!(size(&[found[0] - exact[0], found[1] - exact[1]]) < 1e-13 && off < 1e-12, "{found:?} {off:e}");
-        // A sine is no polynomial: what is lacking is no more than is said.
+        // A sine is not a polynomial: the error is within the bound.
         let sine = |x: f64| [(3.0 * x).sin(), (3.0 * x).cos()];
         let (found, off) = nearest_polynomial(&known(sine, |_| 1.0), 0.43, [0.0; 2], size);
         let lacking = size(&[found[0] - sine(0.43)[0], found[1] - sine(0.43)[1]]);
         assert!(lacking < off && off < 1e-4, "{lacking:e} {off:e}");
     }
 
-    /// Values in the middle are off by 1e-3, and count for as little as that is squared.
+    /// Values in the middle have errors of 1e-3, and weights according to its square.
     #[test]
     fn what_is_known_badly_counts_for_little() {
         let is_bad = |x: f64| (x - 0.5).abs() < 0.15;

@@ -4,7 +4,7 @@
 /// in the argument.
 ///
 /// Chandrupatla's method (Advances in Engineering Software 28, 1997): bisection, or inverse quadratic interpolation
-/// where that is sure to be better.
+/// where that is certain to be better.
 ///
 /// # Errors
 /// The first error of `f`.

@@ -2,25 +2,25 @@
 
 use sim_kernel::Array;
 
-/// A pivot this much smaller than the largest is taken for zero. Rows and columns are first brought to
-/// comparable size, so that units do not decide.
+/// A pivot this much smaller than the largest counts as zero. Rows and columns are first scaled to comparable size, so
+/// that units do not matter.
 const SMALLEST_PIVOT: f64 = 1e-13;
 
-/// The squared sine of the angle between a row and those before it, below which it is taken to depend on them: a
-/// correction would multiply rounding by its inverse root.
+/// The squared sine of the angle between a row and those before it, below which it counts as dependent: a correction
+/// would amplify rounding by its inverse root.
 pub(crate) const LEAST_INDEPENDENCE: f64 = 1e-8;
 
-/// What is left of the equations without a pivot, relative to the right-hand side, when they agree with the others.
+/// The largest residual of equations without a pivot, relative to the right-hand side, that agree with the others.
 const CONSISTENT: f64 = 1e-6;
 
-/// A solution of a square system, which may not be the only one.
+/// A solution of a square system, perhaps not unique.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Solved<R> {
-    /// It; unknowns that no equation determines are zero.
+    /// The solution; undetermined unknowns are zero.
     pub(crate) solution: R,
     /// The unknowns in the order of their pivots.
     order: R,
-    /// How many have one.
+    /// The number of unknowns with a pivot.
     rank: usize,
     /// Whether the equations without a pivot agree with the others.
     pub(crate) is_consistent: bool,
@@ -153,7 +153,7 @@ pub(crate) struct Definite<A, R> {
 impl<A: Array<R>, R: Array<f64>> Definite<A, R> {
     /// Factorises a matrix of which the lower triangle is given.
     ///
-    /// A row at whose pivot cancellation has taken all but a few digits depends on those before.
+    /// A row whose pivot has lost all but a few digits to cancellation depends on those before.
     #[inline]
     pub(crate) fn new(mut lower: A) -> Result<Definite<A, R>, Undefined> {
         let n = lower.len();
@@ -243,7 +243,7 @@ mod tests {
         let factors = Definite::new([[1.0, 0.0], [2.0, 4.0]]).unwrap();
         assert_eq!(factors.row(1).1, 0.0);
         assert_eq!(factors.solve([1.0, 2.0]), [1.0, 0.0]);
-        // Where the dependent row asks for something else than the others, its unknown is zero nevertheless.
+        // Even if the dependent row contradicts the others, its unknown is zero.
         assert_eq!(factors.solve([1.0, 5.0]), [1.0, 0.0]);
         assert!(Definite::new([[1.0, 0.0], [f64::NAN, 4.0]]).is_err());
     }

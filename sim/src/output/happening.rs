@@ -1,11 +1,11 @@
-//! Events in words, and what came of them.
+//! Events as text, with their effects.
 
 use crate::events::Crossing;
 use crate::output::outcome::Happening;
 use sim_kernel::Description;
 use sim_kernel::event::{Direction, Event, Step, Target};
 
-/// How a condition passes zero and what is done then: `falling: impact floor, set dot(x)`.
+/// The direction in which a condition passes zero and the actions: `falling: impact floor, set dot(x)`.
 pub(crate) fn happening(event: &Event, description: &Description) -> String {
     let direction = match event.direction {
         Direction::Both => "rising or falling",
@@ -18,7 +18,7 @@ pub(crate) fn happening(event: &Event, description: &Description) -> String {
     }
 }
 
-/// What is done at an event.
+/// The actions of an event.
 pub(crate) fn does(event: &Event, description: &Description) -> String {
     let conditional = |index: usize| description.conditionals[index].name;
     let mut words = Vec::new();
@@ -43,7 +43,7 @@ pub(crate) fn does(event: &Event, description: &Description) -> String {
     words.join(", ")
 }
 
-/// How it was crossed.
+/// The direction of the crossing.
 pub(crate) fn crossing(crossing: Crossing) -> &'static str {
     match crossing {
         Crossing::Rising => "rising",

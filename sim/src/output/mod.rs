@@ -1,4 +1,4 @@
-//! What is told of a run: in words, tables, files and pictures.
+//! The output of a run: text, tables, files and pictures.
 
 pub(crate) mod formats;
 pub(crate) mod happening;

@@ -1,5 +1,5 @@
-//! What a run was and found, without the type of its mechanism: whatever tells of it, in words, tables and pictures, is
-//! compiled once, and not once for each mechanism.
+//! The results of a run without the type of its mechanism, so that all code for text, tables and pictures is compiled
+//! once.
 
 use crate::events::{Crossing, Occurrence};
 use crate::integrate::Steps;
@@ -10,7 +10,7 @@ use crate::state::settings::Settings;
 use crate::state::trajectory::Sample;
 use sim_kernel::{Array, Description, Mechanism};
 
-/// A run but for its samples; all in SI units.
+/// A run without its samples; all in SI units.
 pub(crate) struct Outcome {
     pub(crate) description: &'static Description,
     pub(crate) parameters: Vec<f64>,
@@ -21,7 +21,7 @@ pub(crate) struct Outcome {
     pub(crate) start: Option<Row>,
     /// The time of the last sample.
     pub(crate) reached: f64,
-    /// How many samples there are.
+    /// The number of samples.
     pub(crate) samples: usize,
     pub(crate) failure: Option<Failure>,
     pub(crate) events: Vec<Happening>,
@@ -45,13 +45,13 @@ pub(crate) struct Happening {
     pub(crate) name: &'static str,
     pub(crate) crossing: Crossing,
     pub(crate) time: f64,
-    /// What it took and did, if it does anything.
+    /// Its impulses and losses, if it has actions.
     pub(crate) change: Option<Done>,
 }
 
-/// What an event has done.
+/// The effects of an event.
 pub(crate) struct Done {
-    /// The kinetic energy that is gone, in joules.
+    /// The lost kinetic energy, in joules.
     pub(crate) energy_taken: f64,
     /// The impulse of each constraint row.
     pub(crate) impulses: Vec<f64>,
@@ -69,7 +69,7 @@ pub(crate) struct Row {
     pub(crate) inputs: Vec<Option<f64>>,
     pub(crate) parameters: Vec<f64>,
     pub(crate) kinetic_energy: f64,
-    /// What events have taken of it until then.
+    /// The energy that events have taken until then.
     pub(crate) energy_taken: f64,
     /// The numbers of the drawing.
     pub(crate) drawing: Vec<f64>,

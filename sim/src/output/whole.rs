@@ -1,15 +1,15 @@
-//! Files that are whole or absent.
+//! Files that are whole or absent: each is written beside its place, flushed and renamed.
 
 use std::fs::{self, File};
 use std::io::{Error, Write};
 use std::path::{Path, PathBuf};
 
-/// Writes a file under another name beside its place, flushes it to the disk and renames it: whoever looks sees what was there
-/// before or all that is new, and nothing new is left if it cannot be written. A link is followed; what is no file, such as a
-/// device, is written to.
+/// Writes a file under another name beside its place, flushes it to the disk and renames it: readers see either the old
+/// file or the complete new one, and a failure leaves nothing behind. Links are followed; targets that are not files,
+/// such as devices, are written directly.
 ///
 /// # Errors
-/// Those of `write`, and if the file cannot be made, flushed or renamed.
+/// The errors of `write`, and if the file cannot be made, flushed or renamed.
 pub(crate) fn whole<E: From<Error>>(path: &Path, write: impl FnOnce(&mut File) -> Result<(), E>) -> Result<(), E> {
     let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     if fs::metadata(&place).is_ok_and(|there| !there.is_file()) {
@@ -22,7 +22,7 @@ pub(crate) fn whole<E: From<Error>>(path: &Path, write: impl FnOnce(&mut File) -
     })
 }
 
-/// The same of bytes.
+/// The same for bytes.
 ///
 /// # Errors
 /// If the file cannot be made, written, flushed or renamed.
@@ -36,7 +36,7 @@ fn write_to<E: From<Error>>(path: &Path, write: impl FnOnce(&mut File) -> Result
     Ok(file.sync_all()?)
 }
 
-/// Where no other process writes.
+/// A path that no other process writes to.
 fn beside(path: &Path) -> PathBuf {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     path.with_file_name(format!(".{name}.{}", std::process::id()))

@@ -52,7 +52,7 @@ pub fn write_json(value: &Value, path: &Path) -> Result<(), WriteError> {
     whole_bytes(path, text.as_bytes()).map_err(|e| fail(&e))
 }
 
-/// What a run was and found; the same bytes run after run.
+/// The settings and results of a run, the same bytes for every repetition.
 pub fn summary<M: Mechanism>(run: &Run<M>, table: &Table) -> Value {
     summary_of(&run.outcome(), table)
 }
@@ -96,7 +96,7 @@ pub(crate) fn summary_of(run: &Outcome, table: &Table) -> Value {
     })
 }
 
-/// An event as it happened, with what it did.
+/// An occurrence of an event, with its effects.
 fn event_object(event: &Happening, description: &Description) -> Value {
     let mut object = json!({ "name": event.name, "time": event.time, "crossing": crossing(event.crossing) });
     if let (Some(change), Some(object)) = (&event.change, object.as_object_mut()) {
@@ -109,7 +109,7 @@ fn event_object(event: &Happening, description: &Description) -> Value {
     object
 }
 
-/// What was asked for, and what it took.
+/// The request, and its cost.
 fn method_object(run: &Outcome) -> Value {
     let settings = &run.settings;
     let steps = match settings.stepping {

@@ -1,4 +1,8 @@
 //! Dead points that a run passes, from dense output.
+//!
+//! With one degree of freedom the independent speed is, by Cramer's rule, the determinant of C_qd times the speed along
+//! the curve: only a product of speeds is computed until its sign changes. A position where C_q itself loses rank is
+//! singular, not dead. The mass matrix makes columns comparable.
 
 use crate::integrate::Step;
 use crate::motion::mobility::Mobility;
@@ -7,8 +11,8 @@ use crate::state::failure::Failure;
 use crate::state::trajectory::State;
 use sim_kernel::{Array, Mechanism, Start};
 
-/// A dead point that a motion has passed: here the independent coordinates do not determine the others, which go on
-/// upon another branch: a knee that was bent to one side is bent to the other.
+/// A dead point that a motion has passed: here the independent coordinates do not determine the others, which continue
+/// on another branch: a knee bent to one side is then bent to the other.
 #[derive(Clone, Debug)]
 pub struct DeadPoint<M: Mechanism> {
     /// The independent coordinates.
@@ -17,12 +21,12 @@ pub struct DeadPoint<M: Mechanism> {
     pub state: State<M>,
 }
 
-/// A determinant or pivot this small, beside the rows that it is made of, is zero.
+/// A determinant or pivot this small, relative to its rows, is zero.
 const SINGULAR: f64 = 1e-10;
 /// With more rows a determinant at every step would cost as much as the step.
 const MOST_ROWS: usize = 12;
 
-/// Looks for dead points, step by step.
+/// Searches dead points, step by step.
 pub(super) struct DeadPoints<M: Mechanism> {
     pub(super) found: Vec<DeadPoint<M>>,
     names: Vec<&'static str>,
@@ -30,21 +34,21 @@ pub(super) struct DeadPoints<M: Mechanism> {
     /// The independent rows of C_q, and the columns of all other coordinates.
     rows: Vec<usize>,
     columns: Vec<usize>,
-    /// What makes columns comparable: moving any coordinate at its unit of speed takes equal energy.
+    /// The scales that make columns comparable: moving any coordinate at its unit of speed takes equal energy.
     scales: M::Q,
-    /// Whether one speed tells: with one degree of freedom and constraints that do not move by themselves, it is a multiple of
-    /// the determinant, by Cramer's rule.
+    /// Whether one speed suffices: with one degree of freedom and constraints without explicit time, it is a multiple
+    /// of the determinant, by Cramer's rule.
     is_told_by_speed: bool,
     /// The determinant where it was last known.
     last: Option<f64>,
-    /// Whether it has not been known since.
+    /// Whether it has been unknown since.
     is_unknown: bool,
     /// The places of pivots.
     order: [Vec<usize>; 2],
 }
 
 impl<M: Mechanism> DeadPoints<M> {
-    /// Of a motion that starts there; `None` where there are none to be found.
+    /// For a motion that starts there; `None` if no dead points can be found.
     pub(super) fn new(mechanism: &M, start: &State<M>, mobility: &Mobility) -> Option<DeadPoints<M>> {
         let description = mechanism.description();
         let is_plain = description.conditionals.is_empty()
@@ -74,12 +78,12 @@ impl<M: Mechanism> DeadPoints<M> {
         Some(DeadPoints { found, names, independent, rows, columns, scales, is_told_by_speed, last, is_unknown, order })
     }
 
-    /// Begins anew where an event has changed the motion.
+    /// Restarts after an event has changed the motion.
     pub(super) fn restart(&mut self) {
         (self.last, self.is_unknown) = (None, true);
     }
 
-    /// Looks at a step until a time.
+    /// Searches a step up to a time.
     ///
     /// # Errors
     /// As dense output.
@@ -126,14 +130,14 @@ impl<M: Mechanism> DeadPoints<M> {
         Ok(())
     }
 
-    /// Takes note of the determinant at a state, if it is not nearly zero: then it has no sign.
+    /// Records the determinant at a state, unless it is nearly zero: then it has no sign.
     fn note(&mut self, mechanism: &M, state: &State<M>) {
         let value = self.determinant(mechanism, state);
         self.is_unknown = !(value.abs() > SINGULAR);
         self.last = if self.is_unknown { self.last } else { Some(value) };
     }
 
-    /// det C_qd beside the lengths of the rows of C_q.
+    /// det C_qd relative to the lengths of the rows of C_q.
     fn determinant(&mut self, mechanism: &M, state: &State<M>) -> f64 {
         self.order[1].clone_from(&self.columns);
         self.pivots(mechanism, state).0

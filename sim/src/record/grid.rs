@@ -1,52 +1,56 @@
 //! Rows at equal intervals, of a run that may end at any time.
 //!
-//! The intervals asked for divide the whole time, and a run that ends early would have few rows, or one. So rows lie closer at
-//! first, by a power of two, and every second one is dropped when more than twice as many are held as were asked for. Rows
-//! beyond those asked for are one in four steps at most, so that they cost little where steps are few.
+//! The requested intervals divide the whole time, so a run that ends early would have few rows, or one. So rows lie
+//! closer at first, by a power of two, and every second one is dropped when there are more than twice the requested
+//! number. Extra rows are at most one in four steps, so that they cost little if steps are few.
+//!
+//! A row costs dense output, a projection and a right-hand side; where equal steps end at finer places, rows there cost
+//! nothing. A run that ends early has N to 2N rows, and one that reaches its end has exactly those asked for. Rows at
+//! events, and the state where a run ends, are on no grid and stay.
 
 use crate::state::trajectory::{Phase, Sample};
 use sim_kernel::Mechanism;
 use std::cmp::Ordering;
 
-/// So many steps are made for each row beyond those asked for.
+/// The least number of steps for each extra row.
 const STEPS_A_ROW: usize = 4;
-/// Numbers of places are exact to this power of two.
+/// Indices of places are exact up to this power of two.
 const MOST_PLACES: f64 = 4_503_599_627_370_496.0;
 
-/// Where rows lie: at place i of N 2^level intervals.
+/// The places of rows: place i of N 2^level intervals.
 pub(super) struct Grid {
     begin: f64,
     end: f64,
-    /// N, the intervals asked for.
+    /// N, the requested intervals.
     asked: usize,
     level: u32,
     /// The place of the next row.
     next: u64,
     /// The place of each row that is held, while the level is above 0.
     places: Vec<Option<u64>>,
-    /// How many of them have one.
+    /// The number of places with a row.
     held: usize,
     /// The steps until now.
     steps: usize,
-    /// How many steps a finer row costs: none where equal steps end at its place.
+    /// The number of steps that a finer row costs: none if equal steps end at its place.
     steps_a_row: usize,
 }
 
 impl Grid {
     pub(super) fn new(begin: f64, end: f64, asked: usize, equal_steps: Option<usize>) -> Grid {
-        // Where an equal number of them makes an interval, steps end at finer places too, and rows there cost nothing.
+        // If an even number of them makes an interval, steps end at finer places too, and rows there cost nothing.
         let divided = equal_steps.filter(|steps| steps.is_multiple_of(asked));
         let level = divided.map_or(0, |steps| (steps / asked).trailing_zeros());
         let steps_a_row = if equal_steps.is_some() { 0 } else { STEPS_A_ROW };
         Grid { begin, end, asked, level, next: 1, places: Vec::new(), held: 0, steps: 0, steps_a_row }
     }
 
-    /// The intervals asked for.
+    /// The requested intervals.
     pub(super) fn asked(&self) -> usize {
         self.asked
     }
 
-    /// How many rows may come to be held.
+    /// The largest number of rows that may be held.
     pub(super) fn most(&self) -> Option<usize> {
         self.asked.checked_mul(2)?.checked_add(3)
     }
@@ -65,7 +69,7 @@ impl Grid {
         }
     }
 
-    /// Takes note of a row at the next place.
+    /// Records a row at the next place.
     pub(super) fn advance(&mut self) {
         if self.level > 0 {
             self.places.push(Some(self.next));
@@ -74,22 +78,22 @@ impl Grid {
         self.next += 1;
     }
 
-    /// Takes note of a row that lies on no grid, and stays.
+    /// Records a row that lies on no grid, and stays.
     pub(super) fn add_other(&mut self) {
         if self.level > 0 {
             self.places.push(None);
         }
     }
 
-    /// That the last row stays, wherever it lies.
+    /// Keeps the last row, wherever it lies.
     pub(super) fn keep_last(&mut self) {
         if let Some(last) = self.places.last_mut() {
             self.held -= usize::from(last.take().is_some());
         }
     }
 
-    /// Before a step is recorded: rows are placed about as closely as the first one is long, and drawn apart for those that
-    /// the step will add.
+    /// Before a step is recorded: chooses a spacing of about the length of the first step, and thins the rows to make
+    /// room for those of the step.
     pub(super) fn prepare<M: Mechanism>(
         &mut self,
         [from, until]: [f64; 2],
@@ -115,14 +119,14 @@ impl Grid {
         self.places.resize(if self.level > 0 { rows } else { 0 }, None);
     }
 
-    /// How many rows lie in a step that ends then.
+    /// The number of rows in a step that ends at this time.
     fn added_by(&self, until: f64) -> usize {
         let places = self.asked as f64 * f64::from(self.level).exp2();
         let last = (until - self.begin) / (self.end - self.begin) * places;
         (last as u64 + 1).saturating_sub(self.next) as usize
     }
 
-    /// Draws rows apart to those that were asked for.
+    /// Thins the rows to the requested ones.
     pub(super) fn finish<M: Mechanism>(&mut self, samples: &mut Vec<Sample<M>>, phases: &mut [Phase<M>]) {
         while self.level > 0 {
             self.coarsen(samples, phases);

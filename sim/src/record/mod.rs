@@ -1,4 +1,4 @@
-//! What is kept of a run: rows, dead points, and the phases between events that change something.
+//! The record of a run: rows, dead points, and the phases between events that change something.
 
 mod dead_points;
 mod grid;
@@ -17,11 +17,11 @@ use grid::Grid;
 use sim_kernel::Mechanism;
 pub(crate) use watch::Watch;
 
-/// Watches the steps of a run, and keeps what is to be recorded.
+/// Watches the steps of a run, and keeps the record.
 pub(crate) struct Recorder<M: Mechanism> {
     pub(crate) samples: Vec<Sample<M>>,
     pub(crate) phases: Vec<Phase<M>>,
-    /// Where rows at equal intervals lie; without one, each step is a row.
+    /// The grid of rows at equal intervals; without one, each step is a row.
     grid: Option<Grid>,
     begin: f64,
     end: f64,
@@ -70,7 +70,7 @@ impl<M: Mechanism> Recorder<M> {
         }
     }
 
-    /// Looks for dead points from here on.
+    /// Searches dead points from here on.
     pub(crate) fn seek_dead_points(&mut self, mechanism: &M, start: &State<M>, mobility: &Mobility) {
         self.dead_points = DeadPoints::new(mechanism, start, mobility);
     }
@@ -86,8 +86,8 @@ impl<M: Mechanism> Recorder<M> {
         self.grid.iter_mut().for_each(Grid::add_other);
     }
 
-    /// Ends the record. What was asked for is there where the run came to its end; where it did not, all rows stay, with the
-    /// state that it came to.
+    /// Ends the record. If the run came to its end, it has the requested rows; otherwise all rows stay, with the last
+    /// state.
     pub(crate) fn finish(&mut self) {
         let last = self.samples.last().map_or(self.begin, |sample| sample.state.time);
         if let Some(reached) = self.last_step.take().filter(|reached| reached.state.time > last) {

@@ -30,7 +30,7 @@ impl Column {
 pub struct Table {
     /// The columns, time first.
     pub columns: Vec<Column>,
-    /// Where the outputs start.
+    /// The index of the first output.
     first_output: usize,
 }
 
@@ -44,7 +44,7 @@ impl Table {
         Table::from_rows(mechanism.description(), trajectory.samples.len(), &mut rows)
     }
 
-    /// The table of so many samples with work and outputs. Millions of rows are never held twice.
+    /// The table of these samples with work and outputs. Rows, which may be millions, are never held twice.
     fn from_rows<'a>(
         description: &'static Description,
         count: usize,
@@ -90,7 +90,7 @@ impl Table {
         self.first_output += added;
     }
 
-    /// A table of columns of one length, time first, that are no outputs.
+    /// A table of columns of one length, time first, without outputs.
     #[cfg(test)]
     pub(crate) fn from_columns(columns: Vec<Column>) -> Table {
         Table { first_output: columns.len(), columns }
@@ -118,14 +118,14 @@ impl Table {
     }
 }
 
-/// What the column of work is called. Declared names have no hyphen.
+/// The name of the column of work. Declared names have no hyphen.
 fn work_name(description: &Description) -> &'static str {
     let coordinates = description.coordinates.iter().map(|coordinate| coordinate.position.name);
     let mut declared = coordinates.chain(description.outputs.iter().map(|output| output.name));
     if declared.any(|name| name == "work") { "work-done" } else { "work" }
 }
 
-/// What each column's unit is in SI units.
+/// Each column's unit in SI units.
 fn factors(description: &Description) -> impl Iterator<Item = f64> {
     let coordinates = description.coordinates.iter();
     let positions = coordinates.clone().map(|c| c.position.factor);

@@ -1,4 +1,4 @@
-//! Whoever watches a motion.
+//! The watcher of a motion.
 
 use crate::integrate::Step;
 use crate::motion::Motion;
@@ -6,12 +6,12 @@ use crate::state::failure::Failure;
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::Mechanism;
 
-/// Whoever watches a motion.
+/// The watcher of a motion.
 pub(crate) trait Watch<M: Mechanism> {
-    /// A phase starts with a sample; events have taken so much kinetic energy until then, in joules.
+    /// A phase starts with a sample; events have taken this much kinetic energy so far, in joules.
     fn starts(&mut self, motion: &Motion<M>, sample: &Sample<M>, energy_taken: f64);
 
-    /// A step has been made, which counts as far as a state inside it if an event ends the phase there.
+    /// A step has been made; it counts up to a state inside it if an event ends the phase there.
     ///
     /// # Errors
     /// As dense output.

@@ -1,4 +1,4 @@
-//! Parameters and inputs that the owner of a simulation sets on its way.
+//! Changes of parameters and inputs by the owner of a simulation.
 
 use super::Simulation;
 use crate::motion::inertia::check_inertias;
@@ -9,17 +9,17 @@ use crate::state::failure::{Failure, What, constraint_name, largest};
 use crate::state::trajectory::State;
 use sim_kernel::{Array, Input, Mechanism, Quantity};
 
-/// What of a change of parameters may move the mechanism at once, in the measures of its coordinates: further might be another
-/// branch.
+/// The largest move of the mechanism by one part of a change of parameters, in the scales of its coordinates: further
+/// away may lie another branch.
 const NEAR: f64 = 0.1;
-/// A part of a change that is refused.
+/// The smallest part of a change.
 const LEAST_PART: f64 = 1e-3;
 
 impl<M: Mechanism> Simulation<M> {
-    /// Sets all inputs, from here on. Those that stay as they were change nothing.
+    /// Sets all inputs, from here on. Unchanged inputs have no effect.
     ///
     /// # Errors
-    /// [`What::NotFinite`], and what the simulation has failed with.
+    /// [`What::NotFinite`], and the earlier failure of the simulation.
     pub fn set_inputs(&mut self, inputs: M::Inputs) -> Result<(), Failure> {
         self.check_sound()?;
         let held = inputs.iter().map(|input| input.held().unwrap_or(0.0));
@@ -53,14 +53,14 @@ impl<M: Mechanism> Simulation<M> {
 
     /// Sets all parameters, in the order of declaration and in SI units, from here on.
     ///
-    /// Where they open a constraint the mechanism is assembled anew on its branch: the parameters go there in parts so small
-    /// that each moves it a little, by the smallest change of coordinates, and the speeds follow by the smallest change too. What
-    /// that does to the energy is no work.
+    /// If they open a constraint the mechanism is assembled again on its branch: the parameters change in parts so
+    /// small that each moves it only a little, by the smallest change of coordinates, and the speeds follow by the
+    /// smallest change too. The change of energy does not count as work.
     ///
     /// # Errors
-    /// [`What::ParametersOpen`] if a constraint cannot be closed from here; masses and inertias that cannot be;
-    /// [`What::SingularStart`] in a singular position, [`What::NotFinite`], and what the simulation has failed with. It then stays
-    /// as it was.
+    /// [`What::ParametersOpen`] if a constraint cannot be closed from here; impossible masses and inertias;
+    /// [`What::SingularStart`] in a singular position, [`What::NotFinite`], and the earlier failure of the simulation.
+    /// The simulation then stays unchanged.
     pub fn set_parameters(&mut self, parameters: M::Parameters) -> Result<(), Failure> {
         self.check_sound()?;
         self.check_finite("parameter", self.mechanism().description().parameters, parameters.iter().copied())?;
@@ -113,7 +113,7 @@ impl<M: Mechanism> Simulation<M> {
         })
     }
 
-    /// That all values to be set are finite.
+    /// Checks that all values to be set are finite.
     fn check_finite(&self, kind: &str, of: &[Quantity], values: impl Iterator<Item = f64>) -> Result<(), Failure> {
         match of.iter().zip(values).find(|(_, value)| !value.is_finite()) {
             None => Ok(()),

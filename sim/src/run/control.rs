@@ -1,4 +1,6 @@
 //! Inputs that a program sets while a motion runs.
+//!
+//! The controller is called between integrations, once per period, so that no step has a jump in it.
 
 use super::Simulation;
 use crate::state::failure::Failure;
@@ -8,20 +10,20 @@ use sim_kernel::Mechanism;
 /// The law of a controller: the inputs that follow from a sample.
 type Law<'c, M> = Box<dyn FnMut(&Sample<M>) -> <M as Mechanism>::Inputs + 'c>;
 
-/// What sets the inputs of a run: asked at its start and after every period, of the sample that is reached; between, what it
-/// sets is held. Steps end where periods do, so that a motion is smooth within a step.
+/// The controller of a run's inputs: called with the sample at the start and after every period; between, its inputs
+/// are held. Steps end where periods do, so that a motion is smooth within a step.
 pub struct Controller<'c, M: Mechanism> {
     period: f64,
     law: Law<'c, M>,
 }
 
 impl<'c, M: Mechanism> Controller<'c, M> {
-    /// A law that is asked every `period` seconds; `None` unless that is above zero.
+    /// A law that is called every `period` seconds; `None` unless that is above zero.
     pub fn new(period: f64, law: impl FnMut(&Sample<M>) -> M::Inputs + 'c) -> Option<Controller<'c, M>> {
         (period > 0.0).then(|| Controller { period, law: Box::new(law) })
     }
 
-    /// How long inputs are held, in seconds.
+    /// The time for which inputs are held, in seconds.
     pub fn period(&self) -> f64 {
         self.period
     }
@@ -31,7 +33,7 @@ impl<'c, M: Mechanism> Controller<'c, M> {
 pub(crate) struct Control<'r, 'c, M: Mechanism> {
     controller: Option<&'r mut Controller<'c, M>>,
     begin: f64,
-    /// How often it has been asked.
+    /// The number of calls.
     asked: u32,
 }
 

@@ -26,12 +26,12 @@ use std::time::{Duration, Instant};
 /// Relative change of energy from which a result deserves doubt.
 pub const DOUBTFUL_BALANCE: f64 = 1e-3;
 
-/// What a run found.
+/// The results of a run.
 #[derive(Clone, Debug)]
 pub struct Run<M: Mechanism> {
     /// The mechanism with its parameters.
     pub mechanism: M,
-    /// How it was run.
+    /// Its settings.
     pub settings: Settings,
     /// The motion, as far as it came.
     pub trajectory: Trajectory<M>,
@@ -41,20 +41,20 @@ pub struct Run<M: Mechanism> {
     pub dead_points: Vec<DeadPoint<M>>,
     /// Degrees of freedom and dependent constraints at the start.
     pub mobility: Mobility,
-    /// How many steps were made.
+    /// The number of steps made.
     pub steps: Steps,
-    /// How many right-hand sides were evaluated, for steps, dense output and records.
+    /// The number of evaluations of the right-hand side, for steps, dense output and records.
     pub evaluations: u64,
     /// The largest |C_i| of any sample.
     pub position_residual: f64,
     /// The largest |(C_q q' + C_t)_i| of any sample.
     pub velocity_residual: f64,
-    /// The largest change of kinetic energy minus work, what events take apart, relative to the largest kinetic energy of any
-    /// sample or work of any step.
+    /// The largest change of kinetic energy minus work, apart from losses at events, relative to the largest kinetic
+    /// energy of any sample or work of any step.
     pub energy_balance: f64,
     /// The kinetic energy that events have taken, in joules.
     pub energy_taken: f64,
-    /// How long the integration took, with events and records.
+    /// The time of the integration, with events and records.
     pub integration_time: Duration,
 }
 
@@ -67,10 +67,10 @@ impl<M: Mechanism> Run<M> {
 
 /// The dead points along a run of the coordinates whose values the declaration gives at the start, as many as there are
 /// degrees of freedom: where det C_qd changes its sign, with C_qd the columns of the constraint Jacobian of all other
-/// coordinates. None where the declaration gives fewer, where constraints hold between speeds, keep the norm of a
-/// quaternion, one component of which may change its sign at any time, or are switched by events, nor where C_q itself loses
-/// rank: such a position is singular, and the motion passes it on its own branch. With several degrees of freedom they are
-/// looked for among at most 12 constraints.
+/// coordinates. None are found if the declaration gives fewer, or if constraints hold between speeds, keep the norm of
+/// a quaternion (whose components may change sign at any time), or are switched by events; nor where C_q itself loses
+/// rank: such a position is singular, and the motion passes it on its own branch. With several degrees of freedom they
+/// are searched with at most 12 constraints.
 pub fn dead_points<M: Mechanism>(run: &Run<M>) -> Vec<DeadPoint<M>> {
     run.dead_points.clone()
 }
@@ -78,7 +78,8 @@ pub fn dead_points<M: Mechanism>(run: &Run<M>) -> Vec<DeadPoint<M>> {
 /// Runs a mechanism from a start.
 ///
 /// # Errors
-/// If no start can be assembled, or it is singular. A failure on the way does not lose the run: it stands in its trajectory.
+/// If no start can be assembled, or it is singular. A failure on the way does not lose the run; the trajectory contains
+/// it.
 pub fn run<M: Mechanism>(mechanism: M, start: &Start<M>, settings: &Settings) -> Result<Run<M>, Failure> {
     run_with(mechanism, start, settings, None)
 }

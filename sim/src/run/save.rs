@@ -8,26 +8,26 @@ use crate::state::saved::{Bytes, Damaged};
 use crate::state::settings::{Settings, Stepping};
 use sim_kernel::Mechanism;
 
-/// Bytes that no simulation can be restored from.
+/// Why a simulation cannot be restored from bytes.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotRestored {
     /// They are something else.
-    #[error("these bytes are no saved simulation")]
+    #[error("these bytes are not a saved simulation")]
     NotSaved,
     /// They are not as they were saved.
     #[error("the saved simulation is damaged: its bytes end early, or have been altered")]
     Damaged,
-    /// The motion that was saved had come to an end that nothing leads on from.
-    #[error("the simulation had failed before it was saved: no motion goes on from there")]
+    /// The saved motion had failed and cannot continue.
+    #[error("the simulation had failed before it was saved and cannot continue")]
     Failed,
     /// Something is not what it was.
     #[error("the simulation was saved with another {what}: `{saved}` there, `{here}` here")]
     Other {
-        /// What is different: the version of this library, the mechanism, its declaration, a setting.
+        /// The difference: the version of this library, the mechanism, its declaration, a setting.
         what: String,
-        /// What it was.
+        /// The saved value.
         saved: String,
-        /// What it is.
+        /// The present value.
         here: String,
     },
 }
@@ -35,12 +35,12 @@ pub enum NotRestored {
 const MAGIC: &[u8; 8] = b"linkwrt1";
 
 impl<M: Mechanism> Simulation<M> {
-    /// All that the motion is to go on from, to the last bit: state, parameters, inputs, the size of the next step and what it
-    /// follows from, the stages that foretell an implicit one, the signs of events, and what has happened.
+    /// Everything needed to continue with the same bits: state, parameters, inputs, the size of the next step and the
+    /// state of its control, the stages that predict an implicit step, the signs of events, and past events.
     pub fn save(&self) -> Vec<u8> {
         let mut bytes = Bytes::Written(MAGIC.to_vec());
         let mut identity = self.identity();
-        // Nothing fails where bytes are written.
+        // Writing bytes cannot fail.
         let _ = identity.iter_mut().try_for_each(|(_, value)| bytes.text(value));
         let _ = bytes.flag(&mut self.failure.is_some());
         let _ = self.clone().transfer(&mut bytes);
@@ -49,8 +49,8 @@ impl<M: Mechanism> Simulation<M> {
         bytes
     }
 
-    /// Goes on from where another simulation of the same mechanism with the same settings was saved. Where it cannot, it stays as
-    /// it is.
+    /// Continues from where another simulation of the same mechanism with the same settings was saved. On failure it
+    /// stays unchanged.
     ///
     /// # Errors
     /// [`NotRestored`].
@@ -86,7 +86,7 @@ impl<M: Mechanism> Simulation<M> {
         }
     }
 
-    /// What has to be the same where a simulation is restored.
+    /// The properties that must match to restore a simulation.
     fn identity(&self) -> Vec<(String, String)> {
         let description = self.mechanism().description();
         let Settings { end, method, stepping, stabilisation, stop, .. } = self.settings;

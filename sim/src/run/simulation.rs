@@ -1,4 +1,7 @@
-//! A motion that is advanced as its owner says.
+//! A motion that its owner advances.
+//!
+//! [`run`](crate::run()), with a controller or without, is a loop over a simulation with a recorder. The time to which
+//! a simulation is advanced is the end of a step and not interpolated, as inputs and parameters may change there.
 
 use crate::events::{EventHandler, Occurrence};
 use crate::integrate::{Course, Integrator, Stepper, Steps, first_sample};
@@ -13,10 +16,10 @@ use crate::state::settings::Settings;
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::Mechanism;
 
-/// A motion that is advanced as its owner says, step by step or to a time. Between, its inputs may be set.
+/// A motion that its owner advances, step by step or to a time. In between, inputs and parameters may be set.
 ///
-/// It knows neither threads nor clocks nor files, and keeps nothing of the way but what has happened: whoever wants rows takes them.
-/// What events do, it does. [`run`](crate::run()) is a loop over it.
+/// It uses neither threads nor clocks nor files. It carries out the actions of events and remembers them, but records
+/// no rows: the caller takes them as needed. [`run`](crate::run()) is a loop over it.
 ///
 /// ```
 /// use sim::{Input, Settings, Simulation, declared_start};
@@ -47,7 +50,7 @@ pub struct Simulation<M: Mechanism> {
     pub(super) measures: Measures<M>,
     pub(super) motion: Motion<M>,
     pub(super) integrator: Integrator<M>,
-    /// None where the motion is to start anew.
+    /// None if the motion is to start again.
     pub(super) stepper: Option<Stepper<M>>,
     /// Whether a phase begins there.
     pub(super) begins_phase: bool,
@@ -55,13 +58,13 @@ pub struct Simulation<M: Mechanism> {
     pub(super) steps: Steps,
     /// Right-hand sides of motions before this one.
     pub(super) evaluations: u64,
-    /// Why it can go no further: what an event should have done is not done.
+    /// Why it cannot continue: the actions of an event have failed.
     pub(super) failure: Option<Failure>,
 }
 
 impl<M: Mechanism> Simulation<M> {
-    /// A motion that has not begun yet. Its settings say how long it may last; what they say of rows, of progress and of an
-    /// interrupt is for [`run`](crate::run()).
+    /// A motion that has not begun yet. Its settings limit its duration; their rows, progress and interrupt are for
+    /// [`run`](crate::run()).
     ///
     /// # Errors
     /// If no start can be assembled, or it is singular; [`What::Unusable`] settings.
@@ -92,17 +95,17 @@ impl<M: Mechanism> Simulation<M> {
         })
     }
 
-    /// The mechanism with its parameters and inputs as they are now.
+    /// The mechanism with its present parameters and inputs.
     pub fn mechanism(&self) -> &M {
         self.motion.mechanism()
     }
 
-    /// Where the motion is.
+    /// The present state.
     pub fn state(&self) -> &State<M> {
         &self.state
     }
 
-    /// The same with accelerations and multipliers, as a row of a run has it there.
+    /// The same with accelerations and multipliers, as in a row of a run.
     ///
     /// # Errors
     /// As the right-hand side.
@@ -115,7 +118,7 @@ impl<M: Mechanism> Simulation<M> {
         }
     }
 
-    /// What has happened, in the order of time.
+    /// The past events, in order of time.
     pub fn events(&self) -> &[Occurrence<M>] {
         self.events.found()
     }
@@ -125,12 +128,12 @@ impl<M: Mechanism> Simulation<M> {
         &self.mobility
     }
 
-    /// How many steps were made.
+    /// The number of steps made.
     pub fn steps(&self) -> &Steps {
         &self.steps
     }
 
-    /// How many right-hand sides were evaluated.
+    /// The number of evaluations of the right-hand side.
     pub fn evaluations(&self) -> u64 {
         self.evaluations + self.motion.evaluations()
     }
@@ -145,11 +148,11 @@ impl<M: Mechanism> Simulation<M> {
         self.events.has_ended() || self.state.time >= self.settings.end
     }
 
-    /// Makes one step, and does what events in it say; gives whether there was one left to make.
+    /// Makes one step, and carries out the actions of events in it; gives whether a step was left to make.
     ///
     /// # Errors
-    /// The first failure that smaller steps do not avoid, and what events fail with. The motion ends there: every further step
-    /// fails likewise.
+    /// The first failure that smaller steps do not avoid, and failures of events. The motion ends there: every further
+    /// step fails likewise.
     pub fn step(&mut self) -> Result<bool, Failure> {
         while self.stepper.is_none() {
             if !self.advance(self.settings.end, &mut ())? {
@@ -159,10 +162,10 @@ impl<M: Mechanism> Simulation<M> {
         self.advance(self.settings.end, &mut ())
     }
 
-    /// Goes on to a time, at which a step ends, or to the end of the motion if that is earlier.
+    /// Advances to a time, at which a step ends, or to the end of the motion if that is earlier.
     ///
     /// # Errors
-    /// As [`step`](Simulation::step), and [`What::NotFinite`] if the time is no number.
+    /// As [`step`](Simulation::step), and [`What::NotFinite`] if the time is not finite.
     pub fn advance_to(&mut self, time: f64) -> Result<(), Failure> {
         if time.is_nan() {
             let what = What::NotFinite { quantity: "the time to go on to".to_owned() };
@@ -174,18 +177,18 @@ impl<M: Mechanism> Simulation<M> {
         Ok(())
     }
 
-    /// Begins a motion, or makes one step that ends at a time or before it, and shows it to whoever watches. It is compiled for
-    /// each of these, as one piece with what makes the step and what looks at it: that saves a tenth of a run.
+    /// Begins a motion, or makes one step that ends at a time or before it, and passes it to the watcher. It is
+    /// compiled for each watcher, together with the step: that saves a tenth of a run.
     ///
     /// # Errors
-    /// As [`step`](Simulation::step), and as whoever watches.
+    /// As [`step`](Simulation::step), and failures of the watcher.
     pub(crate) fn advance(&mut self, until: f64, watch: &mut impl Watch<M>) -> Result<bool, Failure> {
         self.check_sound()?;
         self.advance_once(until, watch).inspect_err(|failure| self.failure = Some(failure.clone()))
     }
 
     fn advance_once(&mut self, until: f64, watch: &mut impl Watch<M>) -> Result<bool, Failure> {
-        // A phase that an event has made begins, also where the event ends the motion.
+        // A phase after an event begins, even if the event ends the motion.
         if self.events.has_ended() && !self.begins_phase {
             return Ok(false);
         }
@@ -198,7 +201,7 @@ impl<M: Mechanism> Simulation<M> {
             stepper.head_for(&Course::new(&self.settings, self.begin, until));
         }
         let Some(mut step) = stepper.next(&self.motion, self.integrator.method(), &mut self.steps)? else {
-            // Of equal steps what is left is rounding.
+            // With equal steps the remainder is rounding.
             self.state.time = self.state.time.max(until);
             return Ok(false);
         };
@@ -215,17 +218,17 @@ impl<M: Mechanism> Simulation<M> {
         Ok(true)
     }
 
-    /// That it can go on.
+    /// Checks that it can continue.
     pub(super) fn check_sound(&self) -> Result<(), Failure> {
         self.failure.as_ref().map_or(Ok(()), |failure| Err(failure.clone()))
     }
 
-    /// The way to a time.
+    /// The course to a time.
     pub(super) fn course(&self, until: f64) -> Course {
         Course::new(&self.settings, self.begin, until)
     }
 
-    /// Begins a motion, and does what events say that happen there; `None` where these change it, or end it.
+    /// Begins a motion, and carries out the actions of events that happen there; `None` if these change or end it.
     fn begin(&mut self, course: &Course, watch: &mut impl Watch<M>) -> Result<Option<Stepper<M>>, Failure> {
         self.motion.start(&self.state);
         let sample = first_sample(&self.motion, self.state)?;
@@ -246,7 +249,7 @@ impl<M: Mechanism> Simulation<M> {
         Stepper::new(&self.motion, self.integrator.method(), course, sample).map(Some)
     }
 
-    /// Goes over to the next phase, if events have made one; its first state may be singular.
+    /// Moves on to the next phase, if events have started one; its first state may be singular.
     fn change_phase(&mut self) -> Result<bool, Failure> {
         let Some((mechanism, state)) = self.events.next_phase() else { return Ok(false) };
         self.begins_phase = true;
@@ -254,7 +257,7 @@ impl<M: Mechanism> Simulation<M> {
         Ok(true)
     }
 
-    /// Goes on from a state with another mechanism.
+    /// Continues from a state with another mechanism.
     pub(super) fn go_over(&mut self, mechanism: M, state: State<M>) -> Result<(), Failure> {
         self.state = state;
         let found = mobility(&mechanism, state.time, &state.positions);
@@ -263,14 +266,14 @@ impl<M: Mechanism> Simulation<M> {
         found.check_regular(&mechanism, state.time, &state.positions)
     }
 
-    /// Has the next step start a motion of this mechanism.
+    /// Makes the next step start a motion of this mechanism.
     pub(super) fn start_anew(&mut self, mechanism: M) {
         self.evaluations += self.motion.evaluations();
         self.motion = Motion::new(mechanism, self.settings.stabilisation, self.measures);
         self.stepper = None;
     }
 
-    /// What has happened, in the end, and how many steps were made.
+    /// The past events, at the end, and the number of steps.
     pub(crate) fn conclude(self) -> (Vec<Occurrence<M>>, Steps) {
         (self.events.into_found(), self.steps)
     }

@@ -9,7 +9,7 @@ use crate::state::trajectory::State;
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::{Description, Mechanism};
 
-/// What is known of the start of a motion; all in SI units.
+/// The given start of a motion; all in SI units.
 #[derive(Clone, Debug)]
 pub struct Start<M: Mechanism> {
     /// Values or guesses of the coordinates.
@@ -36,14 +36,14 @@ fn declared_given(description: &Description) -> [Vec<bool>; 2] {
     [positions, coordinates.iter().map(|c| c.speed_given).collect()]
 }
 
-/// Steps of Gauss-Newton, after which assembly is given up.
+/// The number of Gauss-Newton steps after which assembly is given up.
 const MOST_STEPS: usize = 200;
 
-/// The state at time 0 nearest to a start that satisfies the constraints and all that is given.
+/// The state at time 0 nearest to a start that satisfies the constraints and all given values.
 ///
-/// Loops that close in closed form are closed so, on the branch nearest to the guesses: see [`branches`]. Otherwise, and
-/// for the last bits, positions by Gauss-Newton with least-norm steps in the free coordinates, halved until the residual falls; speeds
-/// by least squares of least norm, so that a freedom that nothing drives starts at rest.
+/// Loops that close in closed form are closed that way, on the branch nearest to the guesses: see [`branches`]. Otherwise,
+/// and for the last bits, positions by Gauss-Newton with least-norm steps in the free coordinates, halved until the
+/// residual falls; speeds by least squares of least norm, so that an undriven freedom starts at rest.
 ///
 /// # Errors
 /// [`What::NotAssembled`] with the closest configuration, [`What::SpeedsContradict`].
@@ -55,8 +55,8 @@ pub fn assemble<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<State<M
     Ok(State { time: 0.0, positions: array(n, &positions), speeds: array(n, &speeds), work: 0.0 })
 }
 
-/// All configurations that have the coordinates that the start gives, as far as loops close in closed form: elbow up and
-/// elbow down. Coordinates of other loops are found by Gauss-Newton from their guesses; where that fails there is no
+/// All configurations with the given coordinates of the start, as far as loops close in closed form: elbow up and elbow
+/// down. Coordinates of other loops are found by Gauss-Newton from their guesses; if that fails there is no
 /// configuration. Angles are within half a turn of their guesses.
 pub fn branches<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Branches<M> {
     let Closed { loops, open, positions } = branches_of(&Any(mechanism), &start.given());
@@ -128,7 +128,7 @@ fn correct_positions(mechanism: &dyn AnyMechanism, start: &Given, mut q: Vec<f64
     Err(not_assembled(mechanism, &q))
 }
 
-/// One projection as in every step, if nothing is given that it could move.
+/// One projection as in every step, if it cannot move given values.
 fn polish(mechanism: &dyn AnyMechanism, start: &Given, q: Vec<f64>) -> Vec<f64> {
     let mut polished = q.clone();
     let nothing_given = start.position_given.iter().all(|given| !given);
@@ -160,7 +160,7 @@ fn assemble_speeds(mechanism: &dyn AnyMechanism, start: &Given, q: &[f64]) -> Re
     let mut speeds = DVector::from_iterator(q.len(), given.map(|(speed, given)| if *given { *speed } else { 0.0 }));
     let mut open = &jacobian * &speeds + &time_derivative;
     let mut contradicted = 0;
-    // Once is enough but where lengths are far from 1 m, and the decomposition of J loses digits.
+    // Once is enough, unless lengths are far from 1 m and the decomposition of J loses digits.
     for _ in 0..MOST_REFINEMENTS {
         let Some(step) = least_norm_solution(jacobian.clone(), start.speed_given, &open) else {
             let quantity = "a derivative of the constraints".into();
@@ -169,7 +169,7 @@ fn assemble_speeds(mechanism: &dyn AnyMechanism, start: &Given, q: &[f64]) -> Re
         speeds -= step;
         open = &jacobian * &speeds + &time_derivative;
         let terms = |i: usize| jacobian.row(i).iter().zip(&speeds).map(|(c, v)| (c * v).abs()).sum::<f64>();
-        // Least squares leave a few roundings of the terms; a contradiction leaves a part of them.
+        // Least squares leave a residual of a few roundings of the terms; a contradiction leaves a fraction of them.
         match (0..open.len()).find(|i| !(open[*i].abs() <= 1e-9 * terms(*i) + 1e-12)) {
             None => return Ok(speeds.as_slice().to_vec()),
             Some(row) => contradicted = row,
@@ -191,7 +191,7 @@ fn least_norm_solution(mut jacobian: DMatrix<f64>, given: &[bool], residual: &DV
     let svd = jacobian.svd(true, true);
     let largest = svd.singular_values.iter().fold(0.0, |a: f64, b| a.max(*b));
     let mut solution = svd.solve(residual, 1e-12 * largest.max(f64::MIN_POSITIVE)).ok()?;
-    // Rounding must not move what is given.
+    // Rounding must not move given values.
     (0..given.len()).filter(|j| given[*j]).for_each(|j| solution[j] = 0.0);
     Some(solution)
 }

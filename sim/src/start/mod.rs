@@ -1,4 +1,4 @@
-//! How a mechanism is put together before it moves.
+//! The assembly of a mechanism before it moves.
 
 pub(crate) mod assemble;
 pub(crate) mod dyads;

@@ -1,4 +1,5 @@
-//! FNV-1a, 64 bits (Fowler, Noll, Vo; RFC 9923): it tells things apart and guards nothing. A change of one byte always changes it.
+//! FNV-1a, 64 bits (Fowler, Noll, Vo; RFC 9923): it distinguishes contents and is not cryptographic. A change of one
+//! byte always changes it.
 
 /// The digest of the bytes so far.
 pub(crate) struct Digest(u64);

@@ -1,4 +1,4 @@
-//! What can go wrong in a motion, with where and when.
+//! Failures of a motion, with place and time.
 
 pub use super::what::What;
 use sim_kernel::{Description, Mechanism};
@@ -7,13 +7,13 @@ use std::fmt;
 /// A failure with the time and state at which it happened.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Failure {
-    /// What went wrong.
+    /// The kind of failure.
     pub what: What,
     /// When, in seconds.
     pub time: f64,
     /// The coordinates there, by name, in SI units.
     pub state: Vec<(&'static str, f64)>,
-    /// Their declared units, with what they are in SI units.
+    /// Their declared units, with their sizes in SI units.
     pub(crate) units: Vec<(&'static str, f64)>,
 }
 
@@ -32,7 +32,7 @@ impl Failure {
 }
 
 impl Failure {
-    /// The same, while an event was looked for.
+    /// The same, while an event was being located.
     pub(crate) fn in_event(self, event: &'static str) -> Failure {
         Failure { what: What::InEvent { event, what: Box::new(self.what) }, ..self }
     }
@@ -53,7 +53,7 @@ impl fmt::Display for Failure {
 
 impl std::error::Error for Failure {}
 
-/// Six decimals, or six digits where that would be too long or say nothing.
+/// Six decimals, or six digits if that would be too long or all zeros.
 fn readable(value: f64) -> String {
     // Zero has no sign here.
     let value = value + 0.0;

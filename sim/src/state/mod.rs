@@ -1,4 +1,4 @@
-//! States and trajectories, the settings of a run, and why it fails.
+//! States and trajectories, the settings of a run, and its failures.
 
 pub(crate) mod digest;
 pub(crate) mod failure;

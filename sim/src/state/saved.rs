@@ -1,18 +1,20 @@
-//! What a simulation knows as bytes, and back: each part tells once what it is made of, for both ways.
+//! The state of a simulation as bytes, and back.
+//!
+//! Each part describes its contents once, for writing and for reading, so the two cannot get out of order.
 
 use crate::state::failure::constraint_name;
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Input, Mechanism};
 
-/// The bytes end early, or are none that were saved.
+/// The bytes end early, or were never saved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Damaged;
 
 /// Bytes that are being written, or read.
 pub(crate) enum Bytes<'b> {
-    /// All that has been written.
+    /// The bytes written so far.
     Written(Vec<u8>),
-    /// What is left to read.
+    /// The bytes left to read.
     Read(&'b [u8]),
 }
 
@@ -40,7 +42,7 @@ impl Bytes<'_> {
         numbers.iter_mut().try_for_each(|number| self.number(number))
     }
 
-    /// A number below a limit, as of a place.
+    /// A number below a limit, such as an index.
     pub(crate) fn index(&mut self, index: &mut usize, limit: usize) -> Result<(), Damaged> {
         let mut word = *index as u64;
         self.word(&mut word)?;
@@ -48,18 +50,18 @@ impl Bytes<'_> {
         Ok(())
     }
 
-    /// How many there are of something: far from where numbers end, so that more can be counted.
+    /// A count, far enough below the limits of its type to grow.
     pub(crate) fn count(&mut self, count: &mut usize) -> Result<(), Damaged> {
         self.index(count, 1 << 48)
     }
 
-    /// The same of what may be many on small machines too.
+    /// The same for larger counts.
     pub(crate) fn tally(&mut self, count: &mut u64) -> Result<(), Damaged> {
         self.word(count)?;
         if *count < 1 << 48 { Ok(()) } else { Err(Damaged) }
     }
 
-    /// How long something lasts, in seconds.
+    /// A duration, in seconds.
     pub(crate) fn duration(&mut self, duration: &mut f64) -> Result<(), Damaged> {
         self.number(duration)?;
         if *duration >= 0.0 && duration.is_finite() { Ok(()) } else { Err(Damaged) }
@@ -72,7 +74,7 @@ impl Bytes<'_> {
         Ok(())
     }
 
-    /// What may not be there; `blank` is to be filled if it is.
+    /// An optional value; `blank` is filled if it is present.
     pub(crate) fn option<T>(
         &mut self,
         value: &mut Option<T>,
@@ -162,7 +164,7 @@ impl Bytes<'_> {
         Ok(())
     }
 
-    /// A mechanism by its parameters, its inputs and what events have switched.
+    /// A mechanism by its parameters, inputs and activities.
     pub(crate) fn mechanism<M: Mechanism>(&mut self, mechanism: &mut M) -> Result<(), Damaged> {
         let (mut parameters, mut inputs) = (mechanism.parameters(), mechanism.inputs());
         let mut activities = mechanism.activities();

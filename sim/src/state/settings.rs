@@ -58,7 +58,7 @@ impl Method {
     }
 }
 
-/// How long the steps are.
+/// The length of the steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stepping {
     /// This many steps of equal length.
@@ -67,14 +67,14 @@ pub enum Stepping {
     Adaptive(Tolerance),
 }
 
-/// The error that one step may make in a coordinate or speed x: `relative` times |x| plus `absolute` times what x is measured
-/// by, which is the mechanism's own length for lengths and 1 rad for angles ([`Measures`](crate::Measures)), whatever unit is
-/// declared.
+/// The allowed error of one step in a coordinate or speed x: `relative` times |x| plus `absolute` times the scale of x,
+/// which is the mechanism's own length for lengths and 1 rad for angles ([`Measures`](crate::Measures)), whatever the
+/// declared unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// Relative.
     pub relative: f64,
-    /// Absolute, a part of what a coordinate is measured by.
+    /// Absolute, as a fraction of the scale of a coordinate.
     pub absolute: f64,
 }
 
@@ -113,13 +113,13 @@ impl fmt::Display for Stabilisation {
     }
 }
 
-/// At which times the motion is recorded. It does not change the steps.
+/// The times at which the motion is recorded. They do not change the steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rows {
     /// After each step.
     Steps,
-    /// At the ends of this many intervals of equal length. A run that ends early has up to twice as many, of a length that
-    /// is a power of two shorter, and its last state.
+    /// At the ends of this many intervals of equal length. A run that ends early has up to twice as many, shorter by a
+    /// power of two, and its last state.
     Even(usize),
 }
 
@@ -128,7 +128,7 @@ pub enum Rows {
 pub struct StopAt {
     /// Which event, by index.
     pub event: usize,
-    /// At which of its occurrences, from 1.
+    /// The occurrence, counted from 1.
     pub occurrence: usize,
 }
 
@@ -141,15 +141,15 @@ pub struct Settings {
     pub method: Method,
     /// Its steps.
     pub stepping: Stepping,
-    /// What keeps the constraints.
+    /// The stabilisation of the constraints.
     pub stabilisation: Stabilisation,
-    /// What is recorded.
+    /// The record.
     pub rows: Rows,
-    /// The event that ends the run before its time.
+    /// The event that ends the run early.
     pub stop: Option<StopAt>,
     /// Ends the run, as a failure, once it is true.
     pub interrupt: Option<&'static AtomicBool>,
-    /// Where the time reached is told, as the bits of an `f64`.
+    /// Receives the time reached, as the bits of an `f64`.
     pub progress: Option<&'static AtomicU64>,
 }
 
@@ -179,7 +179,7 @@ impl Settings {
         Settings { method, stepping: Stepping::Adaptive(Tolerance::new(relative)), ..Settings::new(end) }
     }
 
-    /// That a motion of a mechanism with so many events can be made with them; else what is wrong, and what would be right.
+    /// Checks that they suit a mechanism with this many events; the error says what is wrong and how to correct it.
     pub(crate) fn check(&self, events: usize) -> Result<(), String> {
         let is_equal = matches!(self.stepping, Stepping::Equal(_));
         if self.end.is_nan() || (is_equal && self.end.is_infinite()) {

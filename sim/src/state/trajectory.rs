@@ -3,7 +3,7 @@
 use crate::Failure;
 use sim_kernel::{Array, Dynamics, Mechanism};
 
-/// What is integrated: the state of a mechanism, and the work done on it.
+/// The integrated variables: the state of a mechanism, and the work done on it.
 #[derive(Clone, Copy, Debug)]
 pub struct State<M: Mechanism> {
     /// t, in seconds.
@@ -36,7 +36,7 @@ impl<M: Mechanism> State<M> {
     }
 }
 
-/// A state with what follows from it; all of it belongs to one time.
+/// A state with the quantities that follow from it, all at one time.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample<M: Mechanism> {
     /// The state.
@@ -47,7 +47,7 @@ pub struct Sample<M: Mechanism> {
     pub multipliers: M::L,
     /// The power of loads and drives, in watts.
     pub power: f64,
-    /// The inputs of which all of this follows.
+    /// The inputs that all of this follows from.
     pub inputs: M::Inputs,
 }
 
@@ -58,7 +58,7 @@ impl<M: Mechanism> Sample<M> {
         Sample { state, accelerations, multipliers, power, inputs }
     }
 
-    /// How the state changes in time.
+    /// The rates of the state in time.
     pub fn rates(&self) -> Rates<M> {
         Rates { positions: self.state.speeds, speeds: self.accelerations, work: self.power }
     }
@@ -121,7 +121,7 @@ pub struct Trajectory<M: Mechanism> {
     pub samples: Vec<Sample<M>>,
     /// The parts between such events, in order.
     pub phases: Vec<Phase<M>>,
-    /// Why it ended before its time, if it did.
+    /// The failure that ended it early, if any.
     pub failure: Option<Failure>,
 }
 

@@ -1,8 +1,8 @@
-//! What can go wrong, in words and by codes.
+//! Kinds of failures, with messages and codes.
 
 use crate::numerics::eigen::NoEigenvalues;
 
-/// What went wrong.
+/// The kind of failure.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum What {
     /// No configuration near the guesses satisfies the constraints.
@@ -60,7 +60,7 @@ pub enum What {
         /// The constraint.
         constraint: &'static str,
     },
-    /// The same where a motion should start.
+    /// The same at the start of a motion.
     #[error(
         "the mechanism cannot start in a singular position: constraint `{constraint}` is not independent of the others here, \
              though it is nearby. More than one motion may lead on, and the equations do not say which. Start beside it: change \
@@ -70,10 +70,10 @@ pub enum What {
         /// The constraint.
         constraint: &'static str,
     },
-    /// The same where small motions, or the reactions at rest, are asked for.
+    /// The same where small motions, or reactions at rest, are requested.
     #[error(
         "the position is singular: constraint `{constraint}` is not independent of the others here, though it is nearby. Branches of \
-             the motion cross here: small motions have no linear equations, and the reactions are not determined. Ask beside it"
+             the motion cross here: small motions have no linear equations, and the reactions are not determined. Choose a state beside it"
     )]
     SingularState {
         /// The constraint.
@@ -96,8 +96,8 @@ pub enum What {
     },
     /// Generalised speeds do not determine the rates of the coordinates here.
     #[error(
-        "the generalised speeds do not determine the speeds of the coordinates here. Declare others, or leave them out: \
-             coordinates and their speeds are then what is integrated"
+        "the generalised speeds do not determine the speeds of the coordinates here. Declare others, or leave them out, \
+             to integrate coordinates and their speeds"
     )]
     SpeedsUndetermined,
     /// The angles of an attitude do not determine its motion here.
@@ -121,18 +121,18 @@ pub enum What {
         /// Negative parameters, as a part of a sentence.
         suspects: String,
     },
-    /// A tensor of inertia that no body has.
-    #[error("the inertia of body `{body}` cannot be, with these parameters: {why}")]
+    /// An impossible inertia tensor.
+    #[error("the inertia of body `{body}` is impossible with these parameters: {why}")]
     ImpossibleInertia {
         /// The body.
         body: String,
-        /// What is wrong with it.
+        /// The reason.
         why: String,
     },
     /// No equilibrium was found.
     #[error(
-        "no equilibrium was found: at the nearest position at rest an acceleration of {acceleration:.3e} is left. Start nearer to \
-             one, or hold what nothing holds"
+        "no equilibrium was found: the nearest position still has an acceleration of {acceleration:.3e}. Start closer to \
+             one, or constrain what nothing holds"
     )]
     NoEquilibrium {
         /// The largest acceleration, in SI units.
@@ -144,24 +144,24 @@ pub enum What {
              or drive another quantity through it"
     )]
     LimitPosition {
-        /// What is driven.
+        /// The driven quantity.
         driven: &'static str,
         /// Where it has to turn back, with its unit.
         value: String,
     },
     /// The drive does not determine the motion.
     #[error(
-        "driving `{driven}` does not determine the motion here: the mechanism is in a dead point of it, or branches of its motion \
+        "driving `{driven}` does not determine the motion here: the mechanism is at a dead point, or branches of its motion \
              cross. Begin elsewhere, or drive another quantity"
     )]
     DriveSingular {
-        /// What is driven.
+        /// The driven quantity.
         driven: &'static str,
     },
     /// A degree of freedom without a drive, or a drive without one.
     #[error(
-        "each degree of freedom needs a drive or a hold, and one only: there are {freedoms} of them here, and {driven} quantities \
-             driven or held. Hold what is free, or drive less"
+        "each degree of freedom needs exactly one drive or hold: there are {freedoms} of them here, and {driven} quantities \
+             driven or held. Hold what is free, or drive fewer"
     )]
     NotDriven {
         /// Degrees of freedom.
@@ -177,9 +177,9 @@ pub enum What {
         /// Its name.
         output: &'static str,
     },
-    /// Constraints between speeds do not tell where a drive leads.
+    /// Constraints between speeds do not determine positions along a drive.
     #[error(
-        "constraint `{constraint}` holds between speeds: where the mechanism comes to depends on its way, and no sweep can follow it. \
+        "constraint `{constraint}` holds between speeds: where the mechanism ends up depends on its path, so no sweep can follow it. \
              Use `run`, with a load that drives it"
     )]
     NotHolonomic {
@@ -187,9 +187,7 @@ pub enum What {
         constraint: &'static str,
     },
     /// A parameter that constraints depend on cannot be an input.
-    #[error(
-        "constraints depend on `{parameter}`: it cannot be an input, which may change without moving the mechanism at once"
-    )]
+    #[error("constraints depend on `{parameter}`: it cannot be an input, since an input may jump and positions cannot")]
     NotAnInput {
         /// Its name.
         parameter: &'static str,
@@ -200,7 +198,7 @@ pub enum What {
              domain here, or several branches of the motion meet"
     )]
     NotFollowed {
-        /// What is driven.
+        /// The driven quantity.
         driven: &'static str,
     },
     /// The samples would not fit in memory.
@@ -210,7 +208,7 @@ pub enum What {
         rows: usize,
     },
     /// The method cannot choose its steps.
-    #[error("this method makes no estimate of its error and cannot choose its steps: give their number")]
+    #[error("this method does not estimate its error and cannot choose its steps: give the number of steps")]
     NoErrorEstimate,
     /// The tolerance cannot be met by any step.
     #[error(
@@ -237,8 +235,8 @@ pub enum What {
     },
     /// Events happen again and again, at times that accumulate.
     #[error(
-        "event `{event}` chatters: what it does makes it happen again at once, for the {count}. time. The times of its \
-             occurrences accumulate here, and no motion goes on beyond this point. Let it stop the run (`stop`), hold what it \
+        "event `{event}` chatters: its actions trigger it again at once, {count} times so far. The times of its \
+             occurrences accumulate here, and the motion cannot continue. Stop the run (`stop`), hold what it \
              hits (`activate`), or change the condition"
     )]
     Accumulating {
@@ -247,10 +245,10 @@ pub enum What {
         /// How often it has happened.
         count: usize,
     },
-    /// An event lets a constraint hold, or moves coordinates, where the constraint is open.
+    /// An event activates a constraint, or moves coordinates, where the constraint is open.
     #[error(
-        "event `{event}` leaves constraint `{constraint}` open by {residual:.3e}: where a constraint comes to hold the positions \
-             must satisfy it already, and so must coordinates that are set"
+        "event `{event}` leaves constraint `{constraint}` open by {residual:.3e}: when a constraint is activated the positions \
+             must satisfy it already, and so must coordinates that an event sets"
     )]
     EventOpens {
         /// The event.
@@ -260,7 +258,7 @@ pub enum What {
         /// C there.
         residual: f64,
     },
-    /// Parameters that are set on the way open a constraint.
+    /// Parameters set during the motion open a constraint.
     #[error(
         "with these parameters constraint `{constraint}` is open by {residual:.3e}, and the mechanism cannot be moved there on \
              this branch of its motion. Change them less, or start anew with them"
@@ -271,23 +269,23 @@ pub enum What {
         /// That residual.
         residual: f64,
     },
-    /// A setting that no motion can be made with.
+    /// An invalid setting.
     #[error("{setting}")]
     Unusable {
-        /// Which, why, and what would be right.
+        /// Which, why, and how to correct it.
         setting: String,
     },
     /// A name that the mechanism does not have.
     #[error("there is no {kind} `{name}`; there are: {known}")]
     Unknown {
-        /// What is asked for.
+        /// The kind of thing.
         kind: &'static str,
         /// Its name.
         name: String,
-        /// All that there are.
+        /// All known ones.
         known: String,
     },
-    /// A coefficient of restitution that is none.
+    /// An invalid coefficient of restitution.
     #[error(
         "event `{event}`: the coefficient of restitution with `{constraint}` is {coefficient}, and must be a number that is not \
              negative"
@@ -300,15 +298,15 @@ pub enum What {
         /// The coefficient.
         coefficient: f64,
     },
-    /// Something failed where an event was looked for.
-    #[error("while event `{event}` was looked for: {what}")]
+    /// Something failed while an event was being located.
+    #[error("while event `{event}` was being located: {what}")]
     InEvent {
         /// The event.
         event: &'static str,
-        /// What failed.
+        /// The cause.
         what: Box<What>,
     },
-    /// Somebody asked it to end.
+    /// The run was interrupted.
     #[error("interrupted; what was computed until then is kept")]
     Interrupted,
     /// A number that is not finite.
@@ -323,8 +321,8 @@ pub enum What {
 }
 
 impl What {
-    /// A short name that stays the same from version to version, for programs: `E-SINGULAR-POSITION`. Of what failed while an
-    /// event was looked for it is that of the cause.
+    /// A short name for programs, stable between versions: `E-SINGULAR-POSITION`. A failure while an event was being
+    /// located has the code of its cause.
     pub fn code(&self) -> &'static str {
         match self {
             What::NotAssembled { .. } => "E-NOT-ASSEMBLED",

@@ -28,6 +28,16 @@ pub(crate) enum Task {
     Sweep([f64; 3], usize),
 }
 
+impl Drawn {
+    /// As options of the command, for one draw.
+    pub(crate) fn options(&self) -> String {
+        match self.turns == MOST_TURNS {
+            true => format!("--seed {}", self.seed),
+            false => format!("--seed {} --turns {}", self.seed, self.turns),
+        }
+    }
+}
+
 /// Random numbers of one draw, whatever was drawn before.
 pub(crate) fn random(seed: u64, number: u64) -> Random {
     let mut mixed = Random(seed.wrapping_mul(0xd134_2543_de82_ef95) ^ number.wrapping_mul(0x2545_f491_4f6c_dd1d));
@@ -48,11 +58,21 @@ pub(crate) fn happens(random: &mut Random, probability: f64) -> bool {
     random.between(0.0, 1.0) < probability
 }
 
-/// Draws; none if no sound start was found, or if it is not `of` the linkage that is asked for.
-pub(crate) fn draw(seed: u64, number: u64, of: Option<&str>) -> Option<Draw> {
-    let random = &mut random(seed, number);
+/// Which draws are made.
+#[derive(Clone)]
+pub(crate) struct Drawn {
+    pub(crate) seed: u64,
+    /// The linkage, if only one is wanted.
+    pub(crate) of: Option<String>,
+    /// How far runs go at most, in turns of the fastest body.
+    pub(crate) turns: f64,
+}
+
+/// Draws; `None` if no sound start was found, or if it is of another linkage than the one that is wanted.
+pub(crate) fn draw(drawn: &Drawn, number: u64) -> Option<Draw> {
+    let random = &mut random(drawn.seed, number);
     let index = random.between(0.0, LINKAGES.len() as f64) as usize;
-    if of.is_some_and(|of| of != LINKAGES[index].name) {
+    if drawn.of.as_ref().is_some_and(|of| of != LINKAGES[index].name) {
         return None;
     }
     let linkage = &LINKAGES[index];
@@ -64,7 +84,7 @@ pub(crate) fn draw(seed: u64, number: u64, of: Option<&str>) -> Option<Draw> {
             None => sizes::spatial(&SPATIAL[index - PLANAR.len()], random),
         };
         // As many turns at the speed of the start, as far as it gets.
-        let end = MOST_TURNS_RUN * TAU / speed;
+        let end = drawn.turns * TAU / speed;
         let ahead = Settings { rows: Rows::Even(600), ..Settings::adaptive(Method::Dop853, end, 1e-9) };
         let Ok(found) = linkage.forms[0].run(&parameters, &ahead) else { continue };
         let pace = Pace::of(&found, ahead.end, [size, mass, speed]);
@@ -72,14 +92,14 @@ pub(crate) fn draw(seed: u64, number: u64, of: Option<&str>) -> Option<Draw> {
             continue;
         }
         let task = if kind < 0.45 {
-            Task::Run(adaptive(&pace, random))
+            Task::Run(adaptive(&pace, drawn.turns, random))
         } else if kind < 0.9 || !linkage.forms[form].is_driven() {
-            let Some(settings) = equal(&pace, random) else { continue };
+            let Some(settings) = equal(&pace, drawn.turns, random) else { continue };
             Task::Run(settings)
         } else {
             let from =
                 parameters.iter().find(|(name, _)| name == "th_0" || name == "t_0").map_or(0.0, |(_, value)| *value);
-            let turns = log_between(random, 0.05, MOST_TURNS_SWEPT);
+            let turns = log_between(random, 0.05, TURNS_SWEPT * drawn.turns);
             let rows = log_between(random, 1.0, 1000.0) as usize;
             Task::Sweep([from, from + turns * TAU, speed], rows)
         };
@@ -186,8 +206,8 @@ fn stabilisation(random: &mut Random) -> Stabilisation {
     }
 }
 
-fn adaptive(pace: &Pace, random: &mut Random) -> Settings {
-    let last = pace.until(log_between(random, 0.1, MOST_TURNS_RUN));
+fn adaptive(pace: &Pace, turns: f64, random: &mut Random) -> Settings {
+    let last = pace.until(log_between(random, 0.1, turns));
     let method = *pick(random, &[Method::Dopri5, Method::Dop853, Method::Radau5]);
     let tightest = if method == Method::Radau5 { 1e-10 } else { 1e-12 };
     let relative = log_between(random, tightest, 1e-5);
@@ -205,15 +225,18 @@ const MOST_STEPS: f64 = 3000.0;
 const MOST_IMPLICIT_STEPS: f64 = 500.0;
 /// A column that changes by this part of its range from one row to the next has more between them.
 const JUMP: f64 = 0.25;
-/// The longest runs, and sweeps.
-const MOST_TURNS_RUN: f64 = 4.0;
-const MOST_TURNS_SWEPT: f64 = 50.0;
+/// The longest runs where nothing else is asked for, in turns.
+pub(crate) const MOST_TURNS: f64 = 4.0;
+/// Sweeps go so many times as far, and runs of equal steps so far.
+const TURNS_SWEPT: f64 = 12.5;
+const TURNS_IN_EQUAL_STEPS: f64 = 0.5;
 
-fn equal(pace: &Pace, random: &mut Random) -> Option<Settings> {
+fn equal(pace: &Pace, turns: f64, random: &mut Random) -> Option<Settings> {
     let method = *pick(random, &Method::ALL);
     // Of fewer steps a fifth of a range may be the error of Euler's method itself.
     let fewest = if method == Method::Euler { 600.0 } else { 400.0 };
-    let (turns, per_turn) = (log_between(random, 0.1, 2.0), log_between(random, fewest, 1600.0));
+    let turns = log_between(random, 0.1, TURNS_IN_EQUAL_STEPS * turns);
+    let per_turn = log_between(random, fewest, 1600.0);
     // In a turn of the fastest body, or of what changes fastest.
     let steps = |i: usize| (pace.times[i] * pace.highest[i].max(pace.sharpest[i]) / TAU * per_turn).ceil();
     let most = if method == Method::Radau5 { MOST_IMPLICIT_STEPS } else { MOST_STEPS };

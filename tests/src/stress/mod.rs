@@ -10,6 +10,7 @@ mod spatial;
 mod topology;
 mod typed;
 
+use draw::Drawn;
 use judge::Verdict;
 use std::collections::BTreeMap;
 use std::process::ExitCode;
@@ -20,33 +21,40 @@ use typed::{Linkage, Typed};
 
 include!(concat!(env!("OUT_DIR"), "/stress.rs"));
 
-const USAGE: &str = "stress COUNT [--seed S] [--of LINKAGE]    runs draws 0 to COUNT - 1
-stress --draw NUMBER [--seed S]          repeats one draw and tells all of it";
+const USAGE: &str = "stress COUNT [--seed S] [--of LINKAGE] [--turns T]    runs draws 0 to COUNT - 1
+stress --draw NUMBER [--seed S] [--turns T]           repeats one draw and tells all of it
+Runs go T turns at most, or 4, and sweeps 12.5 T.";
 
 /// What is asked for.
 struct Asked {
-    seed: u64,
     draws: std::ops::Range<u64>,
-    of: Option<String>,
+    drawn: Drawn,
 }
 
 fn asked() -> Result<Asked, String> {
-    let mut asked = Asked { seed: 1, draws: 0..0, of: None };
+    let mut asked = Asked { draws: 0..0, drawn: Drawn { seed: 1, of: None, turns: draw::MOST_TURNS } };
     let mut words = std::env::args().skip(1);
     while let Some(word) = words.next() {
         let number =
             |text: Option<String>| text.and_then(|text| text.parse().ok()).ok_or(format!("{word}: a number is needed"));
         match word.as_str() {
-            "--seed" => asked.seed = number(words.next())?,
+            "--seed" => asked.drawn.seed = number(words.next())?,
             "--draw" => {
                 let one: u64 = number(words.next())?;
                 asked.draws = one..one + 1;
             }
-            "--of" => asked.of = words.next(),
+            "--of" => asked.drawn.of = words.next(),
+            "--turns" => asked.drawn.turns = turns(words.next())?,
             _ => asked.draws = 0..number(Some(word.clone()))?,
         }
     }
     if asked.draws.is_empty() { Err("say how many draws".to_owned()) } else { Ok(asked) }
+}
+
+/// How far runs go: far enough to be compared, and no farther than is known in a reasonable time.
+fn turns(text: Option<String>) -> Result<f64, String> {
+    let turns = text.and_then(|text| text.parse().ok()).filter(|turns| (0.25..=100.0).contains(turns));
+    turns.ok_or("--turns: a number from 0.25 to 100 is needed".to_owned())
 }
 
 pub(crate) fn main() -> ExitCode {
@@ -71,7 +79,7 @@ pub(crate) fn main() -> ExitCode {
                         return;
                     }
                     let begun = Instant::now();
-                    let judged = draw::draw(asked.seed, number, asked.of.as_deref()).map(|draw| {
+                    let judged = draw::draw(&asked.drawn, number).map(|draw| {
                         let verdict = judge::judge(&draw);
                         (draw, verdict)
                     });
@@ -79,7 +87,7 @@ pub(crate) fn main() -> ExitCode {
                         println!("{}\n{:?}\n{verdict:?}", draw.command(), draw.task);
                     }
                     if let Ok(mut tally) = tally.lock() {
-                        tally.add(asked.seed, number, judged, begun.elapsed());
+                        tally.add(&asked.drawn, number, judged, begun.elapsed());
                     }
                 }
             });
@@ -110,11 +118,11 @@ struct Tally {
 
 impl Tally {
     /// Counts a draw, and tells what is worth a word, in the order of the draws.
-    fn add(&mut self, seed: u64, number: u64, judged: Option<(draw::Draw, Verdict)>, took: Duration) {
+    fn add(&mut self, drawn: &Drawn, number: u64, judged: Option<(draw::Draw, Verdict)>, took: Duration) {
         self.slowest = self.slowest.max((took, number));
         let story = judged.and_then(|(draw, verdict)| {
             let what = self.count(&draw, verdict)?;
-            Some(format!("{what}: {}\n    stress --seed {seed} --draw {number}", draw.summary()))
+            Some(format!("{what}: {}\n    stress {} --draw {number}", draw.summary(), drawn.options()))
         });
         self.untold.insert(number, story);
         while let Some(story) = self.untold.remove(&self.next) {

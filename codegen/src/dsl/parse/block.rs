@@ -121,7 +121,10 @@ pub(super) fn initial(input: ParseStream) -> Result<Initial> {
         syn::parenthesized!(content in input);
         let coordinate = name(&content, "a coordinate: `dot(alpha) = ..;`")?;
         if !content.is_empty() {
-            return Err(here(&content, "the speed of a coordinate is given, `dot(alpha) = ..;`, not of an expression"));
+            return Err(here(
+                &content,
+                "only the speed of a coordinate can be given, `dot(alpha) = ..;`, not that of an expression",
+            ));
         }
         (InitialKind::Speed, coordinate)
     } else if first == "guess" && input.peek(Ident::peek_any) {

@@ -1,4 +1,4 @@
-//! The lines of `events`: conditions, and what happens when they come to hold.
+//! The lines of `events`: conditions and their actions.
 
 use super::equation::equation;
 use super::expression::expression;
@@ -70,7 +70,7 @@ fn stop(input: ParseStream, place: Region) -> Result<Action> {
     if !accept_word(input, "after")? {
         return Ok(Action::Stop { after: 1, place });
     }
-    const FORM: &str = "`stop after` takes at which occurrence, a whole number from 1: `stop after 3;`";
+    const FORM: &str = "`stop after` takes the number of an occurrence, a whole number from 1: `stop after 3;`";
     let mistake = here(input, FORM);
     let count = input.parse::<LitInt>().ok().and_then(|count| count.base10_parse::<usize>().ok());
     match count.filter(|count| *count > 0) {
@@ -89,7 +89,7 @@ fn set(input: ParseStream) -> Result<Action> {
         if !content.is_empty() {
             return Err(here(
                 &content,
-                "the speed of a coordinate is set, `set dot(alpha) = ..;`, not of an expression",
+                "only the speed of a coordinate can be set, `set dot(alpha) = ..;`, not that of an expression",
             ));
         }
         (coordinate, true)

@@ -32,8 +32,8 @@ pub(super) fn head(input: ParseStream) -> Result<Head> {
         return Err(syn::Error::new(name.span(), FORM));
     }
     let taken = match name.unraw().to_string().as_str() {
-        "S" => "stands for the scalar in what is generated",
-        "sim" | "sim_kernel" | "core" | "alloc" | "std" => "is a crate, which paths here would no longer find",
+        "S" => "is the scalar type in generated code",
+        "sim" | "sim_kernel" | "core" | "alloc" | "std" => "is a crate that generated code refers to",
         _ => "",
     };
     if !taken.is_empty() {

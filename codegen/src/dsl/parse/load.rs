@@ -52,7 +52,7 @@ fn torque(input: ParseStream, word: &Ident) -> Result<Load> {
 fn spring(input: ParseStream, word: &Ident) -> Result<Load> {
     let law = expression(input)?;
     if input.parse::<Option<Token![,]>>()?.is_none() {
-        return Err(here(input, format!("a spring states where it is without force: `{SPRING}`")));
+        return Err(here(input, format!("a spring needs a `length` or a `rest` where it exerts no force: `{SPRING}`")));
     }
     let measure = keyword(input, &["length", "rest"])?;
     let rest = expression(input)?;
@@ -60,11 +60,11 @@ fn spring(input: ParseStream, word: &Ident) -> Result<Load> {
     let between_points = matches!(&load, Load::Element(e) if matches!(e.extent, Extent::Distance(..)));
     match (between_points, measure == "length") {
         (true, false) => {
-            Err(syn::Error::new(measure.span(), format!("between points a spring has a `length`: `{SPRING}`")))
+            Err(syn::Error::new(measure.span(), format!("a spring between points has a `length`: `{SPRING}`")))
         }
         (false, true) => Err(syn::Error::new(
             measure.span(),
-            format!("a `length` is one between points; here write `rest`: `{SPRING}`"),
+            format!("a `length` belongs to a spring between points; write `rest` here: `{SPRING}`"),
         )),
         _ => Ok(load),
     }
@@ -75,7 +75,7 @@ fn friction(input: ParseStream, word: &Ident) -> Result<Load> {
     let force = expression(input)?;
     if input.parse::<Option<Token![,]>>()?.is_none() {
         let message =
-            format!("dry friction states the speed v0 within which it is smoothed, as F*tanh(x'/v0): `{FORM}`");
+            format!("dry friction needs the speed v0 over which it is smoothed, as in F*tanh(x'/v0): `{FORM}`");
         return Err(here(input, message));
     }
     expect_word(input, "smooth", FORM)?;
@@ -94,7 +94,7 @@ fn made(word: &Ident, law: Law, extent: Extent) -> Load {
     Load::Element(Box::new(Element { keyword: Region::from(word), law, extent }))
 }
 
-/// `from A to B`, `between alpha and beta`, `on x`, or nothing of these.
+/// `from A to B`, `between alpha and beta`, `on x`, or none of these.
 fn extent(input: ParseStream) -> Result<Option<Extent>> {
     if accept_word(input, "from")? {
         let from = expression(input)?;

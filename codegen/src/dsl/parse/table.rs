@@ -24,7 +24,7 @@ pub(super) fn table(input: ParseStream) -> Result<Table> {
             expect_word(input, "over", "lift [mm] over [deg] = ..")?;
             match optional_unit(input)? {
                 Some(over) => Some(over),
-                None => return Err(here(input, "after `over` stands the unit of the arguments: `over [deg]`")),
+                None => return Err(here(input, "`over` is followed by the unit of the arguments: `over [deg]`")),
             }
         }
         false => None,
@@ -62,7 +62,7 @@ fn row(input: ParseStream) -> Result<[Expression; 2]> {
     }
 }
 
-/// What the words before the rows say.
+/// The words before the rows.
 #[derive(Default)]
 struct Words {
     between: Option<Between>,
@@ -86,7 +86,7 @@ impl Words {
                 _ => self.outside.replace(Outside::Periodic).is_some(),
             };
             if twice {
-                let message = format!("what `{word}` says has been said before; a table is one of each kind");
+                let message = format!("`{word}` repeats or contradicts an earlier word; give one word of each kind");
                 return Err(at.error(message));
             }
             if input.parse::<Option<Token![,]>>()?.is_none() {

@@ -1,4 +1,4 @@
-//! Words and signs that lines are made of.
+//! The words and signs of lines.
 
 use crate::dsl::Region;
 use crate::dsl::region::here;

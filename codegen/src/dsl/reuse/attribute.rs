@@ -12,17 +12,17 @@ use crate::mistakes::Mistakes;
 use proc_macro2::{LineColumn, Span, TokenStream, TokenTree};
 use syn::{Error, Result};
 
-/// The instances that are looked at; of more, half from the start and half from the end.
+/// The number of instances checked; if there are more, half are from the start and half from the end.
 const MOST_CHECKS: usize = 24;
-/// The words that are looked at in all of these.
+/// The number of words checked in all of these.
 const MOST_WORDS: usize = 100_000;
-/// The mistakes shown at one place, which may differ by the name of the instance alone.
+/// The number of mistakes shown at one place, which may differ only by the name of the instance.
 const MOST_AT_A_PLACE: usize = 2;
 
-/// Writes out fragments and repetitions, and says of the mistakes that `check` finds in which instance they are.
+/// Writes out fragments and repetitions, and names the instance of each mistake that `check` finds.
 ///
 /// # Errors
-/// Those of writing out, and those of `check`.
+/// The mistakes of writing out, and those of `check`.
 pub fn attributed<T>(tokens: TokenStream, check: impl Fn(TokenStream) -> Result<T>) -> Result<T> {
     limits::check(tokens.clone())?;
     let mut places = Places::default();
@@ -33,7 +33,7 @@ pub fn attributed<T>(tokens: TokenStream, check: impl Fn(TokenStream) -> Result<
     })
 }
 
-/// Where a mistake starts and what it says.
+/// The start of a mistake and its message.
 type Finding = (LineColumn, String);
 
 fn finding(mistake: &Error) -> Finding {

@@ -1,5 +1,5 @@
-//! What stands beside the blocks for reuse: `fragment Leg(hip, phi) { .. }`, `const n = 5;` and
-//! `use Leg(P, alpha) as left;`, read.
+//! The items for reuse beside the blocks: `fragment Leg(hip, phi) { .. }`, `const n = 5;` and `use Leg(P, alpha) as
+//! left;`, read.
 
 use super::index::{Indices, not_whole, whole};
 use super::names::check_free;

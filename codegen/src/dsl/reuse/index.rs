@@ -6,7 +6,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 use syn::{Ident, LitInt, Token};
 
-/// What the names of indices and constants stand for; later ones hide earlier ones.
+/// The values of indices and constants; later ones hide earlier ones.
 #[derive(Clone, Default)]
 pub(super) struct Indices(Vec<(String, i64)>);
 
@@ -51,7 +51,7 @@ pub(super) fn range(input: ParseStream, indices: &Indices) -> Result<Range> {
     let first = whole(input, indices)?;
     let closed = input.parse::<Option<Token![..=]>>()?.is_some();
     if !closed && input.parse::<Option<Token![..]>>()?.is_none() {
-        return Err(here(input, "a repetition has a range: `1..=3` with its end, `0..3` without"));
+        return Err(here(input, "a repetition needs a range: `1..=3` includes its end, `0..3` does not"));
     }
     let last_is_literal = input.peek(LitInt);
     let end = whole(input, indices)?;
@@ -78,7 +78,7 @@ fn product(input: ParseStream, indices: &Indices) -> Result<i64> {
     let mut left = atom(input, indices)?;
     loop {
         let place = input.span();
-        let zero = || syn::Error::new(place, "an index is divided by zero here");
+        let zero = || syn::Error::new(place, "division by zero in an index");
         if input.parse::<Option<Token![*]>>()?.is_some() {
             left = left.checked_mul(atom(input, indices)?).ok_or_else(|| too_large(place))?;
         } else if input.parse::<Option<Token![%]>>()?.is_some() {
@@ -86,7 +86,7 @@ fn product(input: ParseStream, indices: &Indices) -> Result<i64> {
         } else if input.parse::<Option<Token![/]>>()?.is_some() {
             let divisor = atom(input, indices)?;
             if left.checked_rem(divisor).ok_or_else(zero)? != 0 {
-                return Err(syn::Error::new(place, format!("{left}/{divisor} is no whole number")));
+                return Err(syn::Error::new(place, format!("{left}/{divisor} is not a whole number")));
             }
             left /= divisor;
         } else {
@@ -125,7 +125,7 @@ fn atom(input: ParseStream, indices: &Indices) -> Result<i64> {
     indices.get(&text).ok_or_else(|| {
         let near = nearest::suggestion(&text, indices.names());
         let message =
-            format!("no index is called `{text}`{near}; indices are whole numbers, `const`s and what `repeat` counts");
+            format!("no index is called `{text}`{near}; an index is made of whole numbers, `const`s and the counters of `repeat`");
         syn::Error::new(name.span(), message)
     })
 }

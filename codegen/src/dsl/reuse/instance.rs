@@ -47,7 +47,7 @@ struct Instance {
     body: Body,
 }
 
-/// What is put in for a name.
+/// The replacement of a name.
 struct Argument {
     name: Ident,
     words: Vec<TokenTree>,
@@ -64,7 +64,7 @@ impl Argument {
     }
 }
 
-/// What names stand for.
+/// The replacements of names.
 #[derive(Default)]
 struct Scope {
     prefix: String,
@@ -162,7 +162,7 @@ impl Expander<'_> {
                 .filter_map(|item| if let Item::Word(word) = item { Some(word.clone()) } else { None })
                 .collect()
         };
-        // Words between two uses are renamed together, as what a word is shows by its neighbours.
+        // Words between two uses are renamed together, as the meaning of a word depends on its neighbours.
         for items in body.items.chunk_by(|a, b| matches!((a, b), (Item::Word(_), Item::Word(_)))) {
             match items {
                 [Item::Use(instance)] => self.write_instance(instance, scope, out),
@@ -217,7 +217,7 @@ impl Expander<'_> {
                     out.push(regroup(group, renamed, group.span()));
                 }
                 TokenTree::Ident(name) if is_name(tokens, at) => match scope.arguments.get(&plain(name)) {
-                    // What is wrong with an argument where it is used shows there.
+                    // A mistake in an argument shows where the argument is used.
                     Some(words) => out.extend(words.iter().cloned().map(|mut word| {
                         word.set_span(name.span());
                         word
@@ -240,17 +240,17 @@ impl Expander<'_> {
             let TokenTree::Group(block) = token else { continue };
             let inner = list(block.stream());
             if let Some(misplaced) = inner.iter().find(|token| is_word(Some(token), "use")) {
-                self.mistakes.add(Error::new(misplaced.span(), "`use` stands beside blocks, not inside of one"));
+                self.mistakes.add(Error::new(misplaced.span(), "`use` stands beside blocks, not inside one"));
             }
         }
     }
 }
 
-/// Refuses what stands in the mechanism itself alone.
+/// Refuses items that belong only in the mechanism itself.
 fn check_item(tokens: &[TokenTree], at: usize) -> Result<()> {
     match (&tokens[at], tokens.get(at + 1)) {
         (TokenTree::Ident(word), Some(TokenTree::Ident(_))) if word == "fragment" || word == "const" => {
-            let message = format!("`{word}` stands beside the blocks of the mechanism, in nothing else");
+            let message = format!("`{word}` stands beside the blocks of the mechanism, not inside one");
             Err(Error::new(word.span(), message))
         }
         _ => Ok(()),
@@ -284,7 +284,7 @@ fn bound(constants: &Indices, fragment: &Fragment, arguments: &[Vec<TokenTree>])
     indices
 }
 
-/// Whether a word is a name: no component, and not what says after a label what the line is, as in `elbow: pin A to B;`.
+/// Whether a word is a name: not a component, and not the keyword after a label, as in `elbow: pin A to B;`.
 fn is_name(tokens: &[TokenTree], at: usize) -> bool {
     let labelled = at > 0 && is_punct(tokens.get(at - 1), ':');
     let next = tokens.get(at + 1);
@@ -297,7 +297,7 @@ fn is_title(tokens: &[TokenTree], at: usize) -> bool {
     at > 0 && ident(tokens.get(at - 1)).is_some() && group(tokens.get(at + 1), Delimiter::Brace).is_some()
 }
 
-/// Figures of several instances tell by their titles which they are of.
+/// The titles of figures name their instance.
 fn titled(title: &Literal, prefix: &str) -> TokenTree {
     let Some(text) = text(title) else { return title.clone().into() };
     let mut titled = Literal::string(&format!("{text}, {}", prefix.trim_end_matches('_').replace('_', " ")));

@@ -25,10 +25,10 @@ use places::Places;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Words that a declaration may come to when it is written out.
+/// The largest number of words of a declaration when it is written out.
 const MOST_WORDS: usize = 50_000;
 
-/// Writes out all fragments and repetitions of a declaration. What there was and what comes of it are within the limits.
+/// Writes out all fragments and repetitions of a declaration. Input and output are within the limits.
 pub(super) fn expand(tokens: TokenStream) -> syn::Result<TokenStream> {
     limits::check(tokens.clone())?;
     if is_written_out(tokens.clone()) {
@@ -39,7 +39,8 @@ pub(super) fn expand(tokens: TokenStream) -> syn::Result<TokenStream> {
     Ok(written)
 }
 
-/// Whether nothing can be there to write out, as for most declarations: no word of reuse, no name that an index may follow.
+/// Whether there can be nothing to write out, as in most declarations: no word of reuse, and no name that an index may
+/// follow.
 fn is_written_out(tokens: TokenStream) -> bool {
     let (mut blocks, mut words) = (vec![tokens], 0);
     while let Some(block) = blocks.pop() {
@@ -60,7 +61,7 @@ fn is_written_out(tokens: TokenStream) -> bool {
     words <= MOST_WORDS
 }
 
-/// Writes out, with a say in where words are.
+/// Writes out, with control over the places of words.
 fn expand_at(tokens: TokenStream, places: &mut Places) -> syn::Result<TokenStream> {
     if is_written_out(tokens.clone()) {
         return Ok(tokens);
@@ -86,15 +87,15 @@ fn expand_at(tokens: TokenStream, places: &mut Places) -> syn::Result<TokenStrea
     mistakes.or(expanded.unwrap_or_default().into_iter().collect())
 }
 
-/// What is known while a declaration is written out.
+/// The state while a declaration is written out.
 struct Expander<'p> {
     fragments: IndexMap<String, Fragment>,
-    /// What `const`s stand for.
+    /// The values of `const`s.
     constants: Indices,
     places: &'p mut Places,
     /// Prefixes of the instances so far.
     instances: BTreeSet<String>,
-    /// What repetitions and sums count with, and where that was first named.
+    /// The counters of repetitions and sums, and where they were first named.
     indices: BTreeMap<String, Span>,
     /// Fragments with an instance.
     used: BTreeSet<String>,

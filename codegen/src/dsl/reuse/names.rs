@@ -1,15 +1,15 @@
-//! Which names a part of a declaration gives.
+//! Which names a part of a declaration defines.
 
 use super::words::*;
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use std::collections::BTreeMap;
 use syn::{Error, Result};
 
-/// Blocks in which the first word of every line is a name. In all blocks, a word before a colon is one, and a free body
-/// has coordinates.
+/// Blocks in which the first word of every line is a name. In all blocks a word before a colon is a name, and a free
+/// body has coordinates.
 const NAMING: [&str; 7] = ["coordinates", "parameters", "inputs", "tables", "auxiliary", "outputs", "speeds"];
 
-/// Words that say what a line or a clause is, and those with a meaning everywhere.
+/// Words that introduce a line or a clause, and those with a meaning everywhere.
 const WORDS: &str = "mass inertia angle at on along radius about force torque gravity guess line slider ground point circle spring \
     damper potential dissipation length rest stretch rate from to between and through free initially active \
     released rising falling record stop set swap activate release impact restitution after if else t pi e let use \
@@ -20,7 +20,7 @@ pub(super) fn check_free(name: &Ident) -> Result<()> {
     if !WORDS.split_whitespace().any(|word| plain(name) == word) {
         return Ok(());
     }
-    let message = format!("`{name}` is a word of the language, which an index or a name in a fragment cannot be");
+    let message = format!("`{name}` is a word of the language and cannot name an index or anything in a fragment");
     Err(Error::new(name.span(), message))
 }
 

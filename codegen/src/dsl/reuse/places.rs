@@ -1,4 +1,4 @@
-//! Where words are said to stand, and which instance they belong to.
+//! The reported places of words, and the instances that they belong to.
 
 use proc_macro2::Span;
 
@@ -8,11 +8,11 @@ pub(super) const MECHANISM: usize = 0;
 /// The instances of fragments and the rounds of repetitions, numbered as they are met.
 #[derive(Default)]
 pub(super) struct Places {
-    /// What each instance is called in messages; the first is the mechanism itself.
+    /// The name of each instance in messages; the first is the mechanism itself.
     labels: Vec<String>,
     /// The one instance whose words keep their places, and the place of all other words.
     focus: Option<(usize, Span)>,
-    /// How many words there are.
+    /// The number of words.
     pub(super) words: usize,
 }
 
@@ -22,12 +22,12 @@ impl Places {
         Places { labels: vec![], focus: Some((instance, elsewhere)), words: 0 }
     }
 
-    /// How many there are besides the mechanism itself.
+    /// The number of instances besides the mechanism itself.
     pub(super) fn len(&self) -> usize {
         self.labels.len()
     }
 
-    /// What an instance is called: "in `left`", "for i = 3".
+    /// The name of an instance: "in `left`", "for i = 3".
     pub(super) fn label(&self, instance: usize) -> &str {
         instance.checked_sub(1).and_then(|at| self.labels.get(at)).map_or("", String::as_str)
     }
@@ -42,7 +42,7 @@ impl Places {
         self.labels.len()
     }
 
-    /// One more, whose name says all. Gives its number.
+    /// One more, with a complete name. Gives its number.
     pub(super) fn enter_named(&mut self, label: String) -> usize {
         self.labels.push(label);
         self.labels.len()
@@ -53,7 +53,7 @@ impl Places {
         self.focus.is_none_or(|(focus, _)| focus == instance)
     }
 
-    /// Where a word of an instance is said to stand.
+    /// The reported place of a word of an instance.
     pub(super) fn place(&self, span: Span, instance: usize) -> Span {
         match self.focus {
             Some((focus, elsewhere)) if focus != instance => elsewhere,

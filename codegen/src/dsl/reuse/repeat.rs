@@ -29,7 +29,7 @@ impl Expander<'_> {
         Ok(out)
     }
 
-    /// Copies what stands at `at`, and gives how many words that were.
+    /// Copies the item at `at`, and gives its number of words.
     fn unroll_next(
         &mut self,
         tokens: &[TokenTree],
@@ -219,7 +219,7 @@ impl Expander<'_> {
         literal.into()
     }
 
-    /// The same word, said to stand where words of this instance do.
+    /// The same word, at the place of this instance's words.
     pub(super) fn copy(&self, token: &TokenTree, instance: usize) -> TokenTree {
         let place = self.places.place(token.span(), instance);
         match token {

@@ -1,4 +1,4 @@
-//! Words and their neighbours, by which lines, units and components are told apart.
+//! Words and their neighbours, which distinguish lines, units and components.
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, TokenStream, TokenTree};
 use syn::ext::IdentExt;
@@ -76,7 +76,7 @@ pub(super) fn text(literal: &Literal) -> Option<String> {
     }
 }
 
-/// Drops the documentation at the end, which stood before what is now written out.
+/// Drops the documentation at the end, which preceded the item that is now written out.
 pub(super) fn drop_documentation(out: &mut Vec<TokenTree>) {
     while let [.., TokenTree::Punct(pound), TokenTree::Group(group)] = &out[..]
         && pound.as_char() == '#'

@@ -7,13 +7,13 @@ use syn::Ident;
 pub struct Equation {
     /// Its name.
     pub name: Ident,
-    /// What stands left.
+    /// The left side.
     pub left: Expression,
-    /// What stands right.
+    /// The right side.
     pub right: Expression,
     /// `initially released`, on a constraint that events switch.
     pub initially: Option<Activity>,
-    /// Whether a joint gave it: then none of its rows can be left out by whoever wrote the joint.
+    /// Whether it comes from a joint: the user then cannot leave out single rows.
     pub is_of_joint: bool,
 }
 
@@ -22,6 +22,6 @@ pub struct Equation {
 pub enum Activity {
     /// It holds.
     Active,
-    /// It does not, and its reaction is 0.
+    /// It does not hold, and its reaction is 0.
     Released,
 }

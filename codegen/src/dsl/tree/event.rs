@@ -1,4 +1,4 @@
-//! Conditions, and what happens when they come to hold.
+//! Event conditions and their actions.
 
 use super::{Activity, Equation};
 use crate::dsl::{Expression, Region};
@@ -10,11 +10,11 @@ pub struct Event {
     pub condition: Equation,
     /// The crossings of left - right that count; `None` for all.
     pub direction: Option<Direction>,
-    /// What happens then.
+    /// Its actions.
     pub actions: Vec<Action>,
 }
 
-/// How a quantity crosses zero.
+/// The direction of a zero crossing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Direction {
     /// `rising`
@@ -31,7 +31,7 @@ pub enum Action {
     Stop {
         /// At which of its occurrences.
         after: usize,
-        /// Where it stands.
+        /// Its place in the text.
         place: Region,
     },
     /// `set x = 0;` or `set dot(x) = -dot(x);`
@@ -40,7 +40,7 @@ pub enum Action {
         name: Ident,
         /// Whether the speed of the coordinate is meant.
         is_speed: bool,
-        /// What it becomes.
+        /// Its new value.
         value: Expression,
     },
     /// `swap q1, q2;`
@@ -49,7 +49,7 @@ pub enum Action {
     Switch {
         /// The constraint.
         constraint: Ident,
-        /// What becomes of it.
+        /// Its new state.
         to: Activity,
     },
     /// `impact floor restitution e;`

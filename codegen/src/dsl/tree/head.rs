@@ -2,7 +2,7 @@
 
 use syn::{Ident, Visibility};
 
-/// Documentation, visibility and name: all that is needed to stand in for a mechanism that has mistakes.
+/// Documentation, visibility and name: all that the stub of a mechanism with mistakes needs.
 #[derive(Clone)]
 pub struct Head {
     /// Documentation, one line each.

@@ -10,7 +10,7 @@ pub struct Joint {
     pub docs: String,
     /// Its name, which its constraints take, or its coordinates.
     pub name: Ident,
-    /// What it is.
+    /// Its kind.
     pub kind: JointKind,
     /// `initially released`, on a joint that events switch.
     pub initially: Option<Activity>,
@@ -52,7 +52,7 @@ pub struct Guide {
 
 /// `hinge: revolute arm at [l, 0, 0] axis [0, 0, 1] to ground at [0, 0, 0] axis [0, 0, 1];`
 pub struct SpatialJoint {
-    /// What it is.
+    /// Its kind.
     pub kind: SpatialKind,
     /// The body that holds.
     pub first: Side,
@@ -77,7 +77,7 @@ pub enum SpatialKind {
     Universal,
     /// A plane moves on a plane.
     Planar,
-    /// Axes coincide, and turning is advancing.
+    /// Axes coincide, and turning advances the body.
     Screw,
     /// Nothing moves.
     Weld,
@@ -106,7 +106,7 @@ pub struct Side {
 
 /// `roll disc radius r axis n on O normal k`: a thin disc rolls on a plane.
 pub struct Rolling {
-    /// The disc, whose centre is that of its mass.
+    /// The disc, whose centre is its centre of mass.
     pub disc: Ident,
     /// Its radius.
     pub radius: Expression,

@@ -38,9 +38,9 @@ pub enum Load {
 pub struct Element {
     /// The word it starts with.
     pub keyword: Region,
-    /// What it does.
+    /// Its law.
     pub law: Law,
-    /// What it works along.
+    /// Its extent.
     pub extent: Extent,
 }
 
@@ -56,7 +56,7 @@ pub enum Law {
     Damper(Expression),
 }
 
-/// What an element works along.
+/// The extent of an element.
 pub enum Extent {
     /// `from A to B`: the distance of two points.
     Distance(Expression, Expression),

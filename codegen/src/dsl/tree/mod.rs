@@ -45,15 +45,15 @@ pub struct Declaration {
     pub constraints: Vec<Equation>,
     /// `initial { .. }`
     pub initial: Vec<Initial>,
-    /// `events { .. }`: each marks the times at which it comes to hold.
+    /// `events { .. }`: each marks the times at which its condition becomes true.
     pub events: Vec<Event>,
     /// `outputs { .. }`; outputs that stand alone form a group of their own.
     pub outputs: Vec<OutputGroup>,
     /// `drawing { .. }`
     pub drawing: Vec<Shape>,
-    /// `kernels { .. }`: which of those that not everyone needs are made; `None` leaves that to the program.
+    /// `kernels { .. }`: which of the optional kernels are generated; `None` leaves that to the program.
     pub kernels: Option<Vec<OptionalKernel>>,
-    /// `auxiliary { .. }`: displacements that are zero, whose conjugate forces are wanted.
+    /// `auxiliary { .. }`: zero displacements, to find their conjugate forces.
     pub auxiliary: Vec<Auxiliary>,
     /// `joints { .. }`; none once they are written out as coordinates or constraints.
     pub joints: Vec<Joint>,
@@ -128,7 +128,7 @@ pub struct Parameter {
 pub struct Let {
     /// The name it gives.
     pub name: Ident,
-    /// What it names.
+    /// The named expression.
     pub value: Expression,
 }
 
@@ -144,21 +144,21 @@ pub struct Body {
     pub angle: Option<Expression>,
     /// `attitude R`, a rotation, in space.
     pub attitude: Option<Expression>,
-    /// The word `free`: it has a place and an angle of its own.
+    /// The word `free`: it has its own position and angle.
     pub free: Option<Region>,
 }
 
 /// One line of `initial`.
 pub struct Initial {
-    /// The coordinate it speaks of.
+    /// Its coordinate.
     pub coordinate: Ident,
-    /// What it says of it.
+    /// What is fixed.
     pub kind: InitialKind,
     /// The value.
     pub value: Expression,
 }
 
-/// What a line of `initial` fixes.
+/// The kind of a line of `initial`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum InitialKind {
     /// `alpha = 0;` the coordinate itself.

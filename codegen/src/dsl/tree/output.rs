@@ -7,7 +7,7 @@ use syn::Ident;
 pub struct OutputGroup {
     /// The group's name; `None` for an output that stands alone.
     pub name: Option<Ident>,
-    /// What to print above the figure.
+    /// The title of the figure.
     pub title: Option<String>,
     /// Its outputs.
     pub outputs: Vec<Output>,
@@ -21,6 +21,6 @@ pub struct Output {
     pub name: Ident,
     /// The unit it is reported in.
     pub unit: Option<Unit>,
-    /// What it is.
+    /// Its expression.
     pub value: Expression,
 }

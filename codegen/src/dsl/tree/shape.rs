@@ -1,4 +1,4 @@
-//! What is drawn.
+//! Shapes that are drawn.
 
 use crate::dsl::Expression;
 
@@ -6,7 +6,7 @@ use crate::dsl::Expression;
 pub enum Shape {
     /// `line O4, B, C;` and what else is drawn through or at points alone.
     Points {
-        /// What it looks like.
+        /// Its style.
         mark: Mark,
         /// Its points; a spring and a damper have two.
         points: Vec<Expression>,
@@ -29,7 +29,7 @@ pub enum Shape {
     },
 }
 
-/// What is drawn through or at points.
+/// The style of a shape through or at points.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Mark {
     /// `line`: a link with a joint at each point.

@@ -13,17 +13,17 @@ pub struct Table {
     pub unit: Option<Unit>,
     /// The unit of its arguments.
     pub over: Option<Unit>,
-    /// What is between rows.
+    /// The interpolation between rows.
     pub between: Between,
-    /// What a cubic obeys at the first and the last row, and where that is said.
+    /// The end condition of a cubic at the first and last row, and its place in the text.
     pub ends: Option<(Ends, Region)>,
-    /// What it is outside of its rows.
+    /// The extension beyond the rows.
     pub outside: Outside,
     /// Arguments and values, row by row.
     pub rows: Vec<[Expression; 2]>,
 }
 
-/// What a table is between its rows.
+/// The interpolation of a table between its rows.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Between {
     /// `linear`: straight lines.
@@ -34,7 +34,7 @@ pub enum Between {
     Monotone,
 }
 
-/// What a cubic obeys at its first and last row.
+/// The end condition of a cubic at its first and last row.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Ends {
     /// `natural`: no second derivative.
@@ -43,13 +43,13 @@ pub enum Ends {
     Clamped,
 }
 
-/// What a table is outside of its rows.
+/// The extension of a table beyond its rows.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Outside {
     /// `held`: the value of the first or last row.
     Held,
     /// `continued`: the straight line with the value and the slope there.
     Continued,
-    /// `periodic`: the rows again and again.
+    /// `periodic`: the rows repeat.
     Periodic,
 }

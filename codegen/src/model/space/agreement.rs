@@ -1,4 +1,4 @@
-//! A vector of one frame where one of another belongs is a mistake.
+//! A vector in one frame where another is needed is a mistake.
 
 use super::basis::{Bases, Basis};
 use crate::dsl::Region;
@@ -6,7 +6,7 @@ use crate::model::interpreter::Interpreter;
 use crate::model::value::Value;
 
 impl Interpreter {
-    /// Refuses a vector in one frame where one in another belongs.
+    /// Refuses a vector in one frame where another is needed.
     pub(super) fn expect_basis(&mut self, place: Region, found: &Option<Basis>, wanted: &Option<Basis>) -> Option<()> {
         let (Some(found), Some(wanted)) = (found, wanted) else { return Some(()) };
         if found == wanted {
@@ -19,15 +19,15 @@ impl Interpreter {
             (Basis::Body(own), _) => format!("attitude({own})*v"),
             (Basis::World, Basis::World) => return Some(()),
         };
-        self.refuse(place, format!("this vector v is in {found}, and one in {wanted} belongs here: `{way}`"))
+        self.refuse(place, format!("this vector v is in {found}, but one in {wanted} is needed: `{way}`"))
     }
 
-    /// Refuses a vector in the frame of a body where one in the world's belongs.
+    /// Refuses a vector in a body's frame where the world frame is needed.
     pub(in crate::model) fn expect_world(&mut self, place: Region, found: &Bases) -> Option<()> {
         self.expect_basis(place, &found.to, &Some(Basis::World))
     }
 
-    /// The frame of two vectors together. Of two that differ the one in the world's frame is taken to be right.
+    /// The common frame of two vectors. If they differ, the one in the world frame is taken to be right.
     pub(in crate::model) fn common_basis(&mut self, vectors: [(Region, &Value); 2]) -> Option<Bases> {
         let [(first_place, first), (second_place, second)] = vectors.map(|(place, value)| (place, &value.bases.to));
         match second {

@@ -1,7 +1,10 @@
-//! In which frame vectors are written.
+//! The frames in which vectors are written.
 //!
-//! Known are the world's frame and those of bodies, by `attitude(body)`, which takes vectors of the one to the other. What is made
-//! of scalars, `[x, y, z]`, or turned by any other rotation is of no frame in particular, and fits everywhere.
+//! Known frames are that of the world and those of bodies, related by `attitude(body)`. A vector made of scalars, `[x,
+//! y, z]`, or turned by any other rotation, has no known frame and fits everywhere.
+//!
+//! In a product of rotations the frames need not follow on each other: the rotation from one body's frame to another's
+//! may be meant.
 
 use std::fmt::{Display, Formatter, Result};
 
@@ -21,7 +24,7 @@ impl Display for Basis {
     }
 }
 
-/// The frame in which a vector is written, and for a rotation also that of the vectors that it takes, where they are known.
+/// The frame of a vector; for a rotation also the frame of its arguments. Both as far as known.
 #[derive(Clone, Default, Debug)]
 pub(in crate::model) struct Bases {
     pub(in crate::model) to: Option<Basis>,
@@ -44,7 +47,7 @@ impl Bases {
         Bases { to: self.from, from: self.to }
     }
 
-    /// Of R S. One that does not follow on the other may still mean something; it is a rotation as any.
+    /// Of R S. If the frames do not match, the result is a rotation without known frames.
     pub(in crate::model) fn then(self, second: Bases) -> Bases {
         match self.from == second.to || self.from.is_none() || second.to.is_none() {
             true => Bases { to: self.to, from: second.from },

@@ -11,8 +11,8 @@ impl Interpreter {
         self.frames.resolved(&mut self.graph, v)
     }
 
-    /// A place and the frame in which its velocity is short: that of the body whose centre it is, where what moves it is
-    /// turning, and the world's where it moves there in more directions than one.
+    /// A point and the frame in which its velocity is short: that of its body if rotations move it, and the world's if
+    /// it moves there in several directions.
     pub(in crate::model) fn with_frame(&mut self, place: Spatial, turn: Turn) -> (Spatial, Turn) {
         let moves = Dependence::COORDINATE.or(Dependence::TIME);
         let own = place.terms().iter().filter(|(frame, _)| *frame == Turn::NONE).flat_map(|(_, u)| u);
@@ -21,7 +21,7 @@ impl Interpreter {
         (place, frame)
     }
 
-    /// The components of two vectors in a frame that they share, the world's if there is no other.
+    /// The components of two vectors in a common frame, the world's if there is no other.
     pub(in crate::model) fn in_common(&mut self, a: &Spatial, b: &Spatial) -> (Turn, Triple, Triple) {
         let turn = a.frame().filter(|frame| b.frame() == Some(*frame)).unwrap_or(Turn::NONE);
         let a = self.frames.resolved_in(&mut self.graph, a, turn);

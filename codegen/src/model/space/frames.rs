@@ -1,15 +1,15 @@
-//! Rotations as chains of steps, each chain once.
+//! Rotations as chains of steps, interned.
 
 use super::triple::{Matrix, Triple, add, apply, cross, identity, negate, product, transposed, zero};
 use crate::symbolic::{Expr, Graph};
 use rustc_hash::FxHashMap;
 
-/// A rotation: a place in [`Frames`]. Equal chains are equal.
+/// A rotation: an index into [`Frames`]. Equal chains are equal.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub(in crate::model) struct Turn(u32);
 
 impl Turn {
-    /// No rotation: the world's own frame.
+    /// The identity: the world frame.
     pub(in crate::model) const NONE: Turn = Turn(0);
 }
 
@@ -19,7 +19,7 @@ pub(super) struct Step {
     pub(super) matrix: Matrix,
     pub(super) spin: Triple,
     pub(super) spin_rate: Triple,
-    /// The components of the quaternion that it is made of.
+    /// The components of its quaternion.
     pub(super) quaternion: Option<[Expr; 4]>,
 }
 
@@ -44,7 +44,7 @@ pub(in crate::model) struct Frames {
 }
 
 impl Frames {
-    /// Makes the world's frame, without which there is no other.
+    /// Creates the world frame, the root of all others.
     pub(in crate::model) fn begin(&mut self, graph: &mut Graph) {
         if !self.frames.is_empty() {
             return;
@@ -139,12 +139,12 @@ impl Frames {
         apply(graph, &self.frame(turn).step.matrix, v)
     }
 
-    /// The quaternions that a rotation is made of.
+    /// The quaternions in a rotation.
     pub(in crate::model) fn quaternions(&self, turn: Turn) -> Vec<[Expr; 4]> {
         self.chain(turn).into_iter().filter_map(|at| self.frame(at).step.quaternion).collect()
     }
 
-    /// One more step; a step and its own inverse are none.
+    /// One more step; a step and its own inverse cancel.
     fn then(&mut self, graph: &mut Graph, before: Turn, index: usize, back: bool) -> Turn {
         if self.frame(before).last == (index, !back) {
             return self.frame(before).before;

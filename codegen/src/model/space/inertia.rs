@@ -38,7 +38,7 @@ fn fixed(expression: &Expression, value: Expr, interpreter: &mut Interpreter) ->
     Some(value)
 }
 
-/// Refuses tensors of numbers that no body has.
+/// Refuses numeric tensors that no body can have.
 fn check(expression: &Expression, tensor: &Tensor, interpreter: &mut Interpreter) -> Option<()> {
     let entries = tensor.entries();
     if entries.iter().any(|entry| interpreter.dependences.of(&interpreter.graph, *entry) != Dependence::NONE) {
@@ -52,18 +52,16 @@ fn check(expression: &Expression, tensor: &Tensor, interpreter: &mut Interpreter
     }
 }
 
-/// Why no body has the inertia xx, yy, zz, yz, zx, xy, if none has.
+/// The reason why no body can have the inertia xx, yy, zz, yz, zx, xy, if none can.
 ///
-/// The moments of a distribution of mass, the eigenvalues of tr(J)/2 - J, are not negative; those of J then are not
-/// either, being their sums. A moment of 0 is that of a body without extent across its axis.
+/// The second moments of the mass distribution, the eigenvalues of tr(J)/2 - J, are not negative; nor are those of J,
+/// which are their sums. A moment of 0 belongs to a body without extent across its axis.
 pub fn impossible_inertia(tensor: [f64; 6]) -> Option<String> {
     let [xx, yy, zz, ..] = tensor;
     let size = xx.abs().max(yy.abs()).max(zz.abs());
     let tolerance = 1e-12 * size;
     if !is_semidefinite(tensor, tolerance) {
-        return Some(
-            "this inertia is not positive definite: about some axis it is negative, as that of no body is".into(),
-        );
+        return Some("about some axis this inertia is negative".into());
     }
     let half = (xx + yy + zz) / 2.0;
     let [.., yz, zx, xy] = tensor;

@@ -1,10 +1,10 @@
-//! Space: rotations, vectors written in frames, and what moves with them.
+//! Space: rotations, vectors written in frames, and their motion.
 //!
 //! A rotation is a chain of steps, each elementary, about an axis or by a quaternion, and a spatial vector is a sum of
 //! triples, each written in the frame that a rotation gives. Neither is multiplied out before its components are
 //! needed: velocities and accelerations are carried along the chain from frame to frame, which is the recursion of
-//! Newton and Euler's equations (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 5), and a rotation that
-//! meets its own inverse is gone.
+//! Newton and Euler's equations (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 5), and a rotation cancels
+//! with its own inverse.
 
 mod agreement;
 mod basis;

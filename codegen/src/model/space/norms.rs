@@ -13,7 +13,7 @@ pub(in crate::model) struct Quaternion {
     pub(super) place: Region,
 }
 
-/// The rows that keep the norms of quaternions of coordinates; refuses those that none keeps.
+/// The rows that keep the norms of quaternions of coordinates; refuses quaternions without one.
 pub(in crate::model) fn check_norms(
     quaternions: &[Quaternion],
     constraints: &[Constraint],
@@ -27,7 +27,7 @@ pub(in crate::model) fn check_norms(
         } else {
             let [a, b, c, d] = &quaternion.names;
             mistakes.add(quaternion.place.error(format!(
-                "nothing keeps the norm of this quaternion, so its four coordinates would move freely; add \
+                "no constraint keeps the norm of this quaternion, so its four coordinates would move freely; add \
                  `constraints {{ {a}_norm: {a}^2 + {b}^2 + {c}^2 + {d}^2 = 1; }}`"
             )));
         }
@@ -38,7 +38,7 @@ pub(in crate::model) fn check_norms(
 }
 
 impl Quaternion {
-    /// Whether a constraint holds where the norm is 1 and not where it is 2: tried at some points.
+    /// Whether a constraint holds where the norm is 1 and not where it is 2, tested at some points.
     fn is_kept_by(&self, constraint: &Constraint, graph: &Graph) -> bool {
         let occurring = graph.symbols_of(&[constraint.value]);
         let same = occurring.len() == 4 && self.symbols.iter().all(|symbol| occurring.contains(symbol));

@@ -1,10 +1,10 @@
-//! What turns and is pushed in space, in symbols.
+//! Rotating bodies and loads in space, in symbols.
 
 use crate::model::Point;
 use crate::symbolic::Expr;
 
 /// Three speeds that are linear in q', as components of a velocity or an angular velocity in some frame, with the
-/// accelerations that belong to them: their rates, and in a frame that turns what turning adds.
+/// matching accelerations: their rates, plus the terms of a rotating frame.
 #[derive(Clone, Copy)]
 pub struct Rates {
     /// A q' + b.
@@ -37,17 +37,17 @@ impl Tensor {
     }
 }
 
-/// How a body turns in space.
+/// The rotation of a body in space.
 pub struct Attitude {
     /// About its centre of mass, in its own frame.
     pub inertia: Tensor,
-    /// R: what is written in the body's frame, in the world's.
+    /// R, from the body's frame to the world's.
     pub matrix: [[Expr; 3]; 3],
     /// Angular velocity and acceleration, in the body's frame.
     pub spin: Rates,
     /// Velocity and acceleration of its centre of mass, in the frame where they are shorter: the body's or the world's.
     pub centre: Option<Rates>,
-    /// How gravity acts on its mass.
+    /// The action of gravity on its mass.
     pub fall: Option<Fall>,
 }
 
@@ -60,23 +60,23 @@ pub struct Fall {
     pub proper: [Expr; 3],
 }
 
-/// A force at a point of space, or a torque on what turns there: its power is `effort` times the velocity.
+/// A force at a point of space, or a torque on a rotating body: its power is `effort` times the velocity.
 pub struct Push {
     /// The force or torque.
     pub effort: [Expr; 3],
-    /// What it works along, in the same frame.
+    /// The velocity that it acts along, in the same frame.
     pub along: Rates,
     /// The same without frames and velocities.
     pub in_world: Pushed,
 }
 
-/// What pushes, in the world's frame.
+/// A load in world components.
 pub enum Pushed {
     /// A force at a point.
     Force {
         /// The force.
         force: Point,
-        /// Where it acts.
+        /// The point at which it acts.
         at: Point,
     },
     /// A torque on a body with an attitude.
@@ -88,8 +88,8 @@ pub enum Pushed {
     },
 }
 
-/// A quaternion of coordinates. It has an inertia along its norm, which no constrained motion notices, for there the
-/// norm does not change; without it the mass matrix would be singular, as the quaternion's length turns nothing.
+/// A quaternion of coordinates. It has an inertia along its norm, without which the mass matrix would be singular. The
+/// norm constraint keeps this inertia from affecting the motion.
 pub struct Norm {
     /// q.q
     pub square: Expr,

@@ -1,8 +1,12 @@
 //! Unit quaternions.
 //!
-//! `quaternion(q0, q1, q2, q3)` is the rotation of the quaternion's direction, q/|q|, at whatever length: so position and
-//! angular velocity agree at every state, on the norm constraint and off it, and no force along q arises whose
-//! multiplier the norm would have to take. What it costs is one division.
+//! `quaternion(q0, q1, q2, q3)` is the rotation of the quaternion's direction, q/|q|, whatever its length: R(q/|q|),
+//! with the angular velocity 2 G(q) q'/|q|^2. So every formulation agrees on states off the norm constraint too, no
+//! force arises along q, and the multiplier of the norm is 0. This costs one division.
+//!
+//! M would be singular along q, so there is an inertia along q.q, the mean moment of the body. The norm constraint
+//! keeps it from moving, and the planned elimination has a pivot. The oracle and Lagrange's equations have the same
+//! term.
 
 use super::frames::Step;
 use super::norms::Quaternion;
@@ -36,7 +40,7 @@ impl Interpreter {
         Some(Value::rotation(self.frames.single(&mut self.graph, step)))
     }
 
-    /// Takes note of a quaternion whose components are coordinates.
+    /// Records a quaternion whose components are coordinates.
     fn note_coordinates(&mut self, place: Region, components: [Expr; 4]) -> bool {
         let symbols = components.map(|x| match self.graph.node(x) {
             Node::Symbol(symbol) => Some(*symbol),

@@ -29,7 +29,7 @@ impl Interpreter {
             Shape::Rotation(turn) => Some((turn, value.bases)),
             _ => {
                 let message = format!(
-                    "{} stands where a rotation belongs; a rotation is written `rotation(axis, angle)`, `euler(zxz, a, b, c)` \
+                    "{} stands where a rotation is needed; a rotation is written `rotation(axis, angle)`, `euler(zxz, a, b, c)` \
                      or `quaternion(q0, q1, q2, q3)`",
                     value.kind()
                 );
@@ -47,16 +47,16 @@ impl Interpreter {
 
     /// `euler(zxz, psi, theta, phi)`: about z, then about the new x, then about the new z.
     pub(in crate::model) fn euler(&mut self, region: Region, arguments: &[Expression]) -> Option<Value> {
-        const FORM: &str = "Euler's angles are written `euler(zxz, psi, theta, phi)`: the axes, each in the frame that the \
-                            turns before it have given, and as many angles";
+        const FORM: &str = "Euler's angles are written `euler(zxz, psi, theta, phi)`: the axes, each in the frame left by \
+                            the rotations before it, and as many angles";
         let [sequence, angles @ ..] = arguments else { return self.refuse(region, FORM) };
         let Kind::Name(sequence_name) = &sequence.kind else { return self.refuse(sequence.region, FORM) };
         let letters: Vec<char> = plain(sequence_name).chars().collect();
         if letters.len() != 3 || letters.iter().any(|letter| !AXES.contains(letter)) {
-            return self.refuse(sequence.region, format!("`{sequence_name}` is no sequence of axes; {FORM}"));
+            return self.refuse(sequence.region, format!("`{sequence_name}` is not a sequence of axes; {FORM}"));
         }
         if letters.windows(2).any(|pair| pair[0] == pair[1]) {
-            let message = format!("`{sequence_name}` turns twice about one axis; axes that follow each other differ");
+            let message = format!("`{sequence_name}` turns about the same axis twice in a row");
             return self.refuse(sequence.region, message);
         }
         if angles.len() != letters.len() {
@@ -105,7 +105,7 @@ impl Interpreter {
         Some(identity(&mut self.graph)[index])
     }
 
-    /// A direction of length 1: a vector, or `x`, `y` or `z` where that is no other name.
+    /// A direction of length 1: a vector, or `x`, `y` or `z` unless that is another name.
     pub(in crate::model) fn axis(&mut self, expression: &Expression) -> Option<Triple> {
         if let Kind::Name(name) = &expression.kind {
             let text = plain(name);
@@ -116,7 +116,7 @@ impl Interpreter {
                 }
                 if let Some(Value { shape: Shape::Scalar(_), .. }) = self.values.get(&text) {
                     let message =
-                        format!("`{text}` is a name of yours here, and no axis; write `[0, 0, 1]` and the like");
+                        format!("`{text}` is a name declared here, not an axis; write `[0, 0, 1]` or the like");
                     return self.refuse(expression.region, message);
                 }
             }
@@ -129,7 +129,7 @@ impl Interpreter {
         Some(components)
     }
 
-    /// Refuses what is not of length 1, whatever its variables are.
+    /// Refuses vectors that are not of length 1 for all values of their variables.
     fn check_unit(&mut self, region: Region, axis: &Triple) -> Option<()> {
         let square = triple::inner(&mut self.graph, axis, axis);
         let lengths: Vec<f64> = (1..=3).map(|k| self.sampled(square, k).sqrt()).collect();
@@ -142,7 +142,7 @@ impl Interpreter {
         self.refuse(region, format!("an axis is a vector of length 1{length}; write `u/norm(u)`"))
     }
 
-    /// The value of an expression where its variables are some numbers, others for each `k`.
+    /// The value of an expression at sample values of its variables, different for each `k`.
     pub(super) fn sampled(&self, expr: Expr, k: usize) -> f64 {
         let symbols = self.graph.symbols_of(&[expr]);
         let number = |symbol: Symbol| {
@@ -162,7 +162,7 @@ impl Interpreter {
         let matrix: Matrix = std::array::from_fn(|i| {
             std::array::from_fn(|j| {
                 if i == j {
-                    // c + (1 - c) n_i^2, in which c alone or 1 alone is left where n_i is 0 or 1.
+                    // c + (1 - c) n_i^2, which is c or 1 where n_i is 0 or 1.
                     let square = graph.integer_power(axis[i], 2);
                     let rest = graph.sub(one, square);
                     let terms = [graph.mul(cosine, rest), square];
@@ -197,7 +197,7 @@ impl Interpreter {
         let (turn, bases) = self.turn(rotation)?;
         if let Some(basis @ Basis::Body(body)) = &bases.to {
             let message = format!(
-                "this rotation R turns vectors into {basis}, and an attitude turns them into the world's: `attitude({body})*R`"
+                "this rotation R turns vectors into {basis}, but an attitude turns them into the world's frame: `attitude({body})*R`"
             );
             return self.refuse(rotation.region, message);
         }
@@ -234,7 +234,7 @@ impl Interpreter {
         }
     }
 
-    /// `angular_velocity(R)`, of what is turned so; components are the world's.
+    /// `angular_velocity(R)`, in world components.
     pub(in crate::model) fn angular_velocity(&mut self, rotation: &Expression) -> Option<Value> {
         let (turn, bases) = self.turn(rotation)?;
         let spin = self.frames.spin(turn);

@@ -23,7 +23,7 @@ impl Spatial {
         &self.0
     }
 
-    /// The one frame that it is written in.
+    /// The single frame that it is written in.
     pub(in crate::model) fn frame(&self) -> Option<Turn> {
         match self.0.as_slice() {
             [(turn, _)] => Some(*turn),
@@ -87,8 +87,8 @@ impl Frames {
         self.carried(graph, v.terms(), turn)
     }
 
-    /// The sum of triples in frames, in one frame: each carried along the chain no further than it must, and together
-    /// with the others that come along.
+    /// The sum of triples in frames, in one frame: each carried along the chain only as far as necessary, and together
+    /// with the others on the way.
     pub(super) fn carried(&self, graph: &mut Graph, terms: &[(Turn, Triple)], to: Turn) -> Triple {
         let chain: Vec<Turn> = std::iter::once(Turn::NONE).chain(self.chain(to)).collect();
         let mut at = vec![triple::zero(graph); chain.len()];

@@ -1,4 +1,4 @@
-//! A body by itself: how it moves, and what it still needs.
+//! A single body: its motion, and the force and moment not yet accounted for.
 
 use super::vector::{
     Matrix, Vector, ZERO, add, cross, filled, inner, magnitude, of_skew_part, rank, scaled, size, subtract, times,
@@ -11,11 +11,11 @@ use crate::oracle::interpret::Interpreter;
 use crate::oracle::jet::Jet;
 use crate::oracle::measured::Measured;
 
-/// A point moves with a body where its velocities differ from the body's by no more than rounding.
+/// A point moves with a body if its velocities differ from the body's only by rounding.
 const RIGID: f64 = 1e-11;
 
-/// A motion as it is. How much went into it, along a chain of rotations, is many times what could be seen of it in the forces: of
-/// those only the magnitudes of loads count, whose terms may cancel.
+/// A motion without its magnitudes. Along a chain of rotations these are many times the errors visible in the forces;
+/// only the magnitudes of loads count, since their terms may cancel.
 pub(super) fn as_it_is(x: Measured) -> Measured {
     Measured::given(x.value)
 }
@@ -108,7 +108,7 @@ impl Freed {
         Ok(add(times(&self.inertia, dw), cross(w, times(&self.inertia, w))))
     }
 
-    /// Whether a point moves as a rigid part of the body, along every coordinate. What does not move is no part of one.
+    /// Whether a point moves as a rigid part of the body, along every coordinate. A fixed point belongs to no body.
     pub(super) fn carries(&self, point: &Point) -> bool {
         let Some(centre) = &self.centre else { return false };
         let arm = subtract(point.at, centre.at);
@@ -122,7 +122,7 @@ impl Freed {
         moves && (0..point.velocities.len()).all(rigid)
     }
 
-    /// Takes a force at a point, or at the centre of mass, from what is needed.
+    /// Subtracts a force at a point, or at the centre of mass, from the remainder.
     pub(super) fn take_force(&mut self, force: Vector, point: Option<&Point>) {
         self.force = subtract(self.force, force);
         if let (Some(point), Some(centre), Some(_)) = (point, &self.centre, &self.turning) {
@@ -143,7 +143,7 @@ impl Freed {
         self.turning.as_ref().map_or(ZERO, |turning| turning[j])
     }
 
-    /// The power along a coordinate of what is still needed.
+    /// The power of the remainder along a coordinate.
     pub(super) fn power_needed(&self, j: usize) -> Measured {
         inner(self.force, self.velocity(j)) + inner(self.moment, self.angular_velocity(j))
     }
@@ -158,7 +158,7 @@ impl Freed {
         magnitude(self.velocity(j)) > 0.0 || magnitude(self.angular_velocity(j)) > 0.0
     }
 
-    /// The components of forces and of moments that the body can give way to.
+    /// The components of forces and moments along which the body can move.
     fn ways(&self) -> (usize, &'static [usize]) {
         let forces = match (&self.centre, self.is_spatial) {
             (None, _) => 0,
@@ -182,7 +182,7 @@ impl Freed {
         forces > 0 && rank(coordinates.iter().map(twist).collect()) == forces + moments.len()
     }
 
-    /// Each component of what is still needed, which must vanish.
+    /// Each component of the remainder, which must vanish.
     pub(super) fn own_balances(&self) -> Vec<Balance> {
         let (forces, moments) = self.ways();
         let mean = (0..3).map(|i| self.inertia[i][i].value).sum::<f64>() / if self.is_spatial { 3.0 } else { 1.0 };

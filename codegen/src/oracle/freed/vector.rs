@@ -67,7 +67,7 @@ pub(super) fn size(a: Vector) -> f64 {
     a.iter().fold(0.0, |size, x| size.max(x.value.abs()))
 }
 
-/// How many of these rows are independent, by elimination with the largest pivot first.
+/// The number of independent rows, by elimination with the largest pivot first.
 pub(super) fn rank(mut rows: Vec<Vec<f64>>) -> usize {
     let columns = rows.first().map_or(0, Vec::len);
     let largest = rows.iter().flatten().fold(0.0f64, |size, x| size.max(x.abs()));

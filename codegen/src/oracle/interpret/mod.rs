@@ -19,13 +19,13 @@ pub(super) struct Interpreter<'d> {
     declaration: &'d Declaration,
     si_factor: &'d dyn Fn(&Unit) -> f64,
     setting: Setting,
-    /// What each `let` named, once it was needed.
+    /// The value of each `let`, once evaluated.
     definitions: Vec<Option<Value>>,
-    /// The function of each table, once it was needed.
+    /// The function of each table, once evaluated.
     tables: Vec<Option<Function>>,
     /// Words that have a meaning in one expression alone.
     local: Vec<(&'static str, Jet)>,
-    /// How many of the `let`s can be seen: a `let` sees only those above it.
+    /// The number of visible `let`s: a `let` sees only those above it.
     visible: usize,
 }
 
@@ -108,7 +108,7 @@ impl<'d> Interpreter<'d> {
         known.cloned().ok_or_else(|| OracleError::new("coordinates are not known here"))
     }
 
-    /// What a name stands for.
+    /// The value of a name.
     pub(super) fn named(&mut self, name: &Ident) -> Result<Value> {
         let declaration = self.declaration;
         if let Some((_, value)) = self.local.iter().find(|(word, _)| name == word) {
@@ -147,7 +147,7 @@ impl<'d> Interpreter<'d> {
         self.coordinate_jet(index).map(Value::Scalar).map_err(varies)
     }
 
-    /// What an input is set to, or its declared course: plain numbers are in its unit.
+    /// The value that an input is set to, or its declared course, with plain numbers in its unit.
     fn input(&mut self, index: usize) -> Result<Value> {
         let input = &self.declaration.inputs[index];
         match self.setting.inputs.as_ref().and_then(|inputs| inputs.get(index)) {
@@ -237,7 +237,7 @@ impl<'d> Interpreter<'d> {
         self.value(if holds { &choice.yes } else { &choice.no })
     }
 
-    /// The first of the values that no other is beyond.
+    /// The first of the extreme values.
     fn extreme(&mut self, values: &[Expression], is_beyond: fn(f64, f64) -> bool) -> Result<Value> {
         let mut extreme: Option<Jet> = None;
         for value in values {

@@ -13,7 +13,7 @@ impl Interpreter<'_> {
         rotation.map(Value::Rotation).ok_or_else(|| OracleError::new("no rotation"))
     }
 
-    /// A vector, or the letter of an axis where that is no name.
+    /// A vector, or the letter of an axis unless that is a name.
     fn axis(&mut self, axis: &Expression) -> Result<Vec<Jet>> {
         match (letter(axis), self.value(axis)) {
             (_, Ok(axis)) => axis.vector(),

@@ -67,7 +67,7 @@ pub(crate) fn sensitivity<S: Scalar, M: Mechanism<S>>(
     found
 }
 
-/// The same numbers, of which one is what derivatives are taken by.
+/// The same numbers, with one as the variable of differentiation.
 fn varied<S: Scalar, A: Array<Dual<S>>>(values: &A, j: usize) -> A {
     let mut values = *values;
     values[j] = Dual::variable(values[j].value);

@@ -1,4 +1,8 @@
-//! The seam between generated kernels and whoever runs them.
+//! The interface between generated kernels and the code that runs them.
+//!
+//! A mechanism is its parameters: the generated type is a struct with the parameters as fields, generic over the
+//! scalar, and its kernels are methods. A separate parameter type would make every call name the mechanism twice, and
+//! the trait would need generic associated types for every size.
 
 mod differentiate;
 
@@ -25,7 +29,7 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     type LL: FixedArray<Self::L>;
     /// (n + m) x (n + m).
     type ZZ: FixedArray<Self::Z>;
-    /// The entries of C_q that need not be 0, row after row as [`Description::sparsity`] has them; none if it has none.
+    /// The entries of C_q that may be nonzero, row after row as in [`Description::sparsity`]; none if that is empty.
     type Entries: FixedArray<S>;
     /// The lower triangle of C_q C_q' within its envelope, row after row; likewise.
     type Envelope: FixedArray<S>;
@@ -39,7 +43,7 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     type OutputRates: FixedArray<S>;
     /// Events.
     type Events: FixedArray<S>;
-    /// What the actions of events need.
+    /// The values that the actions of events need.
     type EventValues: FixedArray<S>;
     /// Constraints that events switch.
     type Activities: FixedArray<S>;
@@ -49,14 +53,14 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     type QP: FixedArray<Self::Parameters>;
     /// m x parameters.
     type LP: FixedArray<Self::Parameters>;
-    /// What the equations of motion need of the parameters.
+    /// The values that the equations of motion need of the parameters.
     type Prepared: Copy + Debug;
-    /// The same mechanism on other numbers.
+    /// The same mechanism on another scalar type.
     type On<T: Scalar>: Mechanism<T>;
 
     /// Names, units, documentation.
     const DESCRIPTION: Description;
-    /// Where generalised speeds are declared, the constraints that they leave, as
+    /// If generalised speeds are declared, the remaining constraints, as
     /// [`GeneralizedSpeeds::ROWS`](crate::GeneralizedSpeeds::ROWS).
     const ROWS_LEFT: Option<&'static [usize]> = None;
 
@@ -85,9 +89,9 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     fn defaults() -> Self;
     /// The parameters in the order of declaration, in SI units.
     fn parameters(&self) -> Self::Parameters;
-    /// The mechanism with these parameters, its inputs and activities as they are.
+    /// The mechanism with these parameters and unchanged inputs and activities.
     fn with_parameters(&self, parameters: Self::Parameters) -> Self;
-    /// For each constraint that events switch 1 while it holds, and 0 while it is released.
+    /// For each constraint that events switch, 1 while it holds and 0 while it is released.
     fn activities(&self) -> Self::Activities {
         Self::Activities::repeat(self.description().conditionals.len(), S::from_f64(1.0))
     }
@@ -105,9 +109,9 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
         let _ = (t, q);
         self.inputs()
     }
-    /// Sets the inputs of what has been prepared.
+    /// Sets the inputs of the prepared values.
     fn set_inputs(prepared: &mut Self::Prepared, inputs: Self::Inputs);
-    /// The same mechanism on other numbers, each parameter and input converted.
+    /// The same mechanism on another scalar type, with each parameter and input converted.
     fn on<T: Scalar>(&self, convert: impl Fn(S) -> T) -> Self::On<T>;
     /// The declared start.
     fn initial(&self) -> Initial<Self::Q>;
@@ -124,7 +128,7 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     fn constraint_magnitudes(&self, t: S, q: &Self::Q) -> Self::L;
     /// C_q, m x n; w_q' for a row w(q, q', t) = 0 between speeds.
     fn constraint_jacobian(&self, t: S, q: &Self::Q) -> Self::LQ;
-    /// C_t, m; what w is without speeds, for a row between speeds.
+    /// C_t, m; w without speeds, for a row between speeds.
     fn constraint_time_derivative(&self, t: S, q: &Self::Q) -> Self::L;
     /// (C_q q' + C_t)_q q' + (..)_t, m; w' without accelerations, for a row between speeds.
     fn constraint_convective(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::L;
@@ -145,7 +149,7 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     }
     /// v' M v / 2, in joules.
     fn kinetic_energy(&self, t: S, q: &Self::Q, qd: &Self::Q) -> S;
-    /// What the equations of motion need of the parameters, computed once for a set of parameters.
+    /// The values that the equations of motion need of the parameters, computed once for a set of parameters.
     fn prepare(&self) -> Self::Prepared;
     /// Accelerations, multipliers and power.
     fn prepared_dynamics(prepared: &Self::Prepared, t: S, q: &Self::Q, qd: &Self::Q) -> Dynamics<S, Self::Q, Self::L>;
@@ -154,8 +158,8 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     fn dynamics(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Dynamics<S, Self::Q, Self::L> {
         Self::prepared_dynamics(&self.prepare(), t, q, qd)
     }
-    /// M q'' + h - Q, n: the forces along the coordinates that must be added for these accelerations where there are no
-    /// constraints. A kernel of its own if the declaration has one made.
+    /// M q'' + h - Q, n: the forces along the coordinates that must be added to produce these accelerations without
+    /// constraints. A kernel of its own if the declaration requests one.
     fn inverse_dynamics(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q) -> Self::Q {
         let (mass, h) = (self.mass_matrix(t, q), self.convective_forces(t, q, qd));
         let loads = self.generalized_forces(t, q, qd);
@@ -165,7 +169,7 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
         };
         q.like(force)
     }
-    /// d(q'', lambda)/d(q, q'): a kernel if the declaration has one made, and otherwise from dual numbers.
+    /// d(q'', lambda)/d(q, q'): a kernel if the declaration requests one, otherwise from dual numbers.
     fn dynamics_jacobian(&self, t: S, q: &Self::Q, qd: &Self::Q) -> DynamicsJacobian<S, Self::QQ, Self::LQ> {
         jacobian(self, t, q, qd)
     }
@@ -173,8 +177,8 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     fn dynamics_sensitivity(&self, t: S, q: &Self::Q, qd: &Self::Q) -> DynamicsSensitivity<S, Self::QP, Self::LP> {
         sensitivity(self, t, q, qd)
     }
-    /// The velocity variables, n, which are integrated beside q: generalised speeds, and zeros after them, where some are
-    /// declared, and q' elsewhere.
+    /// The velocity variables, n, which are integrated beside q: generalised speeds, padded with zeros, if some are
+    /// declared, otherwise q'.
     #[inline(always)]
     fn velocity_variables(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::Q {
         let _ = (t, q);
@@ -195,7 +199,8 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     /// left - right of each event. Accelerations and multipliers count only for those that are
     /// [`on_forces`](crate::event::Event::on_forces).
     fn events(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q, lambda: &Self::L) -> Self::Events;
-    /// What the actions of events set, and the coefficients of restitution of impacts, in the order of declaration.
+    /// The values that the actions of events set, and the coefficients of restitution of impacts, in the order of
+    /// declaration.
     fn event_values(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::EventValues {
         let _ = (t, q, qd);
         Self::EventValues::repeat(0, S::from_f64(0.0))
@@ -224,7 +229,7 @@ pub struct Dynamics<S: Scalar, Q, L> {
     pub multipliers: L,
     /// The power of loads and drives, in watts.
     pub power: S,
-    /// Where this is true the planned elimination met a pivot that it refused, and nothing above holds.
+    /// If true, the planned elimination refused a pivot, and nothing above is valid.
     pub refused: S::Mask,
 }
 
@@ -239,7 +244,7 @@ pub struct DynamicsJacobian<S: Scalar, QQ, LQ> {
     pub multipliers_by_positions: LQ,
     /// d(lambda)/dq', m x n.
     pub multipliers_by_speeds: LQ,
-    /// Where this is true nothing above holds, as in [`Dynamics`].
+    /// If true, nothing above is valid, as in [`Dynamics`].
     pub refused: S::Mask,
 }
 
@@ -250,11 +255,11 @@ pub struct DynamicsSensitivity<S: Scalar, QP, LP> {
     pub accelerations: QP,
     /// d(lambda)/d(parameters), a row for each constraint.
     pub multipliers: LP,
-    /// Where this is true nothing above holds, as in [`Dynamics`].
+    /// If true, nothing above is valid, as in [`Dynamics`].
     pub refused: S::Mask,
 }
 
-/// Where a declaration says that the motion starts; entries it does not speak of are 0.
+/// The declared start of the motion; entries that are not declared are 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Initial<Q> {
     /// Values or guesses of the coordinates.
@@ -264,7 +269,7 @@ pub struct Initial<Q> {
 }
 
 /// Whether elimination must not divide by this pivot: cancellation has taken half of its digits, or it is zero or NaN.
-/// `size` is what it is the rest of: the sum of its terms of the sign that the pivot should have, and of the magnitudes
+/// `size` is the scale of its terms: the sum of those with the sign that the pivot should have, and of the magnitudes
 /// of those whose sign is not known.
 #[inline(always)]
 pub fn pivot_is_refused<S: Scalar>(pivot: S, size: S) -> S::Mask {
@@ -276,6 +281,6 @@ pub fn pivot_is_refused<S: Scalar>(pivot: S, size: S) -> S::Mask {
 pub struct Kinematics<S: Scalar, Q> {
     /// q', n.
     pub rates: Q,
-    /// Where this is true generalised speeds determine no speeds, and nothing above holds.
+    /// If true, generalised speeds do not determine the speeds, and nothing above is valid.
     pub refused: S::Mask,
 }

@@ -4,9 +4,9 @@ use nalgebra::{DMatrix, DVector};
 
 /// A correction this small that no longer shrinks is rounding.
 const ROUNDING: f64 = 1e-9;
-/// Directions in which F_q is this small, beside its largest part, are left as the curve has them.
+/// Directions in which F_q is this small relative to its largest part keep the curve's own position.
 const REGULAR: f64 = 1e-4;
-/// After so many sweeps a decomposition is given up; it takes a few for each singular value.
+/// The number of sweeps after which a decomposition is given up; a few for each singular value are usual.
 const MOST_SWEEPS: usize = 10_000;
 
 /// Corrections end when they are rounding, or no longer shrink.
@@ -39,8 +39,8 @@ pub(super) fn singular_values(matrix: &DMatrix<f64>) -> Option<DVector<f64>> {
     matrix.iter().all(|entry| entry.is_finite()).then(decomposed)?.map(|found| found.singular_values)
 }
 
-/// The shortest change that closes the equations in those directions in which the curve's own position is not known better:
-/// beside a crossing rounding is amplified in the others.
+/// The shortest change that closes the equations, except in directions in which the curve's own position is more
+/// accurate: beside a crossing these amplify rounding.
 pub(super) fn in_regular_directions(matrix: DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     if matrix.iter().any(|entry| !entry.is_finite()) {
         return None;

@@ -1,9 +1,9 @@
-//! What is known of the motion beside crossings, from the nodes of a step on both sides.
+//! The motion beside crossings, from the nodes of a step on both sides.
 
 use super::series::{NODES, Series};
 use crate::numerics::nearest::{Known, nearest_polynomial};
 
-/// How well what goes through a crossing is known there, beside its largest value; of a pole nothing is known.
+/// The accuracy of quantities that pass through a crossing, relative to their largest value; a pole has none.
 const SMOOTH: f64 = 1e-6;
 
 /// A quantity at the nodes of a step with a crossing.
@@ -13,7 +13,7 @@ pub(super) struct Beside {
 }
 
 impl Beside {
-    /// That which is known at nodes.
+    /// The values at nodes.
     pub(super) fn new(known: Vec<Known<[f64; 1]>>, crossings: &[f64]) -> Beside {
         let largest = known.iter().fold(0.0f64, |most, known| most.max(known.values[0].abs()));
         let values: Option<[f64; NODES]> =
@@ -25,7 +25,7 @@ impl Beside {
         beside
     }
 
-    /// Its value, and about how far that may be off.
+    /// Its value and approximate error.
     pub(super) fn at(&self, x: f64) -> (f64, f64) {
         let (value, off) = nearest_polynomial(&self.known, x, [0.0], |value| value[0].abs());
         (value[0], off)

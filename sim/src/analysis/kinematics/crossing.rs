@@ -1,33 +1,40 @@
 //! Where other branches cross the one that is followed: where F_z loses rank, whatever its order.
 //!
-//! The sign of a determinant would miss a rank that falls by two. Beside a crossing the smallest singular value falls as the
-//! distance to it; it is looked for on the curve's polynomial, which passes it smoothly.
+//! The sign of a determinant would miss a rank that falls by two. Near a crossing the smallest singular value is
+//! proportional to the distance, so crossings are seen from afar. They are located on the curve's polynomial, which
+//! passes them smoothly.
+//!
+//! A step is placed with the crossing in its middle, far from all nodes, and as long as possible, because rounding
+//! falls with the square of the distance. Crossings that lie together share a step, and no step ends beside one. The
+//! branch goes straight on if the equations hold in the crossing on the polynomial. Where they do not, the curve bends
+//! there and is followed in smaller steps.
 
 use super::path::Path;
 use super::piece::Piece;
 use crate::numerics::root::find_minimum;
 use std::convert::Infallible;
 
-/// At how many places the rank is looked at, from where on, and how far apart in half steps: beyond the end of a step, so that
-/// none ends just before a crossing, and before its beginning, so that one just after it has neighbours.
+/// The number of places at which the rank is checked, the first one, and their distance in half steps. They extend
+/// beyond the end of a step, so that none ends just before a crossing, and before its beginning, so that a crossing
+/// just after it has neighbours.
 const LOOKS: usize = 16;
 const FIRST: f64 = -1.4;
 const APART: f64 = 0.2;
-/// What is worth a search, as a part of what is beside it.
+/// A dip worth a search, as a fraction of its neighbours.
 const LOW: f64 = 0.5;
-/// A singular value this small beside its largest in the step is zero.
+/// A singular value this small relative to its largest in the step is zero.
 const ZERO: f64 = 1e-6;
 /// Crossings nearer to each other than this, in half steps, are one.
 const SAME: f64 = 1e-6;
-/// How far from the middle of a step crossings are near it.
+/// The distance from the middle of a step up to which crossings are near it.
 const NEAR: f64 = 1.5;
-/// So many crossings are told apart in a step.
+/// The largest number of distinct crossings in a step.
 const MOST_CROSSINGS: usize = 6;
-/// How far equations without units may be open where the branch goes straight through a crossing. Where links differ by a part
-/// of 1e-11 the curve bends away instead.
+/// The largest dimensionless residual with which the branch goes straight through a crossing. If links differ by a
+/// fraction of 1e-11 the curve bends away instead.
 const OPEN: f64 = 1e-11;
 
-/// A place where F_z comes near to a lower rank.
+/// A place where F_z is close to a lower rank.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dip {
     pub(super) x: f64,
@@ -42,7 +49,7 @@ pub(super) fn find_dip(path: &Path, piece: &Piece) -> Option<Dip> {
     dips(path, piece, &|x| path.volume(piece, x)).find(|dip| dip.x >= -1.0 && (dip.is_crossing || !dip.is_closed))
 }
 
-/// All crossings in a step or near its ends, in order, however near to each other: those that are known are divided out.
+/// All crossings in a step or near its ends, in order, however close to each other: known ones are divided out.
 pub(super) fn crossings(path: &Path, piece: &Piece) -> Vec<Dip> {
     let mut known: Vec<Dip> = Vec::new();
     for _ in 0..MOST_CROSSINGS {
@@ -58,8 +65,8 @@ pub(super) fn crossings(path: &Path, piece: &Piece) -> Vec<Dip> {
     known
 }
 
-/// The dips of a step, in order. Where they are, is told by the logarithm of the product of all singular values: beside another
-/// branch that only comes near, the smallest of them is small throughout.
+/// The dips of a step, in order. They are located by the logarithm of the product of all singular values: beside a
+/// branch that only comes near, the smallest singular value is small throughout.
 fn dips<'p>(path: &'p Path, piece: &'p Piece, volume: &'p dyn Fn(f64) -> f64) -> impl Iterator<Item = Dip> + 'p {
     let place = |i: usize| FIRST + APART * i as f64;
     let logarithms: [f64; LOOKS] = std::array::from_fn(|i| volume(place(i)));

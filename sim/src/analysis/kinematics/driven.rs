@@ -1,4 +1,4 @@
-//! What a drive moves: a coordinate, or an output that is a function of positions.
+//! The driven quantity: a coordinate, or an output that is a function of positions.
 
 use crate::model::{AnyMechanism, At};
 use crate::motion::typed::Any;
@@ -37,7 +37,7 @@ impl Driven {
         }
     }
 
-    /// What moves it: N*m for an angle, N for a length, J per its unit for anything else.
+    /// The unit of its driving force: N*m for an angle, N for a length, J per its unit for anything else.
     pub fn force_unit(self, description: &'static Description) -> &'static str {
         match self.quantity(description).unit {
             unit if is_angle(unit) => "N*m",
@@ -64,7 +64,7 @@ impl Driven {
         }
     }
 
-    /// y with its derivatives: by dual numbers where it is an output.
+    /// y with its derivatives: by dual numbers if it is an output.
     pub(super) fn gradient(self, mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Gradient {
         let unit = |at: usize| (0..q.len()).map(|j| f64::from(u8::from(j == at))).collect::<Vec<f64>>();
         match self {
@@ -88,7 +88,7 @@ impl Driven {
         mechanism.output_rates_along(At::moving(moving(time, 1.0), &positions, &speeds))[rated].derivative
     }
 
-    /// That it can be driven: an output must depend on positions alone.
+    /// Checks that it can be driven: an output must depend on positions alone.
     ///
     /// # Errors
     /// [`What::NotOfPositions`].
@@ -109,7 +109,7 @@ pub(super) fn is_angle(unit: &str) -> bool {
     is_one_of(unit, "rad", &["deg", "rev"])
 }
 
-/// Whether a unit is a base, with a prefix or without, or one of others.
+/// Whether a unit is a base unit, with or without a prefix, or one of others.
 fn is_one_of(unit: &str, base: &str, others: &[&str]) -> bool {
     others.contains(&unit) || unit.strip_suffix(base).is_some_and(|prefix| prefix.chars().count() <= 1)
 }

@@ -5,7 +5,7 @@ use super::range::{Extreme, Range};
 use super::search::Found;
 use super::sweep::{Sweep, Swept};
 
-/// How a quantity divides a whole turn of the drive between its least and its greatest value.
+/// The division of a whole turn of the drive between a quantity's least and greatest value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimeRatio {
     /// The larger part over the smaller: the time ratio of a quick-return mechanism at constant speed.
@@ -16,8 +16,8 @@ pub struct TimeRatio {
     pub returning: f64,
 }
 
-/// The extremes of everything along a sweep; `None` for what is not finite everywhere, or grows without bound towards a limit
-/// position or a crossing.
+/// The extremes of all quantities along a sweep; `None` for those that are not finite everywhere, or that grow without
+/// bound towards a limit position or a crossing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Extremes {
     /// Of each output.
@@ -60,14 +60,14 @@ pub(super) fn extremes(swept: &Swept, sweep: &Sweep) -> Extremes {
 }
 
 impl Found {
-    /// The logarithm of the product of the largest length of each column: products neither overflow nor underflow so.
+    /// The logarithm of the product of the largest length of each column, which neither overflows nor underflows.
     pub(super) fn largest_columns(&self) -> f64 {
         let longest = |range: &Option<Range>| range.map_or(f64::NAN, |range| range.greatest.value.ln());
         self.ranges[self.layout.columns.clone()].iter().map(longest).sum()
     }
 }
 
-/// Which outputs are functions of positions, at a few places in case one is special.
+/// Which outputs are functions of positions, tested at several places in case one is special.
 fn positions(swept: &Swept) -> Vec<bool> {
     let mechanism = swept.system.mechanism;
     let is = |i: usize| swept.found.places.iter().all(|(time, q)| is_of_positions(mechanism, i, *time, q));

@@ -1,4 +1,4 @@
-//! Inverse dynamics: what drives must exert so that what they drive moves as prescribed.
+//! Inverse dynamics: the forces that drives must exert for a prescribed motion.
 
 use super::driven::Driven;
 use super::sizes::Sizes;
@@ -11,8 +11,8 @@ use crate::state::trajectory::{Sample, State};
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::Mechanism;
 
-/// The sine of the angle between a column of [C_q; y_q] and those before it that is zero: of what would be divided by it,
-/// fewer than six digits were left.
+/// The sine of the angle between a column of [C_q; y_q] and those before it that is zero: a division by it would leave
+/// fewer than six digits.
 const SINGULAR: f64 = 1e-10;
 
 /// A motion that drives prescribe.
@@ -20,12 +20,12 @@ const SINGULAR: f64 = 1e-10;
 pub struct Prescribed<M: Mechanism> {
     /// The state with its accelerations, and the reactions of the constraints; its power is that of loads and drives.
     pub sample: Sample<M>,
-    /// What each drive exerts on the mechanism, along what it drives: a torque in N*m for an angle, a force in N for a
-    /// length.
+    /// The force of each drive on the mechanism, along its driven quantity: a torque in N*m for an angle, a force in N
+    /// for a length.
     pub forces: Vec<f64>,
 }
 
-/// The same of a mechanism of any type, with what tells how well the drives determine it.
+/// The same for a mechanism of any type, with a measure of how well the drives determine it.
 pub(super) struct AnyPrescribed {
     pub(super) time: f64,
     pub(super) positions: Vec<f64>,
@@ -72,8 +72,8 @@ impl AnyPrescribed {
     }
 }
 
-/// The motion of a mechanism at a position, each of whose degrees of freedom a drive moves: drive k at the rate
-/// `rates[k]`, which changes by `accelerations[k]`.
+/// The motion of a mechanism at a position, with a drive for each degree of freedom: drive k at the rate `rates[k]`,
+/// which changes by `accelerations[k]`.
 ///
 /// Speeds and accelerations solve [C_q; y_q] q' = [-C_t; rate - y_t] and its derivative; the drives' forces u are the
 /// multipliers of their conditions, with the sign of a load: M q'' + C_q' lambda = Q - T_q' M g + y_q' u.
@@ -99,7 +99,7 @@ pub fn inverse_dynamics<M: Mechanism>(
     Ok(Prescribed { sample: found.sample(mechanism, 0.0), forces: found.forces })
 }
 
-/// The motion of a system at a position; accelerations that are left out are zero.
+/// The motion of a system at a position; omitted accelerations are zero.
 ///
 /// # Errors
 /// [`What::DriveSingular`] where the drives do not determine it, [`What::NotFinite`].
@@ -137,7 +137,7 @@ pub(super) fn prescribed(
     Ok(found.with_power(system))
 }
 
-/// What loads leave over for constraints and drives: Q - T_q' M g - M q''.
+/// The force that loads leave for constraints and drives: Q - T_q' M g - M q''.
 fn left_over(system: &System, q: &[f64], p: f64, [qd, qdd]: [&DVector<f64>; 2]) -> Result<DVector<f64>, Failure> {
     let (mechanism, time) = (system.mechanism, system.time(p));
     let load = mechanism.generalized_forces(time, q, qd.as_slice());
@@ -148,12 +148,13 @@ fn left_over(system: &System, q: &[f64], p: f64, [qd, qdd]: [&DVector<f64>; 2]) 
     }
 }
 
-/// [C_q; y_q], of full column rank and at least as high as wide, as Q R; and the same without units, which solves best.
+/// [C_q; y_q], of full column rank and at least as high as wide, as Q R; and the same made dimensionless, which is more
+/// accurate for solving.
 pub(super) struct Factors<'a> {
     sizes: &'a Sizes,
     orthonormal: DMatrix<f64>,
     triangle: DMatrix<f64>,
-    /// An orthonormal basis of what the matrix itself maps to, where that is not everything.
+    /// An orthonormal basis of the range of the matrix, unless that is the whole space.
     image: Option<DMatrix<f64>>,
     /// The length of each column.
     pub(super) columns: Vec<f64>,
@@ -170,7 +171,7 @@ impl<'a> Factors<'a> {
         let own = (!matrix.is_square()).then(|| matrix.clone().qr());
         let triangle = factors.r();
         let sines = (0..matrix.ncols()).map(|j| triangle[(j, j)].abs() / scaled.column(j).norm());
-        // A comparison that NaN fails, and so is no sine.
+        // NaN fails this comparison.
         let sine = sines.fold(1.0, |least: f64, sine| if sine >= least { least } else { sine });
         let unscaled = || sizes.rows.iter().product::<f64>() / sizes.coordinates.iter().product::<f64>();
         let volume = match &own {

@@ -7,7 +7,7 @@ use super::series::{Series, nodes};
 use crate::numerics::root::{find_minimum, find_root};
 use crate::state::failure::Failure;
 
-/// By how much of itself a value may be worse than its polynomial.
+/// The relative amount by which a value may be worse than its polynomial.
 const CORNER: f64 = 1e-12;
 
 impl Search<'_> {
@@ -16,7 +16,7 @@ impl Search<'_> {
         let turn = || self.root_of_rate(k, candidate).or_else(|| self.turn_around(k, candidate));
         let x = if candidate.kind == Kind::Turn { turn()? } else { candidate.x };
         let found = self.extreme_at(k, &candidate.piece, x)?;
-        // What is worse than its polynomial has a corner there.
+        // A quantity worse than its polynomial has a corner there.
         let is_worse = sign * (found.value - candidate.value) > CORNER * candidate.value.abs();
         let better = (is_worse || candidate.kind == Kind::Rough).then(|| self.corner(k, candidate, sign)).flatten();
         Some(better.filter(|better| sign * better.value < sign * found.value).unwrap_or(found))
@@ -37,7 +37,7 @@ impl Search<'_> {
         self.extreme_at(k, piece, place(found.ok()?.0))
     }
 
-    /// Where the rate of an output that has one is zero, next to a candidate.
+    /// The zero of the rate of an output that has one, next to a candidate.
     fn root_of_rate(&self, k: usize, candidate: &Candidate) -> Option<f64> {
         let rated = self.path.system.mechanism.description().rated_outputs.iter().position(|output| *output == k)?;
         let (width, ratio) = (0.01 * candidate.reach, self.layout.ratios.start + rated);
@@ -47,7 +47,7 @@ impl Search<'_> {
         (before * after < 0.0).then(|| find_root(before, after, 1e-15, &mut { rate }).ok().map(place))?
     }
 
-    /// Where a polynomial through nodes close around a candidate turns.
+    /// The turning point of a polynomial through nodes close around a candidate.
     fn turn_around(&self, k: usize, candidate: &Candidate) -> Option<f64> {
         let last = candidate.piece.limit.unwrap_or(1.0);
         let width = 0.5 * candidate.reach;

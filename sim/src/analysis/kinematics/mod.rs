@@ -38,55 +38,57 @@ pub use sweep::{SpecialPosition, Sweep};
 #[cfg(feature = "cli")]
 pub(crate) use {stand_in::prescribed_coordinate, tabulate::quotient};
 
-/// What a mechanism does while it is driven through a range.
+/// The motion of a mechanism that is driven through a range.
 #[derive(Clone, Debug)]
 pub struct Kinematics<M: Mechanism> {
     /// The mechanism with its parameters.
     pub mechanism: M,
-    /// How it was driven.
+    /// The specification of the sweep.
     pub sweep: Sweep,
     /// The motion, with the reactions of the constraints. It ends with a failure in a limit position of the drive.
     pub trajectory: Trajectory<M>,
     /// The value of what is driven at each sample, in SI units.
     pub values: Vec<f64>,
-    /// What the drive, and after it each hold, exerts on the mechanism at each sample: see [`Prescribed::forces`].
+    /// The force of the drive, and after it of each hold, on the mechanism at each sample: see [`Prescribed::forces`].
     pub forces: Vec<Vec<f64>>,
     /// The transmission index at each sample, from 0 in a dead point to 1.
     ///
-    /// It is |det C_qd| over the product of the largest length that each column of C_qd has anywhere in the range, where C_qd are
-    /// the columns of the constraint Jacobian that no drive holds (of redundant constraints all rows count, and the volume that
-    /// the columns span is taken for the determinant): how well the drive determines the rest, relative to the
-    /// best possible, as in Sutherland and Roth, A transmission index for spatial mechanisms (J. Eng. Ind. 95, 1973).
-    /// For a four-bar linkage driven at its crank it is sin mu, with mu the transmission angle (Balli and Chand,
-    /// Transmission angle in mechanisms, Mech. Mach. Theory 37, 2002), for a slider-crank sin mu over its largest value.
+    /// It is |det C_qd| over the product of the largest length that each column of C_qd has anywhere in the range,
+    /// where C_qd are the columns of the constraint Jacobian that no drive holds (with redundant constraints, all rows
+    /// count and the determinant is the volume spanned by the columns). It measures how well the drive determines the
+    /// rest, relative to the best possible, as in Sutherland and Roth, A transmission index for spatial mechanisms (J.
+    /// Eng. Ind. 95, 1973). For a four-bar linkage driven at its crank it is sin mu, with mu the transmission angle
+    /// (Balli and Chand, Transmission angle in mechanisms, Mech. Mach. Theory 37, 2002), for a slider-crank sin mu over
+    /// its largest value.
     pub transmission: Vec<f64>,
     /// Degrees of freedom without drives and dependent constraints, at the start.
     pub mobility: Mobility,
-    /// Where other branches of the motion cross that which was followed.
+    /// The positions where other branches cross the one that was followed.
     pub branches: Vec<SpecialPosition>,
-    /// Where the drive can go no further.
+    /// The limit position of the drive.
     pub limit: Option<SpecialPosition>,
-    /// Least and greatest values of everything, and where.
+    /// The least and greatest values of all quantities, and their positions.
     pub extremes: Extremes,
 }
 
 /// Drives a mechanism through a range, on the branch on which it is assembled.
 ///
 /// Positions by continuation along the curve of C(q, t) = 0 and the drives' conditions, in steps that adapt to its
-/// direction and not to what is recorded; velocities, accelerations and reactions exactly from the kernels, by [`inverse_dynamics`]. What is given
-/// of the start closes the loops; from there drive and holds are first brought to where the sweep begins.
+/// direction and not to what is recorded; velocities, accelerations and reactions exactly from the kernels, by
+/// [`inverse_dynamics`]. The given start values close the loops; from there drive and holds are first moved to the
+/// beginning of the sweep.
 ///
-/// Where a constraint prescribes the driven coordinate as a function of time, the sweep stands in for it: the coordinate moves
-/// as the sweep says, and what the drive exerts is the reaction of that constraint.
+/// The sweep replaces a constraint that prescribes the driven coordinate as a function of time; the drive's force is
+/// then the reaction of that constraint.
 ///
 /// # Errors
-/// If the start cannot be assembled, if [`What::NotDriven`] or [`What::NotHolonomic`], or if where the sweep begins
-/// cannot be reached. What ends the sweep on the way does not lose it: it stands in its trajectory.
+/// If the start cannot be assembled, if [`What::NotDriven`] or [`What::NotHolonomic`], or if the beginning of the sweep
+/// cannot be reached. A failure that ends the sweep on the way does not lose it: it stands in the trajectory.
 pub fn kinematics<M: Mechanism>(mechanism: M, start: &Start<M>, sweep: &Sweep) -> Result<Kinematics<M>, Failure> {
     kinematics_until(&AtomicBool::new(false), mechanism, start, sweep)
 }
 
-/// The same, but that it ends, as a failure, once `interrupt` is true.
+/// The same, but it ends, as a failure, once `interrupt` is true.
 ///
 /// # Errors
 /// As [`kinematics`].
@@ -152,7 +154,7 @@ fn transmission(swept: &Swept) -> Vec<f64> {
 }
 
 impl<M: Mechanism> Kinematics<M> {
-    /// Whether what is driven is an angle that makes one whole turn, after which the mechanism is where it was.
+    /// Whether the driven quantity is an angle that makes one whole turn, after which the mechanism is where it was.
     pub fn is_cycle(&self) -> bool {
         let samples = &self.trajectory.samples;
         let (Some(first), Some(last)) = (samples.first(), samples.last()) else { return false };

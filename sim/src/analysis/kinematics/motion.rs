@@ -12,15 +12,15 @@ use crate::state::failure::{Failure, What};
 use nalgebra::DVector;
 use std::convert::Infallible;
 
-/// How near to a crossing, in half steps, the motion is that of the nodes around it.
+/// The distance from a crossing, in half steps, within which the motion is taken from the nodes around it.
 const BESIDE: f64 = 0.5;
-/// How near the drive itself leaves reactions open.
+/// The distance within which the drive itself leaves reactions undetermined.
 const AT: f64 = 1e-9;
-/// So many nodes are needed around crossings.
+/// The number of nodes needed around crossings.
 const FEWEST: usize = 8;
-/// How far from a position of the curve the same may be found for a value of p.
+/// The largest distance from a position of the curve to the one found for a value of p.
 const SAME: f64 = 1e-6;
-/// What may be left of a constraint, of its terms.
+/// The largest residual of a constraint, relative to its terms.
 const CLOSED: f64 = 1e-12;
 
 impl Piece {
@@ -28,14 +28,14 @@ impl Piece {
         self.to_crossing(x) < BESIDE
     }
 
-    /// How far it is to the nearest crossing, in half steps.
+    /// The distance to the nearest crossing, in half steps.
     fn to_crossing(&self, x: f64) -> f64 {
         self.crossings.iter().fold(f64::INFINITY, |least, crossing| least.min((x - crossing).abs()))
     }
 }
 
 impl Path<'_> {
-    /// Where in a step p has a value.
+    /// The place in a step where p has a value.
     pub(super) fn locate(&self, piece: &Piece, p: f64) -> f64 {
         let (n, last) = (piece.curve.len() - 1, piece.limit.unwrap_or(1.0));
         let place = |s: f64| s * (1.0 + last) - 1.0;
@@ -48,7 +48,7 @@ impl Path<'_> {
         }
     }
 
-    /// The position at a value of p that a step has at x; `None` where that does not determine it, or if it is elsewhere.
+    /// The position at a value of p that a step has at x; `None` if p does not determine it, or if it is elsewhere.
     pub(super) fn solve(&self, piece: &Piece, x: f64, p: f64) -> Option<Vec<f64>> {
         let n = piece.curve.len() - 1;
         let is_beside = piece.is_beside_crossing(x);
@@ -78,7 +78,7 @@ impl Path<'_> {
         None
     }
 
-    /// A value of p within the sweep; one that is an end of it but for rounding is that.
+    /// A value of p within the sweep, snapped to an end within rounding.
     pub(super) fn within(&self, p: f64) -> f64 {
         let ends = [0.0, self.end];
         ends.into_iter().find(|end| (p - end).abs() <= 1e-13 * self.end).unwrap_or(p)
@@ -97,7 +97,7 @@ impl Path<'_> {
         }
     }
 
-    /// The motion at a place of a step, wherever p is.
+    /// The motion at a place of a step, for any p.
     ///
     /// # Errors
     /// As [`Path::motion`].
@@ -106,7 +106,7 @@ impl Path<'_> {
         self.motion(piece, x, p)
     }
 
-    /// That all constraints hold, those that depend on others too.
+    /// Checks that all constraints hold, redundant ones too.
     fn check(&self, q: &[f64], p: f64) -> Result<(), Failure> {
         let (system, linear) = (self.system, self.system.linear(q, p));
         let (mechanism, time) = (system.mechanism, system.time(p));
@@ -121,9 +121,9 @@ impl Path<'_> {
         Err(mechanism.failure(What::NotProjected { constraint, residual, iterations: 1 }, time, q))
     }
 
-    /// The motion beside a crossing, where the equations leave it open or amplify rounding: it goes straight on, as the
-    /// polynomial through the nodes to both sides. A reaction that grows without bound towards the crossing is what the
-    /// equations give, and infinite in it.
+    /// The motion beside a crossing, where the equations do not determine it or amplify rounding: it goes straight on,
+    /// as the polynomial nearest to the nodes on both sides. A reaction that grows without bound towards the crossing
+    /// is taken from the equations, and is infinite in it.
     fn beside(&self, piece: &Piece, x: f64, (q, p): (Vec<f64>, f64)) -> Result<AnyPrescribed, Failure> {
         let singular = || self.system.singular(&q, p);
         let beside = piece.beside.get_or_init(|| self.nodes(piece)).as_ref().ok_or_else(singular)?;
@@ -168,7 +168,7 @@ impl Path<'_> {
     }
 }
 
-/// What of a motion goes smoothly through a crossing.
+/// The parts of a motion that pass smoothly through a crossing.
 fn numbers(found: &AnyPrescribed) -> Vec<f64> {
     [&found.speeds[..], &found.accelerations, &found.multipliers, &found.forces].concat()
 }

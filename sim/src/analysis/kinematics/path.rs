@@ -1,9 +1,9 @@
 //! The curve F(q, p) = 0, followed by its arc length, so that a dead point of the drive is a point like any other.
 //!
 //! Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems (1977); Allgower and Georg, Introduction
-//! to Numerical Continuation Methods (SIAM 2003), ch. 2, 5 and 8. Steps are as long as the direction of the curve allows and
-//! know nothing of what is recorded. One is made when the curve over it is a polynomial to rounding, with every node on the
-//! curve: what was stepped over cannot be another branch then.
+//! to Numerical Continuation Methods (SIAM 2003), ch. 2, 5 and 8. Steps are as long as the direction of the curve
+//! allows, independent of the recorded rows. A step is accepted when the curve over it is a polynomial to rounding,
+//! with every node on the curve: then it cannot have stepped onto another branch.
 
 use super::algebra::{bordered, is_rounding, least_squares, singular_values};
 use super::piece::{Piece, Point};
@@ -19,23 +19,25 @@ use std::convert::Infallible;
 
 /// Newton steps of a correction.
 pub(super) const MOST_CORRECTIONS: usize = 12;
-/// What steps may be off at first and turn; longer ones might lead to another branch.
+/// The largest first correction and turn of a step; longer steps might lead to another branch.
 pub(super) const ALONG: Limits = Limits { correction: 0.1, cosine: 0.98 };
 /// A step this small is given up.
 pub(super) const SMALLEST_STEP: f64 = 1e-9;
-/// The last coefficients of a curve that is a polynomial to rounding, and what they may be where rounding is amplified.
+/// The size of the last coefficients of a curve that is a polynomial to rounding, and their bound where rounding is
+/// amplified.
 const RESOLVED: f64 = 1e-12;
 const LEAST_RESOLVED: f64 = 1e-9;
-/// A step so short may have a corner in it, as a table has or a modulus, and this part of it may be no polynomial.
+/// The length of a step that may contain a corner, as of a table or a modulus, and the allowed deviation from a
+/// polynomial.
 const SHORTEST: f64 = 1e-6;
 const CORNER: f64 = 0.01;
-/// What such a step may turn, and be off at first: it is checked at every node.
+/// The largest turn and first correction of such a step, which is checked at every node.
 pub(super) const ACROSS: Limits = Limits { correction: 0.3, cosine: 0.88 };
 
 /// When a step is refused.
 #[derive(Clone, Copy)]
 pub(super) struct Limits {
-    /// The largest first correction, as a part of the step.
+    /// The largest first correction, as a fraction of the step.
     correction: f64,
     /// The least cosine between the tangents at both ends.
     cosine: f64,
@@ -45,7 +47,7 @@ pub(super) struct Limits {
 pub(super) struct Path<'s> {
     pub(super) system: &'s System<'s>,
     pub(super) sizes: Sizes,
-    /// Where it ends, as p.
+    /// Its end, as p.
     pub(super) end: f64,
 }
 
@@ -71,7 +73,7 @@ impl<'s> Path<'s> {
         self.place(&piece.to.z).1
     }
 
-    /// Where the curve starts, with p growing.
+    /// The start of the curve, with p growing.
     ///
     /// # Errors
     /// [`What::DriveSingular`] where the drive does not determine the motion.
@@ -168,20 +170,20 @@ impl<'s> Path<'s> {
         point.tangent.iter().all(|entry| entry.is_finite()).then_some(point)
     }
 
-    /// How far F_z is from a lower rank at a place of a step, without units.
+    /// The dimensionless distance of F_z from a lower rank at a place of a step.
     pub(super) fn regularity(&self, piece: &Piece, x: f64) -> f64 {
         let z = piece.z(x);
         singular_values(&self.linear(&z).1).map_or(0.0, |values| values[z.len() - 2])
     }
 
-    /// The logarithm of the product of the singular values of F_z at a place of a step, without units.
+    /// The logarithm of the product of the dimensionless singular values of F_z at a place of a step.
     pub(super) fn volume(&self, piece: &Piece, x: f64) -> f64 {
         let z = piece.z(x);
         let logarithm = |values: DVector<f64>| values.iter().take(z.len() - 1).map(|value| value.ln()).sum();
         singular_values(&self.linear(&z).1).map_or(f64::NEG_INFINITY, logarithm)
     }
 
-    /// How far the equations are open at a place of a step, without units.
+    /// The dimensionless residual of the equations at a place of a step.
     pub(super) fn open(&self, piece: &Piece, x: f64) -> f64 {
         self.linear(&piece.z(x)).0.amax()
     }

@@ -10,9 +10,9 @@ use std::cell::OnceCell;
 pub(super) struct Point {
     pub(super) z: DVector<f64>,
     pub(super) tangent: DVector<f64>,
-    /// How far F_z is from a lower rank there, without units.
+    /// The dimensionless distance of F_z from a lower rank there.
     pub(super) regularity: f64,
-    /// How far rounding may be amplified there.
+    /// The possible amplification of rounding there.
     pub(super) condition: f64,
 }
 
@@ -23,16 +23,16 @@ pub(super) struct Piece {
     pub(super) length: f64,
     /// z(x).
     pub(super) curve: Vec<Series>,
-    /// Where other branches cross, in order.
+    /// The places where other branches cross, in order.
     pub(super) crossings: Vec<f64>,
-    /// Where the drive turns back.
+    /// The place where the drive turns back.
     pub(super) limit: Option<f64>,
-    /// What is computed once of a step in which another branch crosses.
+    /// The values computed once for a step in which another branch crosses.
     pub(super) beside: OnceCell<Option<Vec<Beside>>>,
 }
 
 impl Piece {
-    /// How far rounding may be amplified at its ends.
+    /// The possible amplification of rounding at its ends.
     pub(super) fn condition(&self) -> f64 {
         self.from.condition.max(self.to.condition)
     }

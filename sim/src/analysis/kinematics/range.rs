@@ -5,7 +5,7 @@
 pub struct Extreme {
     /// The value, in SI units.
     pub value: f64,
-    /// The value of what is driven there, in SI units.
+    /// The driven quantity there, in SI units.
     pub at: f64,
 }
 

@@ -1,7 +1,7 @@
-//! Least and greatest values of everything along a curve, whatever rows are recorded.
+//! Least and greatest values of all quantities along a curve, independent of the recorded rows.
 //!
-//! Over each step every quantity is a polynomial to a small part of its range, or the step is halved for it. Candidates are
-//! where polynomials turn; the best of each quantity is located again at the end, to rounding.
+//! A step is halved until every quantity over it is a polynomial to a small fraction of its range. Candidates are the
+//! turning points of the polynomials; the best of each quantity is located again at the end, to rounding.
 
 use super::inverse::AnyPrescribed;
 use super::path::Path;
@@ -12,24 +12,26 @@ use crate::state::failure::Failure;
 use std::ops::Range as Indices;
 use std::rc::Rc;
 
-/// What a polynomial may lack of a quantity, as a part of its range; and of rounding, in last digits times the condition.
+/// The largest error of a polynomial, as a fraction of the quantity's range; and in units of rounding times the
+/// condition.
 const RESOLVED: f64 = 1e-10;
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// What does not shrink when an interval is halved is noise, if it is so many times the rounding of what it came of. Rounding
-/// of accelerations is amplified by the square of the condition.
+/// An error that does not shrink when an interval is halved is noise, if it is at most so many times the rounding of
+/// its sources. Rounding of accelerations is amplified by the square of the condition.
 const SHRINKS: f64 = 0.7;
 const NOISE: f64 = 16.0;
-/// How often a step is halved. What is not smooth then has a corner, and is searched for by comparison.
+/// The number of halvings of a step. A quantity that is not smooth then has a corner, and is searched by comparison.
 const MOST_HALVINGS: usize = 8;
-/// By how much of its range a value is better than an earlier one.
+/// The fraction of its range by which a value must be better than an earlier one.
 const BETTER: f64 = 1e-11;
-/// Distances from a singular place, in half steps, over which a quantity without bound grows by this factor each time.
+/// Distances from a singular place, in half steps, and the factor by which an unbounded quantity grows from each to the
+/// next.
 const TOWARDS: [f64; 3] = [1e-2, 1e-3, 1e-4];
 const GROWS: f64 = 2.5;
-/// How many positions are kept, at which outputs are asked whether they are functions of positions.
+/// The number of positions kept for testing whether outputs are functions of positions.
 const MOST_PLACES: usize = 8;
 
-/// Where quantities stand in one list.
+/// The indices of quantities in one list.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     pub(super) outputs: Indices<usize>,
@@ -43,7 +45,7 @@ pub(super) struct Layout {
     pub(super) columns: Indices<usize>,
 }
 
-/// What was found along a curve: `None` for what has no bound or is not finite.
+/// The ranges found along a curve: `None` for quantities that are unbounded or not finite.
 #[derive(Clone, Debug)]
 pub(super) struct Found {
     pub(super) layout: Layout,
@@ -79,7 +81,7 @@ pub(super) struct Candidate {
     /// The part of the step that belongs to the sweep.
     pub(super) within: [f64; 2],
     pub(super) x: f64,
-    /// How far around it the quantity is known to be as it is there.
+    /// The interval around it in which the quantity is known.
     pub(super) reach: f64,
     pub(super) kind: Kind,
 }
@@ -94,7 +96,7 @@ pub(super) enum Kind {
     End,
 }
 
-/// Quantities that an interval is searched for, each with what its polynomial lacked over an interval twice as long.
+/// Quantities searched in an interval, each with the error of its polynomial over an interval twice as long.
 type Pending = Vec<(usize, f64)>;
 
 impl<'s> Search<'s> {
@@ -133,7 +135,7 @@ impl<'s> Search<'s> {
         Ok(self.values(&self.path.motion_at(piece, x)?))
     }
 
-    /// Takes note of what a step has between two of its places.
+    /// Records the extremes of a step between two of its places.
     ///
     /// # Errors
     /// As [`Path::motion`].
@@ -198,7 +200,7 @@ impl<'s> Search<'s> {
         self.halves(piece, within, [middle, to], open, halvings + 1)
     }
 
-    /// Whether a polynomial is a quantity, but for what does not matter.
+    /// Whether a polynomial represents a quantity to the tolerance.
     fn is_resolved(
         &mut self,
         k: usize,
@@ -228,7 +230,7 @@ impl<'s> Search<'s> {
         false
     }
 
-    /// The quantities that one is computed with.
+    /// The quantities that one is computed from.
     fn group(&self, k: usize) -> Indices<usize> {
         let Layout { outputs, multipliers, forces, ratios, columns, .. } = &self.layout;
         let reactions = multipliers.start..forces.end;
@@ -236,7 +238,7 @@ impl<'s> Search<'s> {
         all.into_iter().find(|group| group.contains(&k)).cloned().unwrap_or(k..k + 1)
     }
 
-    /// Takes out what grows without bound towards a singular place.
+    /// Removes quantities that grow without bound towards a singular place.
     fn drop_unbounded(&mut self, piece: &Piece, [from, to]: [f64; 2], open: &mut Pending) -> Result<(), Failure> {
         if open.is_empty() {
             return Ok(());
@@ -256,7 +258,7 @@ impl<'s> Search<'s> {
         Ok(())
     }
 
-    /// Keeps a value if it is better than what is known; of equals the first.
+    /// Keeps a value if it is better than the best so far; among equals, the first.
     fn offer(
         &mut self,
         k: usize,
@@ -269,7 +271,7 @@ impl<'s> Search<'s> {
             (tracked.least, tracked.greatest) = (new(), new());
             return;
         };
-        // Where a turn is as good as an end, within what polynomials lack, it is the better place.
+        // If a turning point is as good as an end, within the error of polynomials, it is preferred.
         let beats = |known: &Candidate| if kind == Kind::Turn && known.kind != kind { -BETTER } else { BETTER };
         let range = greatest.value - least.value;
         if value < least.value - beats(least) * range {
@@ -279,7 +281,7 @@ impl<'s> Search<'s> {
         }
     }
 
-    /// What was found, located to rounding.
+    /// The extremes found, located to rounding.
     pub(super) fn conclude(self) -> Found {
         let range = |k: usize| {
             let tracked = &self.tracked[k];

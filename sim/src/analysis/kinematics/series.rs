@@ -1,7 +1,7 @@
 //! Smooth functions on [-1, 1] as sums of Chebyshev polynomials, from their values at the roots of the next one.
 //!
-//! Trefethen, Approximation Theory and Approximation Practice (SIAM 2013), ch. 2 to 4 and 8: coefficients of an analytic
-//! function fall geometrically, so that the last ones tell whether all are there.
+//! Trefethen, Approximation Theory and Approximation Practice (SIAM 2013), ch. 2 to 4 and 8: coefficients of an
+//! analytic function fall geometrically, so the last ones show the error.
 
 use crate::numerics::root::find_root;
 use sim_kernel::Scalar;
@@ -10,7 +10,7 @@ use std::sync::LazyLock;
 
 /// Values, and coefficients. An even number, so that the middle lies between two nodes.
 pub(super) const NODES: usize = 12;
-/// Places in [-1, 1] between which a rate is looked at for changes of its sign.
+/// Places in [-1, 1] between which a rate is checked for sign changes.
 const LOOKS: usize = 4 * NODES;
 
 /// Nodes, and the Chebyshev polynomials there.
@@ -32,7 +32,7 @@ pub(super) fn nodes() -> [f64; NODES] {
 pub(super) struct Series([f64; NODES]);
 
 impl Series {
-    /// That which has these values at the nodes.
+    /// The series with these values at the nodes.
     pub(super) fn through(values: [f64; NODES]) -> Series {
         let sum = |k: usize| TABLE.1[k].iter().zip(values).map(|(polynomial, value)| polynomial * value).sum::<f64>();
         Series(std::array::from_fn(|k| sum(k) * if k == 0 { 1.0 } else { 2.0 } / NODES as f64))
@@ -57,12 +57,12 @@ impl Series {
         Series(rate)
     }
 
-    /// The larger of its last two coefficients, one even and one odd: about what it lacks.
+    /// The larger of its last two coefficients, one even and one odd: its approximate error.
     pub(super) fn tail(&self) -> f64 {
         self.0[NODES - 1].abs().max(self.0[NODES - 2].abs())
     }
 
-    /// Where it turns between -1 and 1, in order.
+    /// Its turning points between -1 and 1, in order.
     pub(super) fn turns(&self) -> Vec<f64> {
         let rate = self.rate();
         let place = |i: usize| 2.0 * i as f64 / LOOKS as f64 - 1.0;

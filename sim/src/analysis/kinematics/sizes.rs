@@ -1,19 +1,19 @@
-//! What coordinates, equations and the parameter are measured by, so that directions and ranks have no units: a linkage of
+//! The scales of coordinates, equations and the parameter, which make directions and ranks dimensionless: a linkage of
 //! 1 mm and one of 100 m take the same steps.
 
 use super::driven::{Driven, is_angle};
 use super::system::{Law, System};
 use crate::motion::lengths::{measure, own_length};
 
-/// Coordinates and constraints are measured as in runs; what is driven by 1 if it is an angle, by the mechanism's own length
-/// if it is a length, and else by how it changes with the coordinates.
+/// Coordinates and constraints have the same scales as in runs. The scale of the driven quantity is 1 for an angle, the
+/// mechanism's own length for a length, and otherwise its change with the coordinates.
 #[derive(Clone, Debug)]
 pub(super) struct Sizes {
     /// Of each coordinate.
     pub(super) coordinates: Vec<f64>,
     /// Of each row of F.
     pub(super) rows: Vec<f64>,
-    /// Of p: what is driven moves by its own size while p changes by this.
+    /// That of p: the driven quantity moves by its own scale while p changes by this.
     pub(super) parameter: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Drives that are declared as constraints, `drive: alpha = n*t`: a sweep of alpha stands in for such a row.
+//! Drives that are declared as constraints, `drive: alpha = n*t`: a sweep of alpha replaces such a row.
 
 use super::driven::Driven;
 use crate::model::AnyMechanism;
@@ -16,9 +16,9 @@ pub(super) struct StandIn {
     pub(super) factor: f64,
 }
 
-/// Times, in seconds, at which a prescribed motion is not everywhere the same.
+/// Times, in seconds, at which a prescribed motion differs.
 const TIMES: [f64; 3] = [0.0, 0.37, 1.91];
-/// How far away, and by how much more for each coordinate, the row is looked at again.
+/// The distances, increasing for each coordinate, at which the row is checked again.
 const AWAY: [f64; 2] = [0.1, 0.013];
 
 /// The first coordinate that a constraint prescribes as a function of time, and its speed at the start.

@@ -12,23 +12,23 @@ use crate::state::failure::{Failure, What};
 use std::rc::Rc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What is driven is where it should be when less than this part of it is missing.
+/// The driven quantity has arrived when less than this fraction of the way is missing.
 const THERE: f64 = 1e-14;
 
-/// How a mechanism is driven.
+/// The specification of a sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sweep {
-    /// What is driven.
+    /// The driven quantity.
     pub driven: Driven,
     /// From where, in SI units.
     pub from: f64,
     /// To where.
     pub to: f64,
-    /// How fast; its sign is that of `to - from`, whatever is given.
+    /// The speed; its sign is that of `to - from`, whatever is given.
     pub speed: f64,
     /// Positions are recorded at the ends of so many equal intervals.
     pub steps: usize,
-    /// What is held where: a drive for each further degree of freedom.
+    /// The holds: one for each further degree of freedom.
     pub held: Vec<(Driven, f64)>,
 }
 
@@ -53,7 +53,7 @@ pub struct SpecialPosition {
     pub positions: Vec<f64>,
 }
 
-/// What the sweep met.
+/// The special positions of the sweep.
 pub(super) struct Swept<'m> {
     pub(super) system: System<'m>,
     pub(super) mobility: Mobility,
@@ -64,10 +64,10 @@ pub(super) struct Swept<'m> {
     pub(super) found: Found,
 }
 
-/// Drives a mechanism from its assembled position to where the sweep begins, and through its range, on one branch.
+/// Drives a mechanism from its assembled position to the beginning of the sweep, and through its range, on one branch.
 ///
 /// # Errors
-/// [`What::NotHolonomic`], and if where the sweep begins cannot be reached.
+/// [`What::NotHolonomic`], and if the beginning of the sweep cannot be reached.
 pub(super) fn sweep<'m>(
     mechanism: &'m dyn AnyMechanism,
     assembled: Vec<f64>,
@@ -92,7 +92,7 @@ pub(super) fn sweep<'m>(
     Ok(Swept { motion, branches, limit, failure, found, mobility, system: system.clone() })
 }
 
-/// Brings what is driven and held from where it was assembled to where the sweep begins, while time stands still.
+/// Moves driven and held quantities from the assembled position to the beginning of the sweep, while time stands still.
 fn approach<'m>(
     mechanism: &'m dyn AnyMechanism,
     q: Vec<f64>,
@@ -101,7 +101,7 @@ fn approach<'m>(
     let targets = [(sweep.driven, sweep.from)].into_iter().chain(sweep.held.iter().copied());
     let law = |(driven, target): (Driven, f64)| {
         let start = driven.value_of(mechanism, 0.0, &q);
-        // What is there but for rounding need not be moved.
+        // Quantities that are there within rounding need not be moved.
         let is_there = (target - start).abs() <= THERE * target.abs().max(start.abs());
         Law { driven, start: if is_there { target } else { start }, rate: if is_there { 0.0 } else { target - start } }
     };
@@ -139,7 +139,7 @@ struct Followed<'s> {
 }
 
 impl<'s> Followed<'s> {
-    /// Follows the curve until its end or what ends the sweep; rows are recorded and extremes are looked for on the way.
+    /// Follows the curve until its end or the end of the sweep, recording rows and searching extremes on the way.
     fn follow(&mut self, mut from: Point, search: &mut Search<'s>) -> Result<(), Failure> {
         let (path, end, mut length) = (self.path, self.sweep.parameter(self.sweep.steps), f64::INFINITY);
         loop {

@@ -1,8 +1,9 @@
 //! A mechanism whose freedoms are all driven: F(q, p) = 0, which has one solution for each p.
 //!
-//! F stacks the constraints and, for each drive, y(q, t) - y0 - r p. Where constraints depend on others it has more rows than
-//! there are coordinates, and all of them are kept: which of them say what others say may change on the way. The parameter p
-//! is the time of the sweep; on the way from the assembled start to where the sweep begins, time stands still.
+//! F stacks the constraints and, for each drive, y(q, t) - y0 - r p. With redundant constraints it has more rows than
+//! coordinates, and all of them take part, in least squares: which rows are redundant may change on the way, and
+//! leaving out a fixed choice would create singular positions. The parameter p is the time of the sweep; on the way
+//! from the assembled start to the beginning of the sweep, time stands still.
 
 use super::driven::Driven;
 use super::stand_in::{StandIn, stand_in};
@@ -30,9 +31,9 @@ impl Law {
 pub(super) struct System<'m> {
     pub(super) mechanism: &'m dyn AnyMechanism,
     pub(super) laws: Vec<Law>,
-    /// The constraints that hold, by index, but for those that a drive stands in for.
+    /// The constraints that hold, by index, except those that a drive replaces.
     pub(super) rows: Vec<usize>,
-    /// The constraints that drives stand in for.
+    /// The constraints that drives replace.
     stand_ins: Vec<StandIn>,
     /// Whether time runs: t = p, or t = 0.
     runs: bool,
@@ -108,7 +109,7 @@ impl<'m> System<'m> {
         DVector::from_iterator(self.rows.len() + self.laws.len(), of_rows.chain(of_drives))
     }
 
-    /// Gives coordinates that are driven themselves what their laws say, to the last bit.
+    /// Sets driven coordinates to the values of their laws, to the last bit.
     pub(super) fn prescribe(&self, value: impl Fn(usize) -> f64, of: &mut DVector<f64>) {
         for (k, law) in self.laws.iter().enumerate() {
             if let Driven::Coordinate(j) = law.driven {
@@ -117,8 +118,8 @@ impl<'m> System<'m> {
         }
     }
 
-    /// Multipliers of all constraints and of the drives, from those of F. What a drive exerts that stands in for a constraint
-    /// is the reaction of that constraint.
+    /// Multipliers of all constraints and of the drives, from those of F. The force of a drive that replaces a
+    /// constraint is the reaction of that constraint.
     pub(super) fn split(&self, multipliers: &DVector<f64>) -> (Vec<f64>, Vec<f64>) {
         let mut constraints = vec![0.0; self.mechanism.description().constraints.len()];
         self.rows.iter().enumerate().for_each(|(k, i)| constraints[*i] = multipliers[k]);
@@ -127,19 +128,19 @@ impl<'m> System<'m> {
         (constraints, drives)
     }
 
-    /// The multipliers of constraints without those that drives stand in for.
+    /// The multipliers of constraints without those that drives replace.
     pub(super) fn without_stand_ins(&self, multipliers: &[f64]) -> Vec<f64> {
         let mut multipliers = multipliers.to_vec();
         self.stand_ins.iter().for_each(|drive| multipliers[drive.row] = 0.0);
         multipliers
     }
 
-    /// That the drive does not determine the motion at a position.
+    /// The failure if the drive does not determine the motion at a position.
     pub(super) fn singular(&self, q: &[f64], p: f64) -> Failure {
         self.mechanism.failure(What::DriveSingular { driven: self.drive() }, self.time(p), q)
     }
 
-    /// The name of what is driven first of all.
+    /// The name of the first driven quantity.
     pub(super) fn drive(&self) -> &'static str {
         self.laws.first().map_or("nothing", |law| law.driven.quantity(self.mechanism.description()).name)
     }

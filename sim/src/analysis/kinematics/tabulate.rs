@@ -1,4 +1,4 @@
-//! A sweep as a table: that of its trajectory, and what only a sweep has.
+//! A sweep as a table: that of its trajectory, with the columns of a sweep.
 
 use super::{Extremes, Kinematics, Sweep};
 use crate::model::{AnyMechanism, At};
@@ -7,9 +7,9 @@ use crate::record::table::{Column, Table};
 use sim_kernel::{Description, Mechanism, Quantity};
 
 impl<M: Mechanism> Kinematics<M> {
-    /// The columns of the trajectory and, before the outputs: `drive_NAME`, what each drive and hold exerts;
-    /// `transmission_index`; and for each output y that is a function of positions `ratio_y`, dy/ds with s what is driven,
-    /// and `advantage_y`, the mechanical advantage ds/dy.
+    /// The columns of the trajectory and, before the outputs: `drive_NAME`, the force of each drive and hold;
+    /// `transmission_index`; and for each output y that is a function of positions `ratio_y`, dy/ds with s the driven
+    /// quantity, and `advantage_y`, the mechanical advantage ds/dy.
     pub fn table(&self) -> Table {
         let mut table = Table::of(&self.mechanism, &self.trajectory);
         let any = Any(&self.mechanism);
@@ -27,7 +27,7 @@ impl<M: Mechanism> Kinematics<M> {
     }
 }
 
-/// What the columns of a sweep are made of.
+/// The data of a sweep's columns.
 struct Columns<'a> {
     description: &'static Description,
     sweep: &'a Sweep,

@@ -5,30 +5,31 @@ use super::path::{ACROSS, ALONG, Path, SMALLEST_STEP};
 use super::piece::{Piece, Point};
 use crate::state::failure::{Failure, What};
 
-/// The longest step: about so much of a turn that a step of a crank is a fiftieth of it or less.
+/// The longest step: a step of a crank is at most about a fiftieth of a turn.
 const LONGEST_STEP: f64 = 0.25;
-/// A step to where the curve ends need not be shorter.
+/// A step to the end of the curve need not be shorter.
 const SHORT: f64 = 1e-3;
-/// How far from the middle of a step another branch may cross: nodes are 0.13 of half a step away. Of several their middle
-/// counts, if they lie so near to each other that most nodes are far from all of them.
+/// How far from the middle of a step another branch may cross: nodes are 0.13 of half a step away. For several
+/// crossings their middle counts, if they lie so close together that most nodes are far from all of them.
 const CENTRED: f64 = 0.02;
 const TOGETHER: f64 = 0.5;
-/// Half of the length of a step about a crossing, or a part of it, and how often it is laid anew. It is as long as may be:
-/// rounding is amplified by the square of the distance, and the motion is known from the ends of the step.
+/// Half of the length of a step about a crossing, or a part of it, and the number of attempts to place it. It is as
+/// long as possible: rounding is amplified by the square of the distance, and the motion is known from the ends of the
+/// step.
 const AROUND: f64 = 0.8;
 const MOST_LAYINGS: usize = 4;
-/// Where rounding is amplified so much, another branch may cross nearby.
+/// The amplification of rounding from which another branch may cross nearby.
 const NEAR: f64 = 1e3;
 
 impl Path<'_> {
-    /// The next step, of at most `length` where nothing is special; where another branch crosses, it does so in the middle.
+    /// The next step, of at most `length` in regular places; if another branch crosses, it does so in the middle.
     ///
     /// # Errors
     /// [`What::NotFollowed`] if no step is small enough.
     pub(super) fn next(&self, from: &Point, length: &mut f64) -> Result<Piece, Failure> {
         let (longest, to_the_end) = (length.min(LONGEST_STEP), self.to_the_end(from));
         let mut piece = self.followed(from, longest.min(to_the_end))?;
-        // What is known of the motion beside a crossing is known from both sides of it, beyond the end too.
+        // The motion beside a crossing is known from both sides of it, beyond the end too.
         if to_the_end < longest && piece.crossings.is_empty() && piece.to.condition >= NEAR {
             piece = self.followed(from, longest).unwrap_or(piece);
         }
@@ -67,7 +68,7 @@ impl Path<'_> {
             if half < 0.9 * ahead {
                 return self.step(from, ahead - half, ALONG);
             }
-            // What a step foretold is a little off: the middle is met in a few trials.
+            // The prediction of a step is slightly off, so placing the middle takes a few trials.
             for _ in 0..MOST_LAYINGS {
                 let around = half.max(ahead);
                 let Some(mut piece) =
@@ -95,7 +96,7 @@ impl Path<'_> {
         None
     }
 
-    /// The point of the curve so far behind another.
+    /// The point of the curve at this distance behind another.
     fn behind(&self, point: &Point, distance: f64) -> Option<Point> {
         if distance <= SMALLEST_STEP {
             return Some(point.clone());
@@ -105,7 +106,7 @@ impl Path<'_> {
         Some(Point { tangent: -found.tangent, ..found })
     }
 
-    /// About how far it is to the end of the curve.
+    /// The approximate distance to the end of the curve.
     fn to_the_end(&self, from: &Point) -> f64 {
         let n = from.z.len() - 1;
         let left = self.end / self.sizes.parameter - from.z[n];
@@ -119,8 +120,8 @@ impl Path<'_> {
         piece
     }
 
-    /// A point of the curve some way before another, if branches may cross near that: what is known of the motion beside a
-    /// crossing is known from both sides of it.
+    /// A point of the curve some way before another, if branches may cross nearby: the motion beside a crossing is
+    /// known from both sides of it.
     pub(super) fn before(&self, point: Point) -> Point {
         if point.condition < NEAR {
             return point;

@@ -1,4 +1,4 @@
-//! How accelerations, multipliers and outputs change with state and inputs.
+//! The derivatives of accelerations, multipliers and outputs with respect to state and inputs.
 
 use super::Change;
 use super::reduce::Reduction;
@@ -8,7 +8,7 @@ use crate::state::failure::Failure;
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::Dual;
 
-/// The step of differences of fourth order, as a part of what a variable is measured by: the fifth root of rounding.
+/// The step of differences of fourth order, as a fraction of the scale of a variable: the fifth root of rounding.
 const STEP: f64 = 1e-3;
 
 /// The derivatives of z = (q'', lambda) at a state.
@@ -18,7 +18,7 @@ pub(crate) struct Derivatives<'m> {
     inputs: &'m [Control],
     /// z there.
     solution: DVector<f64>,
-    /// By q and by q', each n + m x n, from the generated kernels; these refuse a pivot where constraints are redundant.
+    /// By q and by q', each n + m x n, from the generated kernels; these refuse a pivot if constraints are redundant.
     by_state: Option<[DMatrix<f64>; 2]>,
 }
 
@@ -47,8 +47,8 @@ impl<'m> Derivatives<'m> {
         &self.solution.as_slice()[..self.at.positions.len()]
     }
 
-    /// The change of everything with entry k of x: exact, or where kernels refuse, by differences along the constraints that are good to
-    /// some 1e-11.
+    /// The change of all quantities with entry k of x: exact, or where kernels refuse, by differences along the
+    /// constraints, which are accurate to some 1e-11.
     ///
     /// # Errors
     /// As the right-hand side, near the state too.
@@ -61,7 +61,7 @@ impl<'m> Derivatives<'m> {
         Ok(self.change(positions, speeds, &solution))
     }
 
-    /// What follows from a change of an input.
+    /// The change of the solution with an input.
     pub(super) fn forced(&self, input: usize) -> Result<Change, Failure> {
         let still = DVector::zeros(self.at.positions.len());
         Ok(self.change(still.clone(), still, &self.by_input(self.inputs[input])?))
@@ -95,7 +95,7 @@ impl<'m> Derivatives<'m> {
         })
     }
 
-    /// How z changes with an input.
+    /// The derivative of z by an input.
     fn by_input(&self, control: Control) -> Result<DVector<f64>, Failure> {
         let [positions, speeds] = [self.at.positions, self.at.speeds].map(constants);
         let still = At::moving(Dual::constant(self.at.time), &positions, &speeds);
@@ -129,21 +129,21 @@ impl<'m> Derivatives<'m> {
     }
 }
 
-/// f'(0) by central differences of fourth order, of a variable that is measured by a size.
+/// f'(0) by central differences of fourth order, of a variable of this scale.
 fn difference(size: f64, f: &dyn Fn(f64) -> Result<DVector<f64>, Failure>) -> Result<DVector<f64>, Failure> {
     let step = STEP * size;
     let apart = |steps: f64| Ok::<_, Failure>(f(steps * step)? - f(-steps * step)?);
     Ok((8.0 * apart(1.0)? - apart(2.0)?) / (12.0 * step))
 }
 
-/// Whether constraints change with a parameter, which then is no input.
+/// Whether constraints change with a parameter, which then cannot be an input.
 pub(super) fn constraints_depend_on(mechanism: &dyn AnyMechanism, at: At<f64>, control: Control) -> bool {
     let positions = constants(at.positions);
     let still = At::moving(Dual::constant(at.time), &positions, &[]);
     mechanism.constraints_along(still, Some(control)).iter().flatten().any(|value| value.derivative != 0.0)
 }
 
-/// How the outputs change with a change of everything, and with an input.
+/// The change of the outputs with a change of all quantities, and with an input.
 pub(super) fn output_slopes(derivatives: &Derivatives, change: &Change, input: Option<Control>) -> Vec<f64> {
     let moving = |values: &[f64], change: &DVector<f64>| -> Vec<Dual> {
         values.iter().zip(change).map(|(value, derivative)| Dual { value: *value, derivative: *derivative }).collect()

@@ -22,22 +22,23 @@ pub(crate) use steady::quaternions;
 
 /// x' = A x + B u, y = C x + D u about a state, in SI units.
 ///
-/// x are the changes of the independent coordinates and, after them, of the independent speeds; u changes of inputs, or of
-/// parameters that stand for inputs, as a torque; y changes of the outputs. The matrices are exact at any state of the motion, not in equilibria
-/// alone; eigenvalues are those of an instant where the motion is not steady.
+/// x are the changes of the independent coordinates and, after them, of the independent speeds; u changes of inputs, or
+/// of parameters used as inputs, such as a torque; y changes of the outputs. The matrices are exact at any state of the
+/// motion, not in equilibria alone; if the motion is not steady, its eigenvalues hold for one instant.
 #[derive(Clone, Debug)]
 pub struct Linearization<M: Mechanism> {
     /// Where.
     pub state: State<M>,
-    /// The independent coordinates, by index: those whose speeds the declaration gives at the start, after them those whose values
-    /// it gives, as far as they determine the others here, else those that pivoting chooses.
+    /// The independent coordinates, by index: first those whose speeds the declaration gives at the start, then those
+    /// whose values it gives, as far as they determine the others here; pivoting chooses the rest.
     pub independent: Vec<usize>,
     /// The independent speeds, likewise: of the same coordinates, unless constraints hold between speeds alone.
     pub independent_speeds: Vec<usize>,
-    /// The coordinates that make A change as the motion goes on. None where the motion is steady: then it moves along coordinates that nothing
-    /// depends on, A is constant, and its eigenvalues are those of all small motions about it. Rest is steady.
+    /// The coordinates that make A change along the motion; none if the motion is steady. A steady motion moves along
+    /// coordinates that nothing depends on, A is constant, and its eigenvalues are those of all small motions about it.
+    /// Rest is steady.
     pub unsteady: Vec<usize>,
-    /// What u changes.
+    /// The quantities that u changes.
     pub inputs: Vec<Control>,
     /// A, h + f square with h independent coordinates and f independent speeds.
     pub a: DMatrix<f64>,
@@ -84,7 +85,7 @@ pub fn linearize<M: Mechanism>(
     })
 }
 
-/// What [`Linearization`] holds, of a mechanism of any type.
+/// The contents of [`Linearization`] for a mechanism of any type.
 struct AnyLinearization {
     a: DMatrix<f64>,
     b: DMatrix<f64>,
@@ -126,7 +127,7 @@ fn linearize_any(mechanism: &dyn AnyMechanism, at: At<f64>, inputs: &[Control]) 
     })
 }
 
-/// How the state, with accelerations and multipliers, changes with each entry of x.
+/// The change of the state, with accelerations and multipliers, with each entry of x.
 fn columns(derivatives: &Derivatives, reduction: &Reduction) -> Result<Vec<Change>, Failure> {
     let size = reduction.independent().len() + reduction.independent_speeds().len();
     (0..size).map(|k| derivatives.along(reduction, k)).collect()
@@ -142,7 +143,7 @@ fn matrix(reduction: &Reduction, changes: &[Change]) -> DMatrix<f64> {
     })
 }
 
-/// A small change of everything at a state.
+/// A small change of all quantities at a state.
 #[derive(Clone, Debug)]
 pub(crate) struct Change {
     positions: DVector<f64>,

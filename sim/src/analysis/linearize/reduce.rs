@@ -10,10 +10,10 @@ use sim_kernel::{Description, Dual, Start};
 
 /// Newton steps after which the dependent coordinates are given up; from nearby it takes three or four.
 const MOST_STEPS: usize = 20;
-/// A state this near to a singular position, in what coordinates are measured by, is in it: rounding of 1e-16 is amplified by
-/// the square of the distance.
+/// A state this close to a singular position, in the scales of the coordinates, counts as singular: rounding of 1e-16
+/// is amplified by the square of the distance.
 const BESIDE: f64 = 1e-6;
-/// The step of differences by which such a position is looked for.
+/// The step of the differences used to search for such a position.
 const STEP: f64 = 1e-4;
 
 /// dq = H dq_i, dq' = N dq_i' + S dq_i. Where constraints hold between speeds alone there are more independent coordinates
@@ -31,7 +31,7 @@ pub(crate) struct Reduction {
 
 impl Reduction {
     /// # Errors
-    /// [`What::SingularState`] in a singular position, or so near to one that rounding decides.
+    /// [`What::SingularState`] in a singular position, or so close to one that rounding decides.
     pub(crate) fn at(mechanism: &dyn AnyMechanism, at: At<f64>) -> Result<Reduction, Failure> {
         let (n, freedoms) = (at.positions.len(), mobility_of(mechanism, at.time, at.positions));
         if let Some(failure) = singular(mechanism, at.time, at.positions, &freedoms) {
@@ -89,8 +89,8 @@ impl Reduction {
         &self.by_speeds
     }
 
-    /// The failure that names the singular position beside this one in a direction, if one is within reach: where a pivot by
-    /// which dependent speeds follow from the others changes its sign.
+    /// The failure that names the singular position beside this one in a direction, if one is within reach: where a
+    /// pivot in the solution for dependent speeds changes its sign.
     pub(super) fn singular_along(
         &self,
         mechanism: &dyn AnyMechanism,
@@ -102,7 +102,7 @@ impl Reduction {
         let moved = |way: f64| -> Vec<f64> { q.iter().zip(direction).map(|(q, part)| q + way * part).collect() };
         let pivots = |way: f64| self.of_speeds.pivot_values(&mechanism.constraint_jacobian(time, &moved(way)));
         let (mut way, mut step) = (0.0, STEP);
-        // Three steps of the secant method square what is left three times.
+        // Three steps of the secant method square the error three times.
         for _ in 0..3 {
             let roots = pivots(way).into_iter().zip(pivots(way + step)).map(|(a, b)| -a * step / (b - a));
             step = roots.filter(|root| root.is_finite()).min_by(|a, b| a.abs().total_cmp(&b.abs()))?;
@@ -152,7 +152,7 @@ impl Reduction {
             let change = self.of_positions.complete(&by_positions, DMatrix::zeros(n, 1), &open);
             q.iter_mut().zip(&change).for_each(|(q, change)| *q += change);
             steps += 1;
-            // Once more where it is met already, as rounding is all that is left then.
+            // Once more after convergence, to reduce the error to rounding.
             if steps > 1 && mechanism.is_met(time, q) {
                 break;
             }
@@ -171,7 +171,7 @@ impl Reduction {
     }
 }
 
-/// The failure that says so, if a position is singular.
+/// The failure of a singular position, if this is one.
 fn singular(mechanism: &dyn AnyMechanism, time: f64, q: &[f64], freedoms: &Mobility) -> Option<Failure> {
     let constraint = freedoms.singular.first()?;
     Some(mechanism.failure(What::SingularState { constraint }, time, q))

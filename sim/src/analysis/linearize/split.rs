@@ -3,14 +3,14 @@
 use nalgebra::DMatrix;
 use std::ops::Range;
 
-/// The columns of coordinates that are wanted as dependent ones are taken as long as their pivots are this large, in a matrix whose
+/// Columns of coordinates preferred as dependent are chosen as long as their pivots are this large, in a matrix whose
 /// rows and columns are brought to largest entries near 1.
 const REGULAR: f64 = 1e-3;
 
-/// How much it is wanted that a coordinate is independent.
+/// The preference for a coordinate to be independent.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) enum Wanted {
-    /// The declaration gives nothing of it at the start.
+    /// The declaration gives neither its value nor its speed at the start.
     Dependent,
     /// It gives its value.
     Independent,
@@ -28,8 +28,8 @@ pub(super) struct Split {
 }
 
 impl Split {
-    /// As many columns are dependent as the rank of the Jacobian says, chosen by elimination with complete pivoting, first among those
-    /// that are not wanted as independent ones.
+    /// The number of dependent columns is the rank of the Jacobian. They are chosen by elimination with complete
+    /// pivoting, first among those not preferred as independent.
     pub(super) fn new(jacobian: &DMatrix<f64>, rank: usize, wanted: &[Wanted]) -> Split {
         let n = jacobian.ncols();
         let mut matrix = equilibrated(jacobian);
@@ -51,7 +51,7 @@ impl Split {
         Split { independent, pivots }
     }
 
-    /// How many are dependent.
+    /// The number of dependent columns.
     pub(super) fn rank(&self) -> usize {
         self.pivots.len()
     }
@@ -75,7 +75,7 @@ impl Split {
         all
     }
 
-    /// What stands in the places of the pivots when their turn comes, in a Jacobian nearby.
+    /// The values of the pivots in the elimination of a nearby Jacobian.
     pub(super) fn pivot_values(&self, jacobian: &DMatrix<f64>) -> Vec<f64> {
         let mut matrix = jacobian.clone();
         let mut value = |pivot: &(usize, usize)| {

@@ -1,4 +1,4 @@
-//! A mechanism at rest: what pulls at it, and how stiff it is.
+//! A mechanism at rest: its forces and its stiffness.
 
 use super::derivatives::Derivatives;
 use super::reduce::Reduction;
@@ -7,7 +7,7 @@ use crate::motion::lengths::measure;
 use crate::state::failure::{Failure, What};
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
-/// Accelerations up to here are at rest, in radians and in the mechanism's own length for each s^2.
+/// Accelerations up to this count as rest, in radians and in the mechanism's own length per s^2.
 const AT_REST: f64 = 1e-8;
 /// So are those that the rounding of positions makes, in stiff mechanisms: q'' changes by q''_q times q times as many ulp.
 const ROUNDINGS: f64 = 64.0;
@@ -15,7 +15,7 @@ const ROUNDINGS: f64 = 64.0;
 const FREE: f64 = 1e-12;
 /// Sweeps after which a decomposition is given up; a few for each row are usual.
 const MOST_SWEEPS: usize = 10_000;
-/// How far a singular position is looked for where a search comes to nothing, in what coordinates are measured by.
+/// The distance searched for a singular position after a search fails, in the scales of the coordinates.
 const NEARBY: f64 = 0.02;
 
 /// A position on the constraints, at rest. Changes of the f independent coordinates are y = L' dx with M = L L' the reduced
@@ -24,7 +24,7 @@ pub(crate) struct Statics {
     /// The position, n.
     pub(crate) q: Vec<f64>,
     reduction: Reduction,
-    /// What coordinates are measured by, n.
+    /// The scales of the coordinates, n.
     sizes: Vec<f64>,
     /// The accelerations, n, and how they change with each independent coordinate, n x h.
     accelerations: DVector<f64>,
@@ -68,13 +68,13 @@ impl Statics {
         self.root.tr_mul(&self.accelerations.select_rows(self.reduction.independent_speeds()))
     }
 
-    /// How it changes with y, f x f.
+    /// Its derivative by y, f x f.
     fn stiffness(&self) -> DMatrix<f64> {
         let accelerations = self.by_positions.select_rows(self.reduction.independent_speeds());
         self.root.tr_mul(&accelerations) * self.moves.select_rows(self.reduction.independent())
     }
 
-    /// The largest part of a step, in what coordinates are measured by.
+    /// The largest part of a step, in the scales of the coordinates.
     pub(crate) fn size(&self, step: &DVector<f64>) -> f64 {
         let parts = &self.moves * step;
         parts.iter().zip(&self.sizes).fold(0.0, |largest, (part, size)| largest.max((part / size).abs()))
@@ -91,7 +91,7 @@ impl Statics {
         (step.norm() > 0.0).then_some(step)
     }
 
-    /// A y that leads down, and whether that is so of Newton's too: whether no direction is unstable.
+    /// A y that leads down, and whether Newton's step does too, that is, whether no direction is unstable.
     pub(crate) fn descent(&self, stiffer: f64) -> (DVector<f64>, bool) {
         let (force, stiffness) = (self.force(), self.stiffness());
         let f = force.len();
@@ -103,7 +103,7 @@ impl Statics {
         (step.unwrap_or(force), largest <= stiffer * size)
     }
 
-    /// Where a step leads, and the force there in the same coordinates and measure.
+    /// The end of a step, and the force there in the same coordinates and scales.
     ///
     /// # Errors
     /// If the constraints cannot be met there; as the right-hand side.

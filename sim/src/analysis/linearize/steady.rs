@@ -1,4 +1,4 @@
-//! Whether a motion is steady in its coordinates: whether its linearisation stays what it is.
+//! Whether a motion is steady in its coordinates, that is, whether its linearisation is constant.
 
 use super::derivatives::Derivatives;
 use super::reduce::Reduction;
@@ -8,11 +8,11 @@ use crate::motion::lengths::measure;
 use crate::state::failure::Failure;
 use nalgebra::{Complex, DMatrix};
 
-/// Where A changes by less than this part of it while the fastest mode turns by 1 rad, the motion is steady: starts are given in
-/// some six digits.
+/// The relative change of A, while the fastest mode turns by 1 rad, below which the motion is steady: starts are given
+/// in some six digits.
 const STEADY: f64 = 1e-6;
-/// The step of differences in time, in the time in which the fastest mode turns by 1 rad. Those of second order, which a
-/// motion that starts from rest needs, have 1e-7 of rounding then where A itself is by differences.
+/// The step of differences in time, in the time in which the fastest mode turns by 1 rad. Second-order differences,
+/// which a motion from rest needs, then have a rounding error of 1e-7 if A itself is computed by differences.
 const STEP: f64 = 1e-2;
 
 /// The coordinates that do not move uniformly, where A changes along the motion; none where it does not.
@@ -28,7 +28,7 @@ pub(super) fn unsteady(
     let sizes = measure(mechanism, at.time, at.positions).0;
     let parts = |values: &[f64]| -> Vec<f64> { values.iter().zip(&sizes).map(|(v, size)| v.abs() / size).collect() };
     let (speeds, accelerations) = (parts(at.speeds), parts(derivatives.accelerations()));
-    // How fast things go, in 1/s.
+    // The rate of the motion, in 1/s.
     let modes = eigenvalues.iter().map(|value| value.norm());
     let rate = modes.chain(speeds.iter().copied()).chain(accelerations.iter().map(|a| a.sqrt())).fold(0.0, f64::max);
     if rate == 0.0 || a.is_empty() {
@@ -55,7 +55,7 @@ pub(super) fn unsteady(
     if bent.is_empty() {
         return Ok(moving);
     }
-    // Of a quaternion that turns some entries are at their turning points.
+    // Some entries of a turning quaternion may be at their turning points.
     let quaternions = quaternions(mechanism);
     let turns = |j: &usize| quaternions.iter().any(|four| four.contains(j) && four.iter().any(|k| bent.contains(k)));
     Ok((0..sizes.len()).filter(|j| bent.contains(j) || moving.contains(j) && turns(j)).collect())

@@ -1,4 +1,4 @@
-//! A mechanism's declaration, read again: the oracle's and Lagrange's equations of it.
+//! A mechanism's declaration, parsed again: its oracle and its Lagrange's equations.
 
 use super::VerifyError;
 use crate::model::{AnyMechanism, At};
@@ -26,7 +26,7 @@ impl Declared {
 
     fn read(description: &Description) -> Result<Declared, VerifyError> {
         let fail = |e: &dyn std::fmt::Display| VerifyError::Declaration(e.to_string());
-        let tokens = description.declaration.parse().map_err(|_| fail(&"its text is no list of tokens"))?;
+        let tokens = description.declaration.parse().map_err(|_| fail(&"its text cannot be read as Rust tokens"))?;
         let declaration = codegen::parse(tokens).map_err(|e| fail(&e))?;
         let mut model = model::resolve(&declaration).map_err(|e| fail(&e))?;
         let lagrange = lagrange(&mut model);
@@ -44,7 +44,7 @@ fn si_factor(unit: &dsl::Unit) -> f64 {
     Unit::resolve(unit).map_or(f64::NAN, |unit| unit.factor())
 }
 
-/// What each input of a mechanism is set to.
+/// The value that each input of a mechanism is set to.
 pub(super) fn held(mechanism: &dyn AnyMechanism) -> Vec<Option<f64>> {
     mechanism.inputs().into_iter().map(Input::held).collect()
 }

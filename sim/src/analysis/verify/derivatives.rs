@@ -9,8 +9,8 @@ use crate::state::trajectory::Sample;
 use nalgebra::DMatrix;
 use sim_kernel::{Dual, Mechanism};
 
-/// How much more than its own rounding a derivative may differ. Both ways solve K dz = dr - dK z, which amplifies rounding by the
-/// condition of K: 1e-8 lets it be 1e8.
+/// The largest difference of a derivative, relative to its rounding. Both ways solve K dz = dr - dK z, which amplifies
+/// rounding by the condition of K: 1e-8 lets it be 1e8.
 const BOUND: f64 = 1e-8;
 
 /// C_q, d(q'')/dq, d(q'')/dq', d(lambda)/dq and d(lambda)/dq'.
@@ -25,7 +25,7 @@ pub(super) fn compare_with_duals(mechanism: &dyn AnyMechanism, samples: &[At<f64
     let is_made = mechanism.description().optional_kernels.contains(&"dynamics_jacobian");
     let solutions = match (is_made, found) {
         (false, _) => "no kernel of d(q'', lambda)/d(q, q') to compare",
-        (true, 0) => "the kernel of d(q'', lambda)/d(q, q') refuses every state: nothing of it is compared",
+        (true, 0) => "the kernel of d(q'', lambda)/d(q, q') refuses every state, so nothing is compared",
         (true, _) => "",
     };
     let compared = if constraints == 0 && found == 0 { None } else { Some(worst.figure) };
@@ -40,7 +40,7 @@ pub(super) fn compare_with_duals(mechanism: &dyn AnyMechanism, samples: &[At<f64
 
 /// C_q, relative to the largest entry that a row has in any sample. Gives how many entries were compared.
 fn compare_constraints(mechanism: &dyn AnyMechanism, samples: &[At<f64>], worst: &mut Worst<&str>) -> usize {
-    // Rows between speeds are no derivatives of anything.
+    // Rows between speeds are not derivatives.
     let between_speeds = mechanism.description().speed_constraints;
     let mut compared = 0;
     let pairs = samples.iter().map(|sample| {
@@ -66,8 +66,8 @@ fn compare_constraints(mechanism: &dyn AnyMechanism, samples: &[At<f64>], worst:
     compared
 }
 
-/// d(q'', lambda)/dq and d(q'', lambda)/dq', each relative to its largest entry in any sample, in units in which all
-/// coordinates, accelerations and multipliers compare. Gives how many entries were compared.
+/// d(q'', lambda)/dq and d(q'', lambda)/dq', each relative to its largest entry in any sample, in units that make all
+/// coordinates, accelerations and multipliers comparable. Gives how many entries were compared.
 fn compare_solutions(mechanism: &dyn AnyMechanism, samples: &[At<f64>], worst: &mut Worst<&str>) -> usize {
     if !mechanism.description().optional_kernels.contains(&"dynamics_jacobian") {
         return 0;
@@ -79,7 +79,7 @@ fn compare_solutions(mechanism: &dyn AnyMechanism, samples: &[At<f64>], worst: &
     for sample in samples {
         let Some(generated) = mechanism.by_state(sample.time, sample.positions, sample.speeds) else { continue };
         let jacobian = mechanism.constraint_jacobian(sample.time, sample.positions);
-        // A multiplier counts by the force that it makes.
+        // A multiplier is measured by its force.
         let forces = (0..jacobian.nrows()).map(|k| largest((0..n).map(|j| jacobian[(k, j)] / coordinates[j])));
         let rows: Vec<f64> = coordinates.iter().copied().chain(forces).collect();
         for (by_speed, generated) in generated.iter().enumerate() {
@@ -102,7 +102,7 @@ fn compare_solutions(mechanism: &dyn AnyMechanism, samples: &[At<f64>], worst: &
     found.iter().map(Vec::len).sum()
 }
 
-/// The same numbers, of which one is what derivatives are taken by.
+/// The same numbers, with one as the variable of differentiation.
 fn seeded(values: &[f64], by: Option<usize>) -> Vec<Dual> {
     let seeded = |(j, value): (usize, &f64)| match by == Some(j) {
         true => Dual::variable(*value),

@@ -10,10 +10,10 @@ use crate::state::trajectory::Sample;
 use codegen::oracle::State;
 use sim_kernel::Mechanism;
 
-/// What the balance of a body may miss, relative to the largest that is in any: the elimination works
-/// in a planned order, which amplifies rounding where masses are small beside reactions. Both are divided by the root of the
-/// inertia that they are about, so that what vanishes somewhere, as the forces on a link that stands upright do,
-/// is not compared with its own rounding. Largest in any shipped mechanism: 1e-15.
+/// The largest residual of a body's balance, relative to the largest force in any. Elimination in a planned order
+/// amplifies rounding where masses are small relative to reactions. Both are divided by the root of their inertia, so
+/// that vanishing forces, such as those on an upright link, are not compared with their own rounding. Largest in any
+/// shipped mechanism: 1e-15.
 const BALANCE: f64 = 1e-9;
 
 /// Newton and Euler: each body freed, with its mass times its acceleration, the loads and the reactions lambda of the run.
@@ -51,6 +51,7 @@ pub(super) fn check_balance(
     for (missing, _, name) in balances {
         worst.enter(relative(missing, all), name);
     }
-    let meaning = format!("what freed bodies, loads and reactions miss, relative to them, at `{}`", worst.at);
+    let meaning =
+        format!("largest residual of the equations of freed bodies, relative to their terms, at `{}`", worst.at);
     Ok(Check::new("reactions against Newton-Euler", worst.figure, BALANCE, meaning))
 }

@@ -11,10 +11,10 @@ use codegen::oracle::State;
 use codegen::symbolic::{Expr, evaluate};
 use sim_kernel::Mechanism;
 
-/// What an equation may miss. A row of K z = r, with z the kernels' solution, misses at most some n eps of |K||z| + |r|, in
-/// the norm in which the elimination is stable: rows and columns scaled by the inertia of their coordinates. |r| counts what
-/// goes into loads, such as stiff springs about their rest, whose terms cancel (from the oracle). That leaves five digits for
-/// elimination in a planned order.
+/// The largest residual of an equation. For a row of K z = r, with z the kernels' solution, it is at most some n eps of
+/// |K||z| + |r|, in the norm in which the elimination is stable: rows and columns scaled by the inertia of their
+/// coordinates. |r| counts the terms of loads, which may cancel, as in stiff springs about their rest (from the
+/// oracle). That leaves five digits for elimination in a planned order.
 const BOUND: f64 = 1e-10;
 
 /// q'' and lambda of the generated kernels, by TMT, in Lagrange's equations with constraints of their own derivation.
@@ -49,7 +49,7 @@ pub(super) fn compare_with_lagrange(
         for (i, row) in rows.iter().enumerate() {
             let (size, name) = match i.checked_sub(n) {
                 None => (force * scales[i], names.coordinates[i].position.name),
-                // What accelerations of that size make of C_q q''.
+                // The size of C_q q'' for accelerations of that size.
                 Some(k) => {
                     let moved = (0..n).map(|j| row.slopes[j].abs() * force / scales[j]).sum::<f64>();
                     (row.size.max(moved), mechanism.constraint_name(k))
@@ -60,7 +60,7 @@ pub(super) fn compare_with_lagrange(
     }
     let (time, name) = worst.at;
     let place = if name.is_empty() { String::new() } else { format!(", along `{name}` at t = {time:.4} s") };
-    let meaning = format!("what q'' and lambda miss of Lagrange's equations, relative to their terms{place}");
+    let meaning = format!("residual of Lagrange's equations for q'' and lambda, relative to their terms{place}");
     Ok(Check::new("TMT against Lagrange", worst.figure, BOUND, meaning))
 }
 
@@ -112,7 +112,7 @@ fn equations(mechanism: &dyn AnyMechanism, declared: &Declared, sample: &At<f64>
     Ok(rows)
 }
 
-/// What expressions of the model are at a state of the mechanism.
+/// The values of the model's expressions at a state of the mechanism.
 fn value(mechanism: &dyn AnyMechanism, declared: &Declared, state: &At<f64>, exprs: &[Expr]) -> Vec<f64> {
     let (parameters, inputs, activities) = (mechanism.parameters(), mechanism.inputs(), mechanism.activities());
     let model = &declared.model;

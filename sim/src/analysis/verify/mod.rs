@@ -1,6 +1,6 @@
-//! Whether a mechanism's kernels, equations and runs are right: independent ways to the same numbers, compared.
+//! Verification of a mechanism's kernels, equations and runs: independent computations of the same numbers, compared.
 //!
-//! Each check is a function of its own that says how far two ways are apart, and how far they may be.
+//! Each check is a function of its own that returns the difference of two computations and its bound.
 
 mod declared;
 mod derivatives;
@@ -38,16 +38,16 @@ use crate::state::trajectory::{Sample, Trajectory};
 use sim_kernel::Mechanism;
 use std::ops::ControlFlow;
 
-/// What a check found.
+/// The result of a check.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
-    /// What was compared with what.
+    /// The compared computations.
     pub name: &'static str,
-    /// How far apart they are; none where there was nothing to compare.
+    /// The difference; none if there was nothing to compare.
     pub figure: Option<f64>,
-    /// How far apart they may be.
+    /// The largest allowed difference.
     pub bound: f64,
-    /// What the figure is, and where it was found.
+    /// The meaning of the figure, and its place.
     pub meaning: String,
 }
 
@@ -56,7 +56,7 @@ impl Check {
         Check { name, figure: Some(figure), bound, meaning }
     }
 
-    /// Whether it does not fail: it is within its bound, which NaN is not, or there was nothing to compare.
+    /// Whether it passes: the figure is within its bound (NaN is not), or there was nothing to compare.
     pub fn passes(&self) -> bool {
         self.figure.is_none_or(|figure| figure <= self.bound)
     }
@@ -126,8 +126,8 @@ fn kernels_agree(declared: &Declared, parts: &[Part]) -> Result<Vec<Check>, Veri
     ])
 }
 
-/// Until when a run is smooth: to its first event that changes something, and well before its first singular position,
-/// where what rounding and the errors of steps are multiplied by has a pole.
+/// The time until which a run is smooth: its first event that changes something, and well before its first singular
+/// position, where the amplification of rounding and step errors has a pole.
 fn smooth<M: Mechanism>(run: &Run<M>, end: f64) -> f64 {
     let Trajectory { samples, phases, .. } = &run.trajectory;
     let event = phases.get(1).map_or(end, |phase| samples[phase.first].state.time);
@@ -180,7 +180,7 @@ type Part<'p> = (&'p dyn AnyMechanism, Vec<At<'p, f64>>);
 /// A check of a mechanism at some samples.
 type CheckOfPart<'c> = dyn Fn(&dyn AnyMechanism, &[At<f64>]) -> Result<Check, VerifyError> + 'c;
 
-/// What is farthest apart in any part.
+/// The largest difference in any part.
 fn worst(parts: &[Part], check: &CheckOfPart) -> Result<Check, VerifyError> {
     let checks = parts.iter().map(|(mechanism, samples)| check(*mechanism, samples));
     let checks = checks.collect::<Result<Vec<Check>, VerifyError>>()?;

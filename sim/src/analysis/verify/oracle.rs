@@ -9,10 +9,11 @@ use codegen::oracle::{Comparison, Computed, Observed, State};
 use nalgebra::DMatrix;
 use sim_kernel::Mechanism;
 
-/// What a term may differ by, relative to the magnitudes of what goes into it.
+/// The largest difference of a term, relative to the magnitudes of its operands.
 const TERM: f64 = 1e-12;
 
-/// A term this small beside the largest of its name, as a power where nothing moves, may be rounding of what it cancels from.
+/// A term this small relative to the largest of its name, such as a power where nothing moves, may be rounding from
+/// cancellation.
 const VANISHING: f64 = 1e-2;
 
 /// Mass matrix, forces, constraints with their derivatives, kinetic energy, events, power and outputs, against
@@ -50,12 +51,12 @@ pub(super) fn compare_with_oracle(
     Ok(Check::new("kernels against the oracle", worst, TERM, meaning))
 }
 
-/// What the kernels of a mechanism give at a state, as the oracle's comparison takes it.
+/// The results of a mechanism's kernels at a state, in the form of the oracle's comparison.
 pub fn computed<M: Mechanism>(mechanism: &M, t: f64, q: &M::Q, qd: &M::Q) -> Computed {
     computed_by(&Any(mechanism), &At::moving(t, q.as_ref(), qd.as_ref()))
 }
 
-/// What they give with these accelerations and multipliers.
+/// Their results with these accelerations and multipliers.
 pub fn observed<M: Mechanism>(mechanism: &M, t: f64, q: &M::Q, qd: &M::Q, qdd: &M::Q, lambda: &M::L) -> Observed {
     let (accelerations, multipliers) = (qdd.as_ref(), lambda.as_ref());
     observed_by(&Any(mechanism), &At { accelerations, multipliers, ..At::moving(t, q.as_ref(), qd.as_ref()) })

@@ -14,23 +14,23 @@ use std::ops::ControlFlow;
 
 /// The error is the largest at this many equidistant times: at a single one it may happen to vanish.
 const TIMES: usize = 4;
-/// From this relative error on the terms of higher order are small: order shows.
+/// The relative error below which terms of higher order are small and the order shows.
 const ASYMPTOTIC: f64 = 1e-4;
-/// An error is read off the reference to one digit where it is so much larger than what is known of the reference's own.
+/// An error is known to one digit if it exceeds the error of the reference by this factor.
 const READABLE: f64 = 30.0;
-/// The error may be as large as if one halving of the step had been for nothing: its constant changes with the step, by terms of
-/// the next order, which are no longer negligible where the first error is taken. A method of an order less by one is
-/// above that after five halvings, by two after three.
+/// The error may be as large as if one halving of the step had no effect: its constant changes with the step by terms
+/// of the next order, which are not negligible at the first error. A method whose order is lower by one exceeds this
+/// after five halvings, by two after three.
 const BOUND: f64 = 16.0;
-/// Projection leaves 1e-12 of a constraint's terms open, which the geometry of a loop may magnify ten times: nothing is read off
-/// errors below.
+/// Projection leaves a residual of 1e-12 of a constraint's terms, which the geometry of a loop may magnify ten times:
+/// smaller errors are not used.
 const OPEN: f64 = 1e-11;
 
 /// The binary logarithm of the number of steps, and the error.
 type Measured = (i32, f64);
 
-/// A method shows its order along a motion: its error, at the smallest step where it stands out of rounding, against what the
-/// first in the asymptotic range foretells by the order.
+/// The order of a method along a motion: its error at the smallest step where it exceeds rounding, relative to that
+/// predicted by the order from the first in the asymptotic range.
 ///
 /// # Errors
 /// If the motion fails.
@@ -49,7 +49,7 @@ pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
         found.iter().zip(&reference).for_each(|(a, b)| sizes.compare(mechanism, &a.state, &b.state, &mut worst));
         worst.figure
     };
-    // What is left of order 8, and rounding.
+    // The error of order 8, and rounding.
     let floor = distance(&states(mechanism, start, end, &mut Dop853::new(mechanism), 2048)?).max(f64::EPSILON);
     let open = if mechanism.m() > 0 { OPEN } else { 0.0 };
     let (mut first, mut last): (Option<Measured>, Option<Measured>) = (None, None);
@@ -58,7 +58,7 @@ pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
         if first.is_some_and(|first| foretold(first) < READABLE * floor) {
             break;
         }
-        // Steps too large for the motion say nothing.
+        // Steps too large for the motion are skipped.
         let Ok(found) = states(mechanism, start, end, &mut method(), 1 << power) else { continue };
         let error = distance(&found);
         match first {
@@ -76,7 +76,12 @@ pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
     let halvings = fine - coarse;
     let observed = (error / left).log2() / f64::from(halvings);
     let figure = left / (error * (-order * f64::from(halvings)).exp2()).max(open);
-    check(figure, format!("error over what order {order} foretells {halvings} halvings before; observed {observed:.2}"))
+    check(
+        figure,
+        format!(
+            "error relative to that predicted by order {order} from {halvings} halvings before; observed {observed:.2}"
+        ),
+    )
 }
 
 /// The motion by equal steps, at equidistant times.
@@ -90,7 +95,7 @@ fn states<M: Mechanism>(
     let measures = Measures::at(mechanism, start.time, &start.positions);
     let motion = Motion::new(*mechanism, Stabilisation::Projection, measures);
     let course = Course { begin: start.time, end, stepping: Stepping::Equal(steps) };
-    // A step may be split, so times are told by their middles.
+    // A step may be split, so times are identified by their middles.
     let time = |k: usize| start.time + (end - start.time) * (k as f64 + 0.5) / steps as f64;
     let mut found: Vec<Sample<M>> = Vec::new();
     integrate(&motion, method, &course, motion.sample(start)?, &mut Steps::default(), |step| {

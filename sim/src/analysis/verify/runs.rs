@@ -9,10 +9,11 @@ use crate::run::Run;
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::Mechanism;
 
-/// The constraints of every sample, in positions and velocities: each relative to the largest that its own terms are in
-/// any sample. Of positions these are at least a thousandth of the largest of any whose reaction has its unit: the height that a
-/// slider is kept at may be zero, and is rounding of the others then. Of velocities they are at least what speeds as fast as
-/// the fastest coordinate's make of a row of C_q: the row of a coordinate that stands still is rounding of the others.
+/// The constraints of every sample, in positions and velocities: each relative to the largest of its own terms in any
+/// sample. For positions this scale is at least a thousandth of the largest among constraints whose reaction has the
+/// same unit: the height of a slider may be zero, and is then rounding of the others. For velocities it is at least a
+/// row of C_q times speeds as large as that of the fastest coordinate: the row of a coordinate that stands still is
+/// rounding of the others.
 pub fn constraint_residuals<M: Mechanism>(run: &Run<M>) -> Check {
     let samples = &run.trajectory.samples;
     let open: Vec<[Vec<Open>; 2]> = {
@@ -47,10 +48,10 @@ pub fn constraint_residuals<M: Mechanism>(run: &Run<M>) -> Check {
     Check::new("constraints along the run", worst.figure, 1e-9, meaning)
 }
 
-/// Rounding of the largest terms is 1e-16 of them, and 1e-13 of such a part, where 1e-9 is the bound.
+/// Rounding is 1e-16 of the largest terms, and 1e-13 of a thousandth of them; the bound is 1e-9.
 const LEAST_PART: f64 = 1e-3;
 
-/// By how much a constraint is open, and the magnitude of its terms.
+/// The residual of a constraint, and the magnitude of its terms.
 struct Open {
     open: f64,
     size: f64,
@@ -85,8 +86,8 @@ pub fn runs_agree<M: Mechanism>(name: &'static str, one: &Run<M>, other: &Run<M>
     Check::new(name, figure, 1e-6, meaning)
 }
 
-/// The largest difference of any coordinate or speed between two runs with the same rows, relative to how far each comes,
-/// and whose it is.
+/// The largest difference of any coordinate or speed between two runs with the same rows, relative to its extent, and
+/// its name.
 pub fn difference<M: Mechanism>(one: &Run<M>, other: &Run<M>) -> (f64, &'static str) {
     let (a, b) = (&one.trajectory.samples, &other.trajectory.samples);
     if a.len() != b.len() {
@@ -98,11 +99,11 @@ pub fn difference<M: Mechanism>(one: &Run<M>, other: &Run<M>) -> (f64, &'static 
     (worst.figure, worst.at)
 }
 
-/// A coordinate that carries less than this part of what others do, in sqrt(kg)*m, is compared with it: the error of a
-/// step is bounded for the whole state, and projection spreads it.
+/// A coordinate with less than this fraction of the others' extent, in sqrt(kg)*m, is compared with that fraction: the
+/// error of a step is bounded for the whole state, and projection spreads it.
 const SHARE: f64 = 1e-2;
 
-/// How far each coordinate and each speed comes.
+/// The extent of each coordinate and each speed.
 pub(super) struct Sizes([Vec<f64>; 2]);
 
 impl Sizes {

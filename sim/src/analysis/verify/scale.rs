@@ -1,14 +1,15 @@
-//! What differences of coordinates, speeds and accelerations are relative to, whatever their units.
+//! The scales of differences of coordinates, speeds and accelerations, independent of units.
 
 use super::worst::largest;
 use crate::model::{AnyMechanism, At};
 
-/// One number s for each coordinate, such that s q of all of them compare, in sqrt(kg)*m: the root of its inertia, M_jj at its
-/// largest in these samples. Rounding of a solution, by elimination or by projection, spreads among unknowns in proportion to
-/// 1/s, because M and C_q are of order 1 in s q; so it is |s dq| that is small beside the largest |s q|, and a coordinate
-/// that only rounding moves is not compared with itself.
+/// One number s for each coordinate, such that all s q are comparable, in sqrt(kg)*m: the root of its inertia, M_jj at
+/// its largest in these samples. Rounding of a solution, by elimination or by projection, spreads among unknowns in
+/// proportion to 1/s, because M and C_q are of order 1 in s q; so |s dq| is compared with the largest |s q|, and a
+/// coordinate that only rounding moves is not compared with itself.
 ///
-/// A coordinate without inertia has that of those which a constraint couples it with, through the ratio of their entries in C_q.
+/// A coordinate without inertia takes that of the coordinates to which a constraint couples it, scaled by the ratio of
+/// their entries in C_q.
 pub(super) fn scales(mechanism: &dyn AnyMechanism, samples: &[At<f64>]) -> Vec<f64> {
     let n = samples.first().map_or(0, |sample| sample.positions.len());
     let masses: Vec<_> = samples.iter().map(|sample| mechanism.mass_matrix(sample.time, sample.positions)).collect();

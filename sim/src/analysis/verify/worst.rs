@@ -1,4 +1,4 @@
-//! The largest of what was found.
+//! The largest of several figures.
 
 /// A figure and where it is.
 #[derive(Clone, Debug, Default)]
@@ -8,7 +8,7 @@ pub(super) struct Worst<W> {
 }
 
 impl<W> Worst<W> {
-    /// Enters a figure. NaN counts as infinite: `f64::max` would forget it, and so would a comparison.
+    /// Enters a figure. NaN counts as infinite: `f64::max` would drop it, and so would a comparison.
     pub(super) fn enter(&mut self, figure: f64, at: W) {
         let figure = if figure.is_nan() { f64::INFINITY } else { figure };
         if figure > self.figure {
@@ -22,7 +22,7 @@ pub(super) fn relative(part: f64, size: f64) -> f64 {
     if part == 0.0 { 0.0 } else { part / size }
 }
 
-/// The largest magnitude; NaN and infinities are left to the figures that they spoil.
+/// The largest magnitude; NaN and infinities show in the figures that they affect.
 pub(super) fn largest(values: impl Iterator<Item = f64>) -> f64 {
     values.filter(|value| value.is_finite()).fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }

@@ -1,9 +1,9 @@
-//! What several commands ask alike.
+//! Arguments of several commands.
 
 use crate::Format;
 use clap::Args;
 
-/// How much is said, and to whom.
+/// The form of the output.
 #[derive(Args, Clone, Copy)]
 pub(in crate::cli) struct Voice {
     /// Prints JSON, for programs.
@@ -45,7 +45,7 @@ impl std::fmt::Display for Size {
 /// Which files are written, and how large figures are.
 #[derive(Args)]
 pub(in crate::cli) struct WrittenArguments {
-    /// Formats of the table, of csv, jsonl, npy, npz and, where built with it, parquet.
+    /// Formats of the table: csv, jsonl, npy, npz and, if built in, parquet.
     #[arg(long, value_name = "FORMAT", value_delimiter = ',', default_value = "csv", value_parser = format)]
     pub(in crate::cli) format: Vec<Format>,
 

@@ -1,10 +1,10 @@
-//! What is driven, and how.
+//! The drive of a sweep.
 
 use super::common::WrittenArguments;
 use clap::Args;
 use std::path::PathBuf;
 
-/// What is driven, and how.
+/// The drive of a sweep.
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  sim kinematics quick-return --drive alpha --from 0 --to 360deg --speed 75rpm --steps 720\n  \
@@ -47,7 +47,7 @@ pub(in crate::cli) struct KinematicsArguments {
     #[arg(long, value_name = "NAME=VALUE")]
     pub(in crate::cli) set: Vec<String>,
 
-    /// Sets a start value, as in `--initial alpha=30deg`; may be repeated. What is given here, or guessed, decides on which
+    /// Sets a start value, as in `--initial alpha=30deg`; may be repeated. Given values and guesses decide on which
     /// branch the mechanism is assembled.
     #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub(in crate::cli) initial: Vec<String>,

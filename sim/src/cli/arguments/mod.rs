@@ -1,4 +1,4 @@
-//! What can be said on the command line.
+//! The command line's arguments.
 
 mod common;
 mod kinematics;
@@ -42,7 +42,7 @@ pub(super) enum Command {
     Info(InfoArguments),
     /// Runs a mechanism and writes its motion, a summary and figures.
     Run(Box<RunArguments>),
-    /// Compares a mechanism's kernels, equations and runs with independent ways to the same numbers.
+    /// Compares a mechanism's kernels, equations and runs with independent computations.
     Verify(VerifyArguments),
     /// Assembles the start and prints it, with degrees of freedom and redundant constraints.
     Assemble(AssembleArguments),
@@ -60,7 +60,7 @@ pub(super) enum Command {
     Compare(CompareArguments),
     /// Makes a crate with a mechanism of your own.
     New(NewArguments),
-    /// Prints what installs with a program: shell completions, the man page, the schema of run files.
+    /// Prints files to install with a program: shell completions, the man page, the schema of run files.
     Generate(GenerateArguments),
 }
 
@@ -71,7 +71,7 @@ pub(super) struct InfoArguments {
     pub(super) model: String,
 }
 
-/// What to draw of a run.
+/// The arguments of `plot`.
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  sim plot out/quick-return x6 x6_velocity\n  sim plot out/quick-return alpha_dot --against alpha\n\n\
@@ -102,18 +102,18 @@ pub(super) struct PlotArguments {
     pub(super) size: Size,
 }
 
-/// What to compare.
+/// The arguments of `compare`.
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  sim compare out/quick-return out/shorter-crank --quantity x6 --out out/compared\n\n\
-    Curves are called after their directories."
+    Curves are named after their directories."
 )]
 pub(super) struct CompareArguments {
     /// The directories of runs, or their trajectory.csv.
     #[arg(required = true, num_args = 2.., value_name = "RUN")]
     pub(super) runs: Vec<PathBuf>,
 
-    /// A quantity to draw, as a column of the tables is called; may be repeated [default: all they share but
+    /// A quantity to draw, as a column of the tables is called; may be repeated [default: all that they share except
     /// accelerations].
     #[arg(long, value_name = "NAME")]
     pub(super) quantity: Vec<String>,
@@ -127,7 +127,7 @@ pub(super) struct CompareArguments {
     pub(super) size: Size,
 }
 
-/// What to make.
+/// The arguments of `new`.
 #[derive(Args)]
 pub(super) struct NewArguments {
     /// The directory to make; its last part is the crate's name.
@@ -139,7 +139,7 @@ pub(super) struct NewArguments {
     pub(super) linkwright: Option<String>,
 }
 
-/// What to print.
+/// The arguments of `generate`.
 #[derive(Args)]
 pub(super) struct GenerateArguments {
     /// Which of them.
@@ -161,12 +161,10 @@ pub(super) enum Generated {
     Schema,
 }
 
-/// What to verify.
+/// The arguments of `verify`.
 #[derive(Args)]
-#[command(
-    after_help = "One row for each check: how far two ways to the same numbers are apart, how far they may be, and \
-    the verdict. Exit status 1 if a check fails."
-)]
+#[command(after_help = "One row for each check: the difference between two independent computations, its bound, and \
+    the verdict. Exit status 1 if a check fails.")]
 pub(super) struct VerifyArguments {
     /// The mechanism, as `list` names it.
     pub(super) model: String,
@@ -184,13 +182,13 @@ pub(super) struct VerifyArguments {
     pub(super) initial: Vec<String>,
 }
 
-/// What to assemble.
+/// The arguments of `assemble`.
 #[derive(Args)]
 pub(super) struct AssembleArguments {
     #[command(flatten)]
     pub(super) start: StartArguments,
 
-    /// Lists the loops that close in closed form, and all configurations that have what the start gives: elbow up and elbow
+    /// Lists the loops that close in closed form, and all configurations that satisfy the given start values: elbow up and elbow
     /// down.
     #[arg(long)]
     pub(super) branches: bool,

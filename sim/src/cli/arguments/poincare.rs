@@ -1,11 +1,11 @@
-//! Which section of which motion.
+//! The arguments of `poincare`.
 
 use super::common::{StartArguments, WrittenArguments};
 use crate::Crossing;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
-/// Which section of which motion.
+/// The arguments of `poincare`.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  sim poincare pendulum --event bottom --direction rising --count 50\n  \
     sim poincare slider-crank --event dead_point --count 200\n\n\
@@ -19,7 +19,7 @@ pub(in crate::cli) struct PoincareArguments {
     #[arg(long, value_name = "EVENT")]
     pub(in crate::cli) event: String,
 
-    /// In which direction the event's condition, left - right, has to cross zero.
+    /// The direction in which the event's condition, left - right, crosses zero.
     #[arg(long, value_enum, default_value_t = Direction::Both)]
     pub(in crate::cli) direction: Direction,
 
@@ -27,7 +27,7 @@ pub(in crate::cli) struct PoincareArguments {
     #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
     pub(in crate::cli) count: u32,
 
-    /// The motion ends then if the event has not happened so often.
+    /// The motion ends at this time at the latest.
     #[arg(long, value_name = "TIME", default_value = "1000", allow_hyphen_values = true)]
     pub(in crate::cli) t_end: String,
 

@@ -1,11 +1,11 @@
-//! How to run.
+//! The arguments of `run`.
 
 use super::common::WrittenArguments;
 use crate::cli::settings::SettingsArguments;
 use clap::Args;
 use std::path::PathBuf;
 
-/// How to run.
+/// The arguments of `run`.
 #[derive(Args)]
 #[command(
     args_override_self = true,
@@ -19,7 +19,7 @@ use std::path::PathBuf;
     A value may have a unit of the same dimension: 180mm, 0.18, \"180 mm\". Without one it is in the declared unit."
 )]
 pub(in crate::cli) struct RunArguments {
-    /// The mechanism, as `list` names it; or a run file, NAME.json, which other words of the command line override.
+    /// The mechanism, as `list` names it; or a run file, NAME.json, which other arguments override.
     #[arg(value_name = "MODEL|FILE.json")]
     pub(in crate::cli) model: String,
 

@@ -35,7 +35,7 @@ pub(in crate::cli) fn compare(arguments: &CompareArguments, voice: Voice) -> Res
     }
 }
 
-/// What each run is called: its directory, or its whole path where directories are called the same.
+/// The name of each run: its directory, or its whole path if directories have the same name.
 fn labels(runs: &[Stored], arguments: &CompareArguments) -> Vec<String> {
     let is_unique = |run: &Stored| runs.iter().filter(|other| other.name == run.name).count() == 1;
     match runs.iter().all(is_unique) {
@@ -44,7 +44,7 @@ fn labels(runs: &[Stored], arguments: &CompareArguments) -> Vec<String> {
     }
 }
 
-/// The quantities asked for, or all that every run has, but time and accelerations.
+/// The requested quantities, or all that every run has, except time and accelerations.
 fn quantities(runs: &[Stored], asked: &[String]) -> Result<Vec<String>, Stop> {
     if !asked.is_empty() {
         return Ok(asked.to_vec());
@@ -76,7 +76,10 @@ impl Figure {
                 figure.y_label = column.header();
             } else if figure.y_label != column.header() {
                 let (one, other) = (&figure.y_label, column.header());
-                return Err(Stop::Usage(format!("`{quantity}` has other units in {}: {one} and {other}", run.name)));
+                return Err(Stop::Usage(format!(
+                    "`{quantity}` has different units in {}: {one} and {other}",
+                    run.name
+                )));
             }
             figure.times.extend(&times.values);
             for (other, curve) in figure.curves.iter_mut().enumerate() {

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use sim_kernel::event::Event;
 use sim_kernel::{Coordinate, Description, Mechanism, Quantity, Start};
 
-/// What is known of a mechanism.
+/// The facts about a mechanism.
 pub(in crate::cli) struct Facts {
     description: &'static Description,
     /// Defaults of the parameters, in SI units.
@@ -106,7 +106,7 @@ fn as_text(facts: &Facts) -> String {
     text + &section("Operations of each kernel", kernels.collect())
 }
 
-/// How many coordinates, constraints and parameters there are, and what is free.
+/// The numbers of coordinates, constraints and parameters, and the degrees of freedom.
 fn size(facts: &Facts) -> String {
     let d = facts.description;
     let size = format!(
@@ -142,7 +142,7 @@ fn coordinates(facts: &Facts) -> Vec<[String; 4]> {
     facts.description.coordinates.iter().zip(&facts.start).map(line).collect()
 }
 
-/// Each constraint with its equation and its multiplier, and what a reaction does.
+/// Each constraint with its equation and its multiplier, and the definition of a reaction.
 fn constraints(d: &Description) -> String {
     let equations = equations(d);
     let equation_of = |name: &str| {
@@ -152,7 +152,7 @@ fn constraints(d: &Description) -> String {
     };
     let line = |c: &Quantity| [c.name.to_owned(), equation_of(c.name), format!("lambda_{}", c.name), unit(c)];
     let lines = d.constraints.iter().map(line).collect();
-    let mut text = section("Constraints, their multipliers and the unit of those", lines);
+    let mut text = section("Constraints, with their multipliers and units", lines);
     if !d.constraints.is_empty() {
         text += "  A reaction does the virtual work -lambda times the change of C = left - right on the mechanism.\n";
     }

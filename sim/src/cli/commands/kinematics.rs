@@ -22,8 +22,8 @@ impl KinematicsArguments {
         &self.model
     }
 
-    /// The sweep of a mechanism of which `now` tells the values of coordinates and outputs at the start, with these speeds there;
-    /// `prescribed` is a coordinate that a constraint drives.
+    /// The sweep of a mechanism, where `now` gives the values of coordinates and outputs at the start, with these
+    /// speeds there; `prescribed` is a coordinate that a constraint drives.
     fn sweep(
         &self,
         description: &'static Description,
@@ -110,7 +110,7 @@ fn hold(description: &'static Description, now: &dyn Fn(Driven) -> f64, text: &s
     Ok((driven, value))
 }
 
-/// Drives a mechanism through a range, writes what it did, and prints a summary.
+/// Drives a mechanism through a range, writes the results, and prints a summary.
 pub(in crate::cli) fn kinematics_command<M: Mechanism>(
     arguments: &KinematicsArguments,
     voice: Voice,
@@ -136,7 +136,7 @@ fn given((is_given, value): (&bool, &f64)) -> Option<f64> {
     is_given.then_some(*value)
 }
 
-/// What was found, without the type of the mechanism.
+/// The results, without the type of the mechanism.
 struct Found<'a> {
     description: &'static Description,
     sweep: &'a Sweep,
@@ -164,19 +164,19 @@ impl<'a> Found<'a> {
         }
     }
 
-    /// What is driven.
+    /// The driven quantity.
     fn driven(&self) -> &'static Quantity {
         self.sweep.driven.quantity(self.description)
     }
 
-    /// The drive and the holds, each with what it exerts.
+    /// The drive and the holds, each with its force.
     fn drives(&self) -> impl Iterator<Item = (Driven, &'a Option<Range>)> {
         let held = self.sweep.held.iter().map(|(held, _)| *held);
         [self.sweep.driven].into_iter().chain(held).zip(&self.extremes.forces)
     }
 }
 
-/// Writes what was found, and prints a summary.
+/// Writes the results, and prints a summary.
 fn tell(
     found: &Found,
     table: &Table,
@@ -197,7 +197,7 @@ fn tell(
     files.check(found.failure.iter().map(ToString::to_string).collect(), is_interrupted)
 }
 
-/// What was driven, from where to where.
+/// The driven quantity and its range.
 fn drive(found: &Found) -> Value {
     let driven = found.driven();
     let value = |si: f64| si / driven.factor;
@@ -212,7 +212,7 @@ fn drive(found: &Found) -> Value {
     })
 }
 
-/// What was found, in declared units.
+/// The results, in declared units.
 fn summary(found: &Found) -> Value {
     let (description, driven) = (found.description, found.driven());
     let value = |si: f64| si / driven.factor;
@@ -302,7 +302,7 @@ fn report(found: &Found) -> String {
     text += &format!("{:<22} {:>14} {:>14} {:>14} {:>14}  unit\n", "", "least", "at", "greatest", "at");
     let mut row = |name: &str, range: &Option<Range>, factor: f64, unit: &str| {
         let Some(Range { least, greatest }) = range else {
-            text += &format!("{name:<22} not finite everywhere, or without bound towards a special position\n");
+            text += &format!("{name:<22} not finite everywhere, or unbounded near a dead point or crossing\n");
             return;
         };
         let numbers =

@@ -43,7 +43,7 @@ pub(in crate::cli) fn linearize_command<M: Mechanism>(
     tell(&found, arguments, voice)
 }
 
-/// What was found, of a mechanism of any type.
+/// The results, for a mechanism of any type.
 struct Found<'a> {
     description: &'static Description,
     time: f64,
@@ -51,7 +51,7 @@ struct Found<'a> {
     speeds: &'a [f64],
     /// The names of the entries of x.
     states: Vec<&'static str>,
-    /// The coordinates in which the motion is not steady, and in which it may be.
+    /// The coordinates in which the motion is not steady, and those in which it may be.
     unsteady: Vec<&'static str>,
     advice: Option<String>,
     inputs: Vec<&'static str>,
@@ -60,7 +60,7 @@ struct Found<'a> {
     modes: &'a [Mode],
 }
 
-/// Writes what was found, and prints it.
+/// Writes and prints the results.
 fn tell(found: &Found, arguments: &LinearizeArguments, voice: Voice) -> Result<(), Stop> {
     let directory = arguments.out.clone().unwrap_or_else(|| format!("out/{}-linear", found.description.name).into());
     std::fs::create_dir_all(&directory).map_err(|why| WriteError::new(&directory, why))?;
@@ -74,7 +74,7 @@ fn tell(found: &Found, arguments: &LinearizeArguments, voice: Voice) -> Result<(
     }
 }
 
-/// What is named, or all inputs.
+/// The named inputs, or all.
 fn controls(description: &'static Description, named: &[String]) -> Result<Vec<Control>, Stop> {
     let inputs = description.inputs.iter().enumerate().map(|(i, input)| (input.name, Control::Input(i)));
     if named.is_empty() {
@@ -165,11 +165,13 @@ fn report(found: &Found) -> String {
     text += &format!("{:<12} {}\n", "states", found.states.join(", "));
     if let Some(advice) = &found.advice {
         let coordinates = found.unsteady.join(", ");
-        text +=
-            &format!("{:<12} no: A changes as {coordinates} go on, and the modes are those of an instant\n", "steady");
+        text += &format!(
+            "{:<12} no: A changes along with {coordinates}, and the modes hold for one instant only\n",
+            "steady"
+        );
         text += &format!("{:<12} {advice}\n", "");
     } else if found.speeds.iter().any(|speed| *speed != 0.0) {
-        text += &format!("{:<12} yes: A stays as it is while the motion goes on\n", "steady");
+        text += &format!("{:<12} yes: A is constant along the motion\n", "steady");
     }
     for (k, mode) in found.modes.iter().enumerate() {
         let Mode { eigenvalue, .. } = mode;
@@ -196,7 +198,7 @@ fn plain(value: f64, digits: i32) -> f64 {
     if value.abs() < 0.5 * 0.1f64.powi(digits) { 0.0 } else { value }
 }
 
-/// A real number where the phase is 0 or half a turn, else amplitude and phase in degrees.
+/// A real number if the phase is 0 or half a turn, otherwise amplitude and phase in degrees.
 fn polar(amplitude: f64, phase: f64) -> String {
     match phase {
         _ if phase.sin().abs() < 1e-6 || amplitude < 1e-9 => format!("{:.6}", plain(amplitude * phase.cos(), 6)),

@@ -1,4 +1,4 @@
-//! What each command does.
+//! The commands.
 
 pub(super) mod compare;
 pub(super) mod generate;

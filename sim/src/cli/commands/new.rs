@@ -16,20 +16,20 @@ const FILES: [(&str, &str); 6] = [
     (".gitignore", include_str!("../../../assets/new/gitignore.txt")),
 ];
 
-/// Where this program was built from, if that is still there.
+/// The folder that this program was built from, if it still exists.
 const HERE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
-/// Names that Cargo refuses, or that the crate's own dependencies have.
+/// Names that Cargo refuses, or those of the crate's own dependencies.
 const TAKEN: [&str; 11] =
     ["sim", "sim-kernel", "mechanism-macros", "codegen", "test", "core", "std", "alloc", "proc-macro", "build", "deps"];
 
-/// Makes a crate with a mechanism of one's own.
+/// Creates a crate with a mechanism.
 pub(in crate::cli) fn new(arguments: &NewArguments, voice: Voice) -> Result<(), Stop> {
     let path = &arguments.path;
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     check_name(&name)?;
     if path.exists() {
-        return Err(Stop::Usage(format!("{} is there already; name a directory that is not", path.display())));
+        return Err(Stop::Usage(format!("{} exists already; name a new directory", path.display())));
     }
     let (dependency, workspace) = dependency(arguments.linkwright.as_deref())?;
     let (crate_name, type_name) = (name.replace('-', "_"), type_name(&name));
@@ -46,7 +46,8 @@ pub(in crate::cli) fn new(arguments: &NewArguments, voice: Voice) -> Result<(), 
     if let Some(workspace) = workspace {
         let manifest = workspace.join("Cargo.toml");
         let alias = ["run", "-q", "--release", "--manifest-path", &manifest.to_string_lossy(), "-p", "codegen", "--"];
-        // As words, where none has a blank in it: cargo joins lists with those of folders above, and lets words replace them.
+        // As one string if no word contains a blank: cargo joins lists with those of parent folders, but a string
+        // replaces them.
         let alias = match alias.iter().any(|word| word.contains(char::is_whitespace)) {
             true => format!("{alias:?}"),
             false => format!("{:?}", alias.join(" ")),
@@ -85,7 +86,7 @@ fn check_name(name: &str) -> Result<(), Stop> {
         return fail("letters, digits, `-` and `_` are possible");
     }
     if TAKEN.contains(&name.replace('_', "-").as_str()) || syn_keyword(name) {
-        return fail("that word is taken");
+        return fail("that word is reserved");
     }
     Ok(())
 }
@@ -109,7 +110,7 @@ fn type_name(name: &str) -> String {
     if ["S", "Self"].contains(&joined.as_str()) { format!("{joined}Mechanism") } else { joined }
 }
 
-/// What the command line calls a type.
+/// The name of a type on the command line.
 fn model_name(type_name: &str) -> String {
     codegen::emit::kebab_case(type_name)
 }
@@ -128,7 +129,7 @@ fn dependency(linkwright: Option<&str>) -> Result<(String, Option<PathBuf>), Sto
             Ok((format!("sim = {{ path = {:?}, {features} }}", sim.to_string_lossy()), Some(workspace)))
         }
         None => Err(Stop::Usage(format!(
-            "no Linkwright at {}: say where its folder is, or its git repository, by `--linkwright PATH|URL`",
+            "no Linkwright at {}: give its folder or git repository with `--linkwright PATH|URL`",
             place.display()
         ))),
     }

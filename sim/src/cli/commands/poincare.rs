@@ -36,7 +36,7 @@ pub(in crate::cli) fn poincare_command<M: Mechanism>(arguments: &PoincareArgumen
     tell(description, &table, (period, failure), arguments, &draw, (files, voice))
 }
 
-/// Writes what was found, and prints it.
+/// Writes and prints the results.
 fn tell(
     description: &Description,
     table: &Table,
@@ -86,7 +86,7 @@ fn report(description: &Description, arguments: &PoincareArguments, times: &[f64
     text += "\n";
     text += &match period {
         Some(period) => format!("{:<12} {:.12} s, {} crossing(s) each\n", "period", period.seconds, period.crossings),
-        None => format!("{:<12} none: no state comes again\n", "period"),
+        None => format!("{:<12} none: no state recurs\n", "period"),
     };
     text
 }

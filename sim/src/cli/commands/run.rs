@@ -18,7 +18,7 @@ use sim_kernel::Mechanism;
 use std::path::PathBuf;
 use std::time::Instant;
 
-/// Runs a mechanism, writes what it found, and prints a short table.
+/// Runs a mechanism, writes the results, and prints a short table.
 pub(in crate::cli) fn run_command<M: Mechanism>(arguments: &RunArguments, voice: Voice) -> Result<(), Stop> {
     let description = const { &M::DESCRIPTION };
     let clock = Instant::now();
@@ -35,7 +35,7 @@ pub(in crate::cli) fn run_command<M: Mechanism>(arguments: &RunArguments, voice:
     told(&found, &table, arguments, (&mut reproduction, files, clock), voice)
 }
 
-/// Writes what was found, prints a short table, and says what went wrong.
+/// Writes the results, prints a short table, and reports failures.
 fn told(
     found: &dyn Recorded,
     table: &Table,
@@ -94,7 +94,7 @@ fn write(
     times
 }
 
-/// What went wrong in the motion or its outputs.
+/// Failures of the motion or its outputs.
 fn failures(outcome: &Outcome, table: &Table) -> Vec<String> {
     let of_output = |(name, time): &(&str, f64)| {
         format!(
@@ -117,7 +117,7 @@ fn warn_of_redundancy<M: Mechanism>(mechanism: &M, start: &Start<M>, voice: Voic
     }
 }
 
-/// The method, its steps and what they took.
+/// The method, its steps and their cost.
 fn method(run: &Outcome) -> String {
     let settings = &run.settings;
     let steps = match settings.stepping {
@@ -131,7 +131,7 @@ fn method(run: &Outcome) -> String {
     format!("{name}, {steps}, {} right-hand sides, {kept}", run.evaluations)
 }
 
-/// That the event which was to end the run has not done so, where it came to its end.
+/// The message if the event that should end the run has not happened.
 fn never(run: &Outcome) -> Option<String> {
     let stop = run.settings.stop.filter(|_| run.failure.is_none())?;
     let event = run.description.events.get(stop.event)?.name;
@@ -140,7 +140,7 @@ fn never(run: &Outcome) -> Option<String> {
     (times < asked).then(|| format!("`{event}` has happened {count}, not {asked}: the run went on to its end"))
 }
 
-/// A line of the report: what it tells, and that.
+/// A line of the report: label and text.
 type Line = (&'static str, String);
 
 /// The short table for the terminal.
@@ -169,7 +169,7 @@ fn report(run: &Outcome, files: &Files, times: &Times) -> String {
     rows.iter().map(|(name, value)| format!("{name:<12} {value}\n")).collect()
 }
 
-/// What has happened on the way, and what the reader of its numbers has to know of it.
+/// The events of the run, and warnings about its numbers.
 fn happened(run: &Outcome) -> Vec<Line> {
     let (description, mut rows) = (run.description, Vec::new());
     match run.period {
@@ -189,17 +189,17 @@ fn happened(run: &Outcome) -> Vec<Line> {
     rows.extend(never(run).map(|line| ("until", line)));
     for (of, time) in run.dead_points.iter().take(8) {
         let of = of.join(", ");
-        rows.push(("dead point", format!("of {of} at {time:.12} s: the motion goes on upon another branch")));
+        rows.push(("dead point", format!("of {of} at {time:.12} s: the motion continues on another branch")));
     }
     rows.extend(run.mobility.redundancies().into_iter().map(|line| ("redundant", line)));
     for passed in run.steps.singularities.iter().take(8) {
-        let crossed = "passed straight on: there another way of moving begins, and reactions have no bound";
+        let crossed = "passed straight through: another branch of the motion begins there, and reactions are unbounded";
         rows.push(("singular", format!("`{}` at {:.9} s, {crossed}", passed.constraint, passed.time)));
     }
     rows
 }
 
-/// How good the numbers are.
+/// The accuracy of the numbers.
 fn quality(run: &Outcome) -> Vec<Line> {
     let mut rows = Vec::new();
     if !run.description.constraints.is_empty() {

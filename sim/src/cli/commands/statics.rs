@@ -76,7 +76,7 @@ fn say_assembled(
     print(&out)
 }
 
-/// Prints in which ways the loops close, and the configurations.
+/// Prints how the loops close, and the configurations.
 fn say_branches(
     description: &Description,
     loops: &[Loop],

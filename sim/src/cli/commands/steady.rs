@@ -1,11 +1,11 @@
-//! In which coordinates a motion that is not steady may be.
+//! Coordinates in which an unsteady motion may be steady.
 
 use crate::State;
 use crate::analysis::linearize::quaternions;
 use crate::motion::typed::Any;
 use sim_kernel::{Description, Mechanism};
 
-/// What to say where these coordinates make A change; nothing where none do.
+/// The advice if these coordinates make A change; none if none do.
 pub(in crate::cli) fn advice<M: Mechanism>(mechanism: &M, state: &State<M>, unsteady: &[usize]) -> Option<String> {
     if unsteady.is_empty() {
         return None;
@@ -21,8 +21,8 @@ pub(in crate::cli) fn advice<M: Mechanism>(mechanism: &M, state: &State<M>, unst
     })
 }
 
-/// Which angles to take instead of a quaternion: those of which the last turns about the axis of the body that it spins about, and
-/// the one between is far from a right angle.
+/// The angles to use instead of a quaternion: the last turns about the spin axis of the body, and the middle one is far
+/// from a right angle.
 fn of_quaternion(description: &Description, four: [usize; 4], positions: &[f64], speeds: &[f64]) -> Option<String> {
     const AXES: [&str; 3] = ["x", "y", "z"];
     let (q, qd) = (four.map(|j| positions[j]), four.map(|j| speeds[j]));
@@ -30,7 +30,7 @@ fn of_quaternion(description: &Description, four: [usize; 4], positions: &[f64],
     let fastest = (0..3).max_by(|i, j| spin[*i].abs().total_cmp(&spin[*j].abs())).filter(|i| spin[*i] != 0.0)?;
     let [first, second] = [(fastest + 1) % 3, (fastest + 2) % 3];
     let direction = axis(q, fastest);
-    // The sine of the angle between is the component along the first axis. Where both do, yaw comes first.
+    // The sine of the middle angle is the component along the first axis. If both sequences work, yaw comes first.
     let first_is_better = match direction[first].abs() - direction[second].abs() {
         apart if apart.abs() > 1e-9 => apart < 0.0,
         _ => second != 2,

@@ -1,5 +1,9 @@
-//! The folder that results come into: held while a command works for it, and filled at once when all of them are written, so
-//! that what was there before stays until then.
+//! The output folder: locked while a command works for it, and filled when all files are complete, so that earlier
+//! files stay until then.
+//!
+//! Files are first written to a folder within it. The lock is the operating system's, on the folder itself, so a killed
+//! process leaves no lock behind. A file that cannot be written is named; if new files would then stand beside earlier
+//! ones, they stay aside, in `incomplete`.
 
 use crate::cli::Stop;
 use crate::cli::files::identity;
@@ -11,15 +15,15 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-/// Where files stand until all are written, within the folder that they are for.
+/// The subfolder for files until all are written.
 const UNFINISHED: &str = ".unfinished";
-/// Where they stay, until the next run, if some could not be written and earlier ones would be lost.
+/// The subfolder where they stay, until the next run, if some could not be written and earlier files would be lost.
 const INCOMPLETE: &str = "incomplete";
 
-/// The folder of the command that runs: there is one, and a signal, which comes at any time, ends with what it has.
+/// The folder of the running command, for the signal handler, which may run at any time.
 static CURRENT: Mutex<Option<Folder>> = Mutex::new(None);
 
-/// A folder that is held, with what is written for it.
+/// A locked folder, with the files written for it.
 struct Folder {
     directory: PathBuf,
     /// Whether it was made for this command.
@@ -28,31 +32,31 @@ struct Folder {
     _lock: Option<File>,
     /// The files that are whole.
     names: Vec<String>,
-    /// The file that tells of the run, by which the others are known as its own.
+    /// The summary of the run, which identifies the other files.
     summary: Option<(String, Value)>,
-    /// What such commands write, and what the run before has written.
+    /// The files that such commands write, and those of the run before.
     earlier: Vec<String>,
 }
 
-/// What came of it.
+/// The outcome.
 #[derive(Default)]
 pub(in crate::cli) struct Filled {
-    /// The files that are in their places.
+    /// The files in their final places.
     pub(in crate::cli) names: Vec<String>,
     /// Why others are not.
     pub(in crate::cli) failures: Vec<WriteError>,
-    /// Where all of them are instead, because some could not be written.
+    /// The folder with all of them instead, because some could not be written.
     pub(in crate::cli) aside: Option<PathBuf>,
 }
 
-/// Makes a folder, holds it, and gives the folder within it where files are to be written.
+/// Creates and locks a folder, and gives the subfolder to write files to.
 pub(in crate::cli) fn hold(directory: &Path, mut earlier: Vec<String>) -> Result<PathBuf, Stop> {
     let fail = |path: &Path, why: io::Error| Stop::from(WriteError::new(path, why));
     let is_new = !directory.exists();
     fs::create_dir_all(directory).map_err(|why| fail(directory, why))?;
     let lock = lock(directory)?;
     let unfinished = directory.join(UNFINISHED);
-    // What a run that was killed has left.
+    // The remains of a run that was killed.
     let _ = fs::remove_dir_all(&unfinished);
     fs::create_dir(&unfinished).map_err(|why| fail(&unfinished, why))?;
     earlier.extend(identity::listed(directory));
@@ -79,7 +83,7 @@ fn lock(directory: &Path) -> Result<Option<File>, Stop> {
         ))),
         Err(TryLockError::Error(why)) => {
             eprintln!(
-                "warning: {} cannot be locked ({why}): see that nothing else writes there meanwhile",
+                "warning: {} cannot be locked ({why}): make sure that nothing else writes there",
                 directory.display()
             );
             Ok(None)
@@ -87,27 +91,27 @@ fn lock(directory: &Path) -> Result<Option<File>, Stop> {
     }
 }
 
-/// Takes note of a file that is whole.
+/// Records a complete file.
 pub(in crate::cli) fn add(name: &str) {
     if let Some(folder) = current().as_mut() {
         folder.names.push(name.to_owned());
     }
 }
 
-/// Keeps what a run is told by, under this name. From then on a signal ends with the files that are whole.
+/// Keeps the summary under this name. From then on a signal keeps the complete files.
 pub(in crate::cli) fn tell(name: &str, summary: Value) {
     if let Some(folder) = current().as_mut() {
         folder.summary = Some((name.to_owned(), summary));
     }
 }
 
-/// Moves all files to their places, and removes earlier ones that have no successor; or, if `is_short` of some or others
-/// cannot be placed, puts them aside where there are earlier ones.
+/// Moves all files to their places, and removes earlier ones without a successor. If `is_short` of some, or if some
+/// cannot be placed, puts them aside if there are earlier files.
 pub(in crate::cli) fn fill(is_short: bool) -> Filled {
     current().take().map_or_else(Filled::default, |folder| folder.fill(is_short))
 }
 
-/// Ends with what there is: the files that are whole, if those are among them that a run is told by, or none.
+/// Ends with the complete files if the tables are among them, otherwise with none.
 pub(in crate::cli) fn end() -> Filled {
     let mut current = current();
     let filled = match current.take() {
@@ -130,7 +134,7 @@ impl Folder {
         if let Err(failure) = self.write_summary() {
             filled.failures.push(failure);
         }
-        // What is no file is written to first: afterwards there is no way back.
+        // Targets that are not files, such as devices, are written first: they cannot be rolled back.
         let names = std::mem::take(&mut self.names);
         let (files, others): (Vec<String>, Vec<String>) = names.into_iter().partition(|name| self.is_file(name));
         others.iter().for_each(|name| self.place(name, &mut filled));
@@ -138,7 +142,7 @@ impl Folder {
             return self.put_aside(filled);
         }
         self.earlier.retain(|name| !files.contains(name) && !others.contains(name));
-        // The summary, by which others are known, comes last.
+        // The summary, which identifies the others, comes last.
         let (last, files): (Vec<String>, Vec<String>) = files.into_iter().partition(|name| *name == told_by);
         files.iter().for_each(|name| self.place(name, &mut filled));
         self.earlier.iter().filter(|name| self.is_file(name)).for_each(|name| self.remove(name, &mut filled));
@@ -147,7 +151,7 @@ impl Folder {
         filled
     }
 
-    /// Writes what the run is told by, with the digests of all other files.
+    /// Writes the summary, with the digests of all other files.
     fn write_summary(&mut self) -> Result<(), WriteError> {
         let Some((name, mut summary)) = self.summary.take() else { return Ok(()) };
         let unfinished = self.unfinished();
@@ -177,7 +181,7 @@ impl Folder {
         let (from, to) = (self.unfinished().join(name), self.directory.join(name));
         let placed = match self.is_file(name) {
             true => fs::rename(&from, &to),
-            // Through links, and into what is no file.
+            // Through links, and into targets that are not files.
             false => whole(&to, |file| io::copy(&mut File::open(&from)?, file).map(|_| ())),
         };
         match placed {
@@ -204,7 +208,7 @@ impl Folder {
         filled
     }
 
-    /// A failure to write where files stand until all are written, told by the place that they are for.
+    /// A failure to write in the subfolder, reported with the file's final place.
     fn in_place(&self, failure: WriteError) -> WriteError {
         match failure.path.strip_prefix(self.unfinished()) {
             Ok(name) => WriteError { path: self.directory.join(name), ..failure },

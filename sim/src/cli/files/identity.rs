@@ -1,4 +1,8 @@
-//! Which files belong to one run: some name it, and its summary lists the digests of all others.
+//! Which files belong to one run.
+//!
+//! A run's name is the digest of its table and of what its run file and summary say, so the same run has the same name.
+//! JSON files bear the name and may be edited. Tables and pictures have no place for a name that every reader accepts,
+//! so the summary, which is moved last, lists the digests of all other files.
 
 use crate::Table;
 use crate::cli::Stop;
@@ -15,7 +19,7 @@ pub(in crate::cli) const RUN: &str = "run";
 pub(in crate::cli) const NAMED: [&str; 3] = [SUMMARY, "run.json", "timing.json"];
 const SUMMARY: &str = "summary.json";
 
-/// Opens a file that has an end, which devices may not have.
+/// Opens a regular file; devices may have no end.
 fn open(path: &Path) -> io::Result<File> {
     match path.metadata()?.is_file() {
         true => File::open(path),
@@ -34,7 +38,7 @@ pub(in crate::cli) fn digest(path: &Path) -> io::Result<String> {
     }
 }
 
-/// What a run is known by: the digest of its table and of what else it was and found.
+/// The name of a run: the digest of its table and of its other results.
 pub(in crate::cli) fn of_run(table: &Table, values: &[&Value]) -> String {
     let mut digest = Digest::new();
     for column in &table.columns {
@@ -45,7 +49,7 @@ pub(in crate::cli) fn of_run(table: &Table, values: &[&Value]) -> String {
     digest.text()
 }
 
-/// The files of the run whose summary stands in a folder.
+/// The files of the run whose summary is in a folder.
 pub(in crate::cli) fn listed(directory: &Path) -> Vec<String> {
     let summary = read(&directory.join(SUMMARY));
     let names = summary.as_ref().and_then(digests).into_iter().flatten().map(|(name, _)| name.clone());
@@ -61,7 +65,7 @@ fn read(path: &Path) -> Option<Value> {
     json::parse(&io::read_to_string(open(path).ok()?).ok()?).ok()
 }
 
-/// Refuses a folder whose files are not all of one run, as where a run was killed while it moved its files there.
+/// Refuses a folder whose files are not all of one run, for example after a run was killed while moving its files.
 pub(in crate::cli) fn check(directory: &Path) -> Result<(), Stop> {
     match stranger(directory) {
         None => Ok(()),
@@ -73,7 +77,7 @@ pub(in crate::cli) fn check(directory: &Path) -> Result<(), Stop> {
     }
 }
 
-/// A file that is not of the run that another tells of.
+/// A file that does not belong to the run of another.
 fn stranger(directory: &Path) -> Option<(String, &'static str)> {
     let mut named = NAMED.into_iter().filter(|name| directory.join(name).is_file());
     let first = named.next()?;

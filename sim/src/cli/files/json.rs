@@ -1,4 +1,4 @@
-//! JSON in which no name stands twice: the second would silently win.
+//! JSON without duplicate names, of which the second would silently win.
 
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Value};
@@ -7,7 +7,7 @@ use std::fmt;
 /// The value of a text.
 ///
 /// # Errors
-/// What is wrong, with line and column.
+/// The mistake, with line and column.
 pub(in crate::cli) fn parse(text: &str) -> Result<Value, serde_json::Error> {
     serde_json::from_str::<Unique>(text).map(|unique| unique.0)
 }

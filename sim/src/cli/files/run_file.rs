@@ -1,4 +1,5 @@
-//! Run files: everything that `run` takes, as JSON; read as words of the command line, so that both mean the same.
+//! Run files: everything that `run` takes, as JSON. They are read as arguments of the command line, so that both mean
+//! the same.
 
 use crate::Start;
 use crate::cli::arguments::{Arguments, RunArguments};
@@ -14,13 +15,13 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 
-/// What a run file says of itself.
+/// The format of run files.
 const FORMAT: &str = "linkwright run 1";
 
-/// Options that say where to, and not what.
+/// Options about where to write, not what.
 const NOT_OF_A_RUN: [&str; 8] = ["set", "initial", "input", "out", "json", "quiet", "help", "version"];
 
-/// How a run is made again.
+/// How a run is repeated.
 pub(in crate::cli) struct Reproduction {
     /// The run file.
     pub(in crate::cli) file: Value,
@@ -28,7 +29,7 @@ pub(in crate::cli) struct Reproduction {
     pub(in crate::cli) command: String,
 }
 
-/// What a run is given of its mechanism.
+/// The mechanism's values in a run.
 struct Given<'a> {
     description: &'static Description,
     /// Parameters and their defaults.
@@ -39,7 +40,7 @@ struct Given<'a> {
 }
 
 impl Reproduction {
-    /// Of a run as it was asked for, defaults and all.
+    /// The run file of a run as requested, with all defaults.
     pub(in crate::cli) fn new<M: Mechanism>(
         mechanism: &M,
         start: &Start<M>,
@@ -112,7 +113,7 @@ impl Reproduction {
     }
 }
 
-/// What is given or guessed of the start, and whether the declaration says otherwise.
+/// The given and guessed start values, and whether the declaration differs.
 fn initial<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Vec<(&'static str, String, bool)> {
     let declared = crate::declared_start(mechanism);
     let coordinates = M::DESCRIPTION.coordinates;
@@ -198,7 +199,7 @@ impl RunFile {
         Ok(RunFile { path: path.to_owned(), file })
     }
 
-    /// The command line that it stands for, with the user's own words after its.
+    /// The equivalent command line, followed by the user's own arguments.
     pub(in crate::cli) fn expand(&self, words: &[OsString]) -> Result<Vec<OsString>, Stop> {
         let own: Vec<&OsString> = words.iter().skip(1).filter(|word| **word != *self.path).collect();
         let mentioned: Vec<String> = own.iter().map(|word| word.to_string_lossy().into_owned()).collect();
@@ -211,7 +212,7 @@ impl RunFile {
         Ok(all)
     }
 
-    /// What is wrong with its words, with the path of the entry that the message speaks of.
+    /// A mistake in its arguments, with the path of the entry in question.
     pub(in crate::cli) fn blamed(&self, message: &str) -> String {
         let members = |entry: &'static str| {
             let object = self.file.get(entry).and_then(Value::as_object);
@@ -231,7 +232,7 @@ impl RunFile {
     }
 }
 
-/// A run file's words: the model, then options. Steps and tolerances give way to the user's own.
+/// The arguments of a run file: the model, then options. The user's own steps and tolerances take precedence.
 fn read(file: &Value, own: &[String]) -> Result<Vec<String>, String> {
     let file = file.as_object().ok_or_else(|| format!("a run file is an object, not {}", kind(file)))?;
     for key in file.keys() {
@@ -285,14 +286,15 @@ fn read(file: &Value, own: &[String]) -> Result<Vec<String>, String> {
     Ok(words)
 }
 
-/// Whether the user's own words ask for a method that does not choose its steps, so that tolerances of the file say nothing.
+/// Whether the user's own arguments select a method that does not choose its steps, so that the file's tolerances are
+/// void.
 fn has_equal_steps_method(own: &[String]) -> bool {
     let at = own.iter().rposition(|word| mentions(word, "method"));
     let name = at.and_then(|at| own[at].split_once('=').map(|(_, name)| name).or(own.get(at + 1).map(String::as_str)));
     Method::ALL.iter().any(|method| !method.is_adaptive() && Some(method.name()) == name)
 }
 
-/// What a value is.
+/// The kind of a value.
 fn kind(value: &Value) -> &'static str {
     match value {
         Value::Null => "null",
@@ -325,7 +327,7 @@ fn object<'a>(file: &'a Map<String, Value>, entry: &str) -> Result<Vec<(&'a Stri
     }
 }
 
-/// A value as a word of the command line.
+/// A value as an argument of the command line.
 fn word(value: &Value) -> Option<String> {
     match value {
         Value::String(text) => Some(text.clone()),
@@ -335,7 +337,7 @@ fn word(value: &Value) -> Option<String> {
     }
 }
 
-/// What `options` of a run file may hold: the long options of `run`, but for those that have entries of their own; with
+/// The possible `options` of a run file: the long options of `run`, except those that have entries of their own; with
 /// whether they take a value.
 fn long_options() -> Vec<(String, bool)> {
     let command = Arguments::command();

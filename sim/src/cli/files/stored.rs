@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// The table of a run.
 pub(in crate::cli) struct Stored {
-    /// What curves of it are called: its directory.
+    /// The label of its curves: its directory.
     pub(in crate::cli) name: String,
     columns: Vec<StoredColumn>,
 }
@@ -43,7 +43,7 @@ impl Stored {
             let record = record.map_err(|why| fail(&why))?;
             for (column, cell) in columns.iter_mut().zip(&record) {
                 let line = column.values.len() + 2;
-                let value = cell.parse().map_err(|_| fail(&format!("line {line}: `{cell}` is no number")))?;
+                let value = cell.parse().map_err(|_| fail(&format!("line {line}: `{cell}` is not a number")))?;
                 column.values.push(value);
             }
         }
@@ -82,7 +82,7 @@ pub(in crate::cli) fn place(path: &Path) -> (PathBuf, String) {
     (path.parent().unwrap_or(Path::new("")).to_owned(), name)
 }
 
-/// That a directory cannot be made is told as for files.
+/// A directory that cannot be made is reported as for files.
 pub(in crate::cli) fn make(directory: &Path) -> Result<(), WriteError> {
     match directory.as_os_str().is_empty() {
         true => Ok(()),

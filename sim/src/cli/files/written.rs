@@ -10,11 +10,11 @@ use serde_json::Value;
 use sim_kernel::Description;
 use std::path::{Path, PathBuf};
 
-/// Files as they are written one after the other, for a folder into which they are moved at last; one that cannot be written
-/// does not keep the others from it.
+/// Files written one after the other, and finally moved to a folder. One that cannot be written does not stop the
+/// others.
 pub(in crate::cli) struct Files {
     directory: PathBuf,
-    /// Where they are written.
+    /// The folder they are written to.
     unfinished: PathBuf,
     /// The names of those that were written.
     pub(in crate::cli) names: Vec<String>,
@@ -25,8 +25,8 @@ pub(in crate::cli) struct Files {
 }
 
 impl Files {
-    /// Makes the folder and holds it, before work that may take long. What was written to it earlier, these figures too, goes
-    /// when [`Files::finish`] has something newer.
+    /// Creates and locks the folder, before work that may take long. Earlier files, these figures too, are removed when
+    /// [`Files::finish`] has newer ones.
     pub(in crate::cli) fn new(description: &Description, directory: &Path, figures: &[&str]) -> Result<Files, Stop> {
         let figures = description.figures.iter().map(|figure| figure.name).chain(figures.iter().copied());
         let figures = figures.flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]);
@@ -53,7 +53,7 @@ impl Files {
         }
     }
 
-    /// Where they come to.
+    /// Their final folder.
     pub(in crate::cli) fn directory(&self) -> &Path {
         &self.directory
     }
@@ -66,12 +66,12 @@ impl Files {
         drawn.failures.into_iter().for_each(|failure| self.fail(failure));
     }
 
-    /// Whether all could be written until now: where there is no room for numbers, pictures would only take it.
+    /// Whether all files could be written so far: if there is no room for numbers, pictures would only take more.
     pub(in crate::cli) fn has_room(&self) -> bool {
         !self.is_short
     }
 
-    /// Takes note of what could not be written or drawn, by its place.
+    /// Records a file that could not be written or drawn.
     fn fail(&mut self, failure: ShowError) {
         let failure = match failure {
             ShowError::Write { path, why } => {
@@ -84,7 +84,7 @@ impl Files {
         self.failures.push(failure.to_string());
     }
 
-    /// Names a run by its table and these values, which from here on bear the name.
+    /// Names a run by its table and these values, which carry the name from here on.
     pub(in crate::cli) fn name_run(table: &Table, values: &mut [&mut Value]) -> Value {
         let run = Value::from(identity::of_run(table, &values.iter().map(|value| &**value).collect::<Vec<_>>()));
         for object in values.iter_mut().filter_map(|value| value.as_object_mut()) {
@@ -93,7 +93,7 @@ impl Files {
         run
     }
 
-    /// Moves all files to their places, with `summary.json`, which tells of them. Only then earlier ones go.
+    /// Moves all files to their places, with `summary.json`, which lists them. Only then are earlier ones removed.
     pub(in crate::cli) fn finish(&mut self) {
         let filled = folder::fill(self.is_short);
         self.failures.extend(filled.failures.iter().map(ToString::to_string));
@@ -104,7 +104,7 @@ impl Files {
         self.names = filled.names;
     }
 
-    /// Prints what was found: as JSON with the directory and the files, or as text.
+    /// Prints the results: as JSON with the directory and the files, or as text.
     pub(in crate::cli) fn say(&self, voice: Voice, mut said: Value, text: &str) -> Result<(), Stop> {
         match voice {
             Voice { quiet: true, .. } => Ok(()),
@@ -122,7 +122,7 @@ impl Files {
         format!("written      {}: {}\n", self.directory.display(), self.names.join(", "))
     }
 
-    /// Of these and what else went wrong, one error.
+    /// One error from these and other failures.
     pub(in crate::cli) fn check(self, others: Vec<String>, is_interrupted: bool) -> Result<(), Stop> {
         let problems = [others, self.failures].concat().join("\nerror: ");
         match problems.is_empty() {

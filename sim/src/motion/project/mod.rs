@@ -1,9 +1,10 @@
 //! Projection onto the constraints: positions by Gauss-Newton, velocities by one linear correction.
 //!
-//! Both corrections are the smallest, lengths counted in the mechanism's own length: with D the diagonal matrix of what the
-//! coordinates are measured by, q -= D^2 C_q' (C_q D^2 C_q')^-1 C and q' -= D^2 C_q' (C_q D^2 C_q')^-1 (C_q q' + C_t); or on
-//! request they are the smallest in the metric of the mass matrix. Where constraints are redundant, C_q and what is left of
-//! the constraints are first reduced to the rank of C_q (`redundant`).
+//! Both corrections are the smallest, with lengths measured by the mechanism's own length: with D the diagonal matrix
+//! of the coordinates' scales, q -= D^2 C_q' (C_q D^2 C_q')^-1 C and q' -= D^2 C_q' (C_q D^2 C_q')^-1 (C_q q' + C_t);
+//! or on request they are the smallest in the metric of the mass matrix. With redundant constraints, C_q and the
+//! residuals are first reduced to the rank of C_q (`redundant`).
+//!
 
 mod redundant;
 
@@ -23,10 +24,10 @@ use std::cell::Cell;
 
 /// Corrections after which a projection that has not converged is given up.
 const MOST_CORRECTIONS: usize = 10;
-/// A change of positions that is rounding, beside those that count as 1.
+/// A change of positions that is rounding, relative to those that count as 1.
 const ROUNDING: f64 = 1e-14;
-/// A change of positions, and rates of constraints beside their terms, below which one factorisation serves both
-/// projections: what it leaves of the rates is of the order of their product.
+/// A change of positions, and rates of constraints relative to their terms, below which one factorisation serves both
+/// projections: the residual of the rates is of the order of their product.
 const SMALL_CHANGE: f64 = 1e-8;
 const SMALL_RATE: f64 = 1e-5;
 
@@ -35,15 +36,14 @@ type Linearization<M> = ConstraintLinearization<<M as Mechanism>::L, <M as Mecha
 /// Corrects positions and speeds, as [`project_positions`] and [`project_velocities`] one after the other.
 ///
 /// # Errors
-/// As those, and [`What::SingularPosition`] where constraints depend on others that are independent where the mechanism was
-/// measured.
+/// As those, and [`What::SingularPosition`] where constraints are dependent that were independent at the start.
 #[inline]
 pub fn project<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &mut State<M>) -> Result<(), Failure> {
     project_measured(mechanism, measures, state, &Cell::new(M::L::repeat(mechanism.m(), 0.0))).map(|_| ())
 }
 
 /// The same; gives 1/s^2, where s is the smallest sine between a row of C_q D and those before it, of those that are
-/// independent. Rows count relative to the longest that they have been, of which it keeps the squares.
+/// independent. Rows count relative to their greatest length so far, whose squares it keeps.
 #[inline]
 pub(crate) fn project_measured<M: Mechanism>(
     mechanism: &M,
@@ -63,7 +63,7 @@ pub(crate) fn project_measured<M: Mechanism>(
     }
 }
 
-/// The same where no constraints are redundant.
+/// The same without redundant constraints.
 #[inline(always)]
 fn project_independent<M: Mechanism, R: Rows<M>>(
     mechanism: &M,
@@ -108,8 +108,8 @@ fn singular_position<M: Mechanism, R: Rows<M>>(mechanism: &M, factors: &R::Facto
     Failure::at(mechanism, What::SingularPosition { constraint }, time, q)
 }
 
-/// Corrects positions until |C_i| <= 8 eps (magnitudes of C_i's terms + sum of |C_ij q_j|) + 1e-12 of what the constraint is
-/// measured by, once at least; gives the constraints linearised there.
+/// Corrects positions until |C_i| <= 8 eps (magnitudes of C_i's terms + sum of |C_ij q_j|) + 1e-12 of the constraint's
+/// scale, once at least; gives the constraints linearised there.
 ///
 /// An absolute tolerance alone could not be met by constraints with large terms, and without the first correction
 /// the projection would set in at some step and spoil the order of the method.
@@ -217,8 +217,8 @@ pub(crate) fn smallest_by_inertia<M: Mechanism>(
     by_inertia(mechanism, time, q, &reduction.rows(jacobian), &reduction.values(open))
 }
 
-/// Corrects positions; leaves the constraints linearised there, and the factors that the last correction was made with. Gives the
-/// largest change of that, beside those that count as 1.
+/// Corrects positions; leaves the constraints linearised there, and the factors that the last correction was made with.
+/// Gives the largest part of that correction, relative to those that count as 1.
 ///
 /// Both are left in place: copies of them would take as long as the projection.
 #[inline]
@@ -280,8 +280,8 @@ fn not_finite<M: Mechanism>(mechanism: &M, values: &M::L, time: f64, q: &M::Q) -
     Failure::at(mechanism, What::NotFinite { quantity }, time, q)
 }
 
-/// Whether a correction was so small that the constraints linearised before it are those after it, up to rounding:
-/// what it leaves of C is of its second order.
+/// Whether a correction was so small that the constraints linearised before it still hold after it, within rounding:
+/// the residual of C is of second order.
 #[inline]
 fn is_rounding<M: Mechanism>(mechanism: &M, measures: &Measures<M>, values: &M::L, correction: &M::Q) -> bool {
     is_within(measures, values, 0.1 * TOLERANCE) && measures.size(mechanism, correction) <= ROUNDING
@@ -302,7 +302,7 @@ fn factorise<M: Mechanism, R: Rows<M>>(
     })
 }
 
-/// Seldom needed: out of line it does not widen the loop that calls it.
+/// Rarely needed: out of line it keeps the calling loop small.
 #[inline(never)]
 fn factorise_again<M: Mechanism, R: Rows<M>>(
     mechanism: &M,
@@ -326,7 +326,7 @@ fn least_change<M: Mechanism, R: Rows<M>>(
     measures.change(mechanism, R::transposed_times(mechanism, columns, &R::solve(mechanism, factors, residual)))
 }
 
-/// A constraint that depends on others must not ask for another speed than they do.
+/// A constraint that depends on others must not require another speed than they do.
 #[cold]
 fn check_dependent_rates<M: Mechanism, R: Rows<M>>(
     mechanism: &M,
@@ -337,7 +337,7 @@ fn check_dependent_rates<M: Mechanism, R: Rows<M>>(
     qd: &M::Q,
 ) -> Result<(), Failure> {
     let left = rates_of::<M, R>(mechanism, linear, qd);
-    // A position within 1e-6 of a singular one leaves that part of the speeds.
+    // A position within 1e-6 of a singular one leaves this residual in the speeds.
     let bound = |i: usize| {
         1e-6 * (R::terms(mechanism, &linear.jacobian, i, qd) + linear.time_derivative[i].abs())
             + TOLERANCE * measures.constraints()[i]

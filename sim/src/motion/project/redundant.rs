@@ -1,5 +1,4 @@
-//! Projection where constraints are redundant: C_q and what is left of the constraints are first reduced to the rank of C_q
-//! ([`Reduction`]).
+//! Projection with redundant constraints: C_q and the residuals are first reduced to the rank of C_q ([`Reduction`]).
 
 use super::{Linearization, check_dependent_rates, correct, factorise, least_change, singular_position};
 use crate::model::level::between_positions;
@@ -52,8 +51,8 @@ pub(super) fn correct_redundant_positions<M: Mechanism>(
     })
 }
 
-/// The smallest change along rows of C_q of this rank that closes what is open of the constraints or of their rates, with the
-/// factors of the reduced rows.
+/// The smallest change along rows of C_q of this rank that closes the residuals of the constraints or of their rates,
+/// with the factors of the reduced rows.
 pub(super) fn reduced_change<M: Mechanism>(
     mechanism: &M,
     measures: &Measures<M>,

@@ -1,6 +1,7 @@
-//! How the rows of C_q are stored and C_q C_q' is factorised: all entries, or those alone that need not be 0.
+//! How the rows of C_q are stored and C_q C_q' is factorised: all entries, or only those that may be nonzero.
 //!
-//! Both give the same numbers: what sparse rows leave out is 0. Which is used is known when a mechanism is compiled.
+//! Both give the same numbers, since the entries that sparse rows omit are 0. The choice is made when a mechanism is
+//! compiled.
 
 mod dense;
 mod sparse;
@@ -36,18 +37,18 @@ pub(crate) trait Rows<M: Mechanism> {
     fn terms(mechanism: &M, jacobian: &Self::Jacobian, row: usize, x: &M::Q) -> f64;
     /// A' y.
     fn transposed_times(mechanism: &M, jacobian: &Self::Jacobian, y: &M::L) -> M::Q;
-    /// The factors of A A', put where others were: moving them about would take as long as finding them.
+    /// The factors of A A', computed in place: moving them would take as long as computing them.
     fn factorise(mechanism: &M, jacobian: &Self::Jacobian, factors: &mut Self::Factors) -> Result<(), Undefined>;
-    /// Factors of nothing yet.
+    /// Factors to be computed in place.
     fn no_factors(mechanism: &M) -> Self::Factors;
-    /// The diagonal entry of a row of what was factorised, and the inverse of its pivot: zero if the row depends on those before it.
+    /// The diagonal entry of a row of A A', and the inverse of its pivot: zero if the row depends on those before it.
     fn pivot(mechanism: &M, factors: &Self::Factors, k: usize) -> (f64, f64);
-    /// The solution for a right-hand side; zero for unknowns whose rows depend on others.
+    /// The solution for a right-hand side; unknowns of dependent rows are zero.
     fn solve(mechanism: &M, factors: &Self::Factors, rhs: M::L) -> M::L;
-    /// Which constraint a row of the factors belongs to.
+    /// The constraint of a row of the factors.
     fn constraint(mechanism: &M, k: usize) -> usize;
 
-    /// Whether no row depends on others.
+    /// Whether no row is dependent.
     #[inline]
     fn is_regular(mechanism: &M, factors: &Self::Factors) -> bool {
         (0..mechanism.m()).all(|k| Self::pivot(mechanism, factors, k).1 != 0.0)

@@ -1,4 +1,4 @@
-//! Rows by their entries that need not be 0, and factors within the envelope.
+//! Rows by their entries that may be nonzero, and factors within the envelope.
 //!
 //! Rows are taken in the order of elimination.
 
@@ -8,10 +8,10 @@ use crate::motion::measures::{Measures, mixes_lengths};
 use crate::numerics::solve::{LEAST_INDEPENDENCE, Undefined};
 use sim_kernel::{Array, Mechanism, SparseRow};
 
-/// Rows by their entries that need not be 0.
+/// Rows by their entries that may be nonzero.
 pub(crate) struct Sparse;
 
-/// Whether the rows of a mechanism are stored so.
+/// Whether the rows of a mechanism are stored this way.
 #[inline(always)]
 pub(crate) fn is_sparse<M: Mechanism>(mechanism: &M) -> bool {
     !mechanism.description().sparsity.is_empty()

@@ -1,15 +1,15 @@
-//! Whether a row may have turned round between two positions, beside those before it.
+//! Whether a row may have reversed between two positions, relative to those before it.
 //!
-//! A row turns round where the part of it that is independent of those before it passes zero. With A and B the rows at both
-//! positions, the leading minors of A B' are inner products of the volumes that the first rows span (Cauchy and Binet). So
-//! the pivots of its elimination, ratios of successive ones, are positive while no such volume turns round, and only where one
-//! is not need the parts themselves be looked at, which takes the square of the number of rows.
+//! A row reverses where its part that is independent of those before it passes zero. With A and B the rows at both
+//! positions, the leading minors of A B' are inner products of the volumes that the first rows span (Cauchy and Binet).
+//! So the pivots of its elimination, ratios of successive ones, are positive while no such volume reverses. Only if one
+//! is not positive must the parts themselves be computed, at a cost quadratic in the number of rows.
 
 use super::sparse::{blank_envelope, dot, products, sparse_rows};
 use sim_kernel::{Array, Mechanism};
 
-/// A pivot this small beside the product that it is left of says nothing: it has lost its digits, or the rows nearly depend on
-/// each other, as at sines of 0.01 at both positions.
+/// A pivot this small relative to its terms is undecided: it has lost its digits, or the rows nearly depend on each
+/// other, as with sines of 0.01 at both positions.
 const LEAST: f64 = 1e-4;
 
 /// Whether a row may have, from the entries of C_q D at both positions.
@@ -70,7 +70,7 @@ mod tests {
         (0..mechanism.m()).map(|k| minors[k + 1] / minors[k] / products[(k, k)].abs()).collect()
     }
 
-    /// Rows have turned where a leading minor has changed its sign, and nothing is looked at where none has.
+    /// Rows have reversed where a leading minor has changed its sign, and nothing else is computed where none has.
     #[test]
     fn rows_have_turned_where_a_leading_minor_is_negative() {
         type Q = <Chain<f64> as Mechanism>::Q;

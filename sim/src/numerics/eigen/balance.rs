@@ -1,15 +1,16 @@
-//! Balancing: a diagonal similarity by powers of two, which are exact, that makes rows and columns of one length.
+//! Balancing: a diagonal similarity by powers of two, which are exact, that makes rows and columns equally long.
 //!
-//! Parlett and Reinsch, Numerische Mathematik 13 (1969), with lengths in the 2-norm, diagonal included, so that what is well scaled
-//! is left alone (James, Langou and Lowery, On matrix balancing and eigenvector computation, arXiv:1401.5766).
+//! Parlett and Reinsch, Numerische Mathematik 13 (1969), with lengths in the 2-norm, diagonal included, so that
+//! well-scaled matrices stay unchanged (James, Langou and Lowery, On matrix balancing and eigenvector computation,
+//! arXiv:1401.5766).
 
 use super::power_of_two;
 use nalgebra::DMatrix;
 use std::ops::Range;
 
-/// A change that leaves more than this part of the sum of both lengths is not worth it.
+/// A change is worthwhile only if it reduces the sum of both lengths below this fraction.
 const WORTH: f64 = 0.95;
-/// Lengths come within a factor of two of each other in a few sweeps; more than these change nothing that matters.
+/// Lengths come within a factor of two of each other in a few sweeps; further sweeps change nothing significant.
 const MOST_SWEEPS: usize = 100;
 
 /// Balances each diagonal block, and then the blocks beside each other, which changes no eigenvalue; gives the scale of each row.
@@ -26,7 +27,7 @@ pub(super) fn balance(a: &mut DMatrix<f64>, blocks: &[Range<usize>]) -> Vec<f64>
     scales
 }
 
-/// Brings the rows and the columns of each group, within these, to one length; none counts as shorter than the least.
+/// Brings the rows and the columns of each group, within these, to one length; with a lower bound on each.
 fn equalise(a: &mut DMatrix<f64>, scales: &mut [f64], groups: &[Range<usize>], within: &Range<usize>, least: f64) {
     for _ in 0..MOST_SWEEPS {
         let mut has_changed = false;

@@ -1,19 +1,20 @@
-//! Block triangular form: rows and columns in an order in which whatever can be taken apart is.
+//! Block triangular form, by an order of rows and columns that decouples as much as possible.
 
 use nalgebra::DMatrix;
 use std::cmp::Reverse;
 use std::ops::Range;
 
-/// An order of rows and columns in which a matrix is block upper triangular, and its diagonal blocks. None of them can be taken apart
-/// further: they are the strongly connected components of the graph with an edge from i to j where entry ij is not zero.
+/// An order of rows and columns in which a matrix is block upper triangular, and its diagonal blocks. The blocks cannot
+/// be decoupled further: they are the strongly connected components of the graph with an edge from i to j where entry
+/// ij is not zero.
 ///
-/// Zero rows and columns, and what only follows from others, as a place follows from its speed, become blocks of size 1,
-/// whose eigenvalues are exact.
+/// Zero rows and columns, and variables that only follow from others, as a position from its speed, become blocks of
+/// size 1 with exact eigenvalues.
 pub(super) fn block_triangular(a: &DMatrix<f64>) -> (Vec<usize>, Vec<Range<usize>>) {
     let n = a.nrows();
     let reached = reached(a);
     let first = |i: usize| (0..n).find(|j| *j == i || reached[i][*j] && reached[*j][i]).unwrap_or(i);
-    // What reaches a component reaches more than it does; members of one reach the same.
+    // Nodes that lead to a component reach more nodes than its members, which all reach the same.
     let count = |i: usize| reached[i].iter().filter(|reached| **reached).count();
     let keys: Vec<(Reverse<usize>, usize)> = (0..n).map(|i| (Reverse(count(i)), first(i))).collect();
     let mut order: Vec<usize> = (0..n).collect();
@@ -28,7 +29,7 @@ pub(super) fn block_triangular(a: &DMatrix<f64>) -> (Vec<usize>, Vec<Range<usize
     (order, blocks)
 }
 
-/// Which j can be reached from each i, i itself among them. (Warshall, Journal of the ACM 9, 1962.)
+/// Which j can be reached from each i, including i itself. (Warshall, Journal of the ACM 9, 1962.)
 fn reached(a: &DMatrix<f64>) -> Vec<Vec<bool>> {
     let n = a.nrows();
     let mut reached: Vec<Vec<bool>> = (0..n).map(|i| (0..n).map(|j| i == j || a[(i, j)] != 0.0).collect()).collect();
@@ -53,7 +54,7 @@ mod tests {
         let (order, blocks) = block_triangular(&a);
         assert_eq!((order, blocks), (vec![0, 1, 2, 3], vec![0..1, 1..3, 3..4]));
     }
-    /// They reach as many as each other, but not each other.
+    /// They reach equally many nodes, but not each other.
     #[test]
     fn cycles_of_one_length_stay_apart() {
         // 0 <-> 2 and 1 <-> 3.

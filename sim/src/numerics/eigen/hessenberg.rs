@@ -26,7 +26,7 @@ pub(super) struct Reflection {
 }
 
 impl Reflection {
-    /// Nothing to reflect where the vector is such a multiple already.
+    /// No reflection if the vector is such a multiple already.
     pub(super) fn of(v: &[f64]) -> Option<Reflection> {
         let (first, rest) = v.split_first()?;
         if rest.iter().all(|entry| *entry == 0.0) {

@@ -18,7 +18,7 @@ use nalgebra::{Complex, DMatrix};
 /// The eigenvalues of a matrix, with an eigenvector of each.
 #[derive(Clone, Debug)]
 pub struct Eigen {
-    /// n of them, multiple ones as often as they are; those of a pair are conjugate to the last bit.
+    /// n of them, repeated by multiplicity; those of a pair are conjugate to the last bit.
     pub values: Vec<Complex<f64>>,
     /// n x n; column k belongs to value k and has length 1. Where a matrix is defective, columns repeat to rounding.
     pub vectors: DMatrix<Complex<f64>>,
@@ -35,22 +35,22 @@ pub enum NoEigenvalues {
         /// Its columns.
         columns: usize,
     },
-    /// It has an entry that is infinite or no number.
+    /// It has an entry that is infinite or NaN.
     #[error("an entry of the matrix is not finite")]
     NotFinite,
     /// The iteration did not end.
     #[error("the QR iteration did not converge: {found} of {size} eigenvalues were found in {sweeps} sweeps")]
     NotConverged {
-        /// How many were found.
+        /// The number found.
         found: usize,
-        /// Of how many.
+        /// The total number.
         size: usize,
         /// Sweeps made.
         sweeps: usize,
     },
 }
 
-/// A real Schur form in the making: A = Z T Z^-1.
+/// A real Schur form under construction: A = Z T Z^-1.
 struct Form {
     /// T, n x n.
     t: DMatrix<f64>,
@@ -60,8 +60,9 @@ struct Form {
 
 /// The eigenvalues and eigenvectors of a square matrix.
 ///
-/// Eigenvalues are those of a matrix that differs from the balanced one by some n roundings of its norm: a simple one is off by
-/// that over |y'x|, with x and y its unit eigenvectors after balancing, and so is the mean of those that a defective one splits into.
+/// Eigenvalues are those of a matrix that differs from the balanced one by some n roundings of its norm. The error of a
+/// simple eigenvalue is that over |y'x|, with x and y its unit eigenvectors after balancing; the same holds for the
+/// mean of those into which a defective one splits.
 ///
 /// # Errors
 /// [`NoEigenvalues`].
@@ -73,7 +74,7 @@ pub fn eigen(a: &DMatrix<f64>) -> Result<Eigen, NoEigenvalues> {
     if !a.iter().all(|entry| entry.is_finite()) {
         return Err(NoEigenvalues::NotFinite);
     }
-    // What is of the size of 1 has squares that neither overflow nor vanish.
+    // Numbers of order 1 have squares that neither overflow nor underflow.
     let unit = power_of_two(a.amax());
     let (order, blocks) = components::block_triangular(a);
     let mut t = DMatrix::from_fn(n, n, |i, j| a[(order[i], order[j])] / unit);
@@ -93,7 +94,7 @@ pub fn eigen(a: &DMatrix<f64>) -> Result<Eigen, NoEigenvalues> {
     Ok(Eigen { values: found.into_iter().map(|(value, _)| value * unit).collect(), vectors })
 }
 
-/// The power of two next to a size; 1 for 0.
+/// The power of two nearest to a size; 1 for 0.
 fn power_of_two(size: f64) -> f64 {
     if size > 0.0 { size.log2().round().clamp(-1000.0, 1000.0).exp2() } else { 1.0 }
 }

@@ -1,20 +1,21 @@
 //! From Hessenberg form to the real Schur form: blocks of size 1, and of size 2 for conjugate pairs, on the diagonal.
 //!
-//! Francis's implicit QR in sweeps with two shifts (The Computer Journal 4, 1961 and 1962), with other shifts now and then, so
-//! that nothing goes in circles, and a limit.
+//! Francis's implicit QR in sweeps with two shifts (The Computer Journal 4, 1961 and 1962), with exceptional shifts now
+//! and then to break cycles, and a limit.
 
 use super::hessenberg::Reflection;
 use super::{Form, NoEigenvalues};
 use nalgebra::DMatrix;
 use std::ops::Range;
 
-/// Sweeps for each eigenvalue after which it is given up; two or three are usual.
+/// The number of sweeps for an eigenvalue after which it is given up; two or three are usual.
 const MOST_SWEEPS: usize = 60;
-/// After so many without success the shifts are others.
+/// The number of unsuccessful sweeps before exceptional shifts.
 const PATIENCE: usize = 10;
-/// After so many, what is rounding of the largest entry is zero, however small what is beside it may be.
+/// The number of sweeps after which entries below the rounding of the largest entry count as zero, whatever their
+/// neighbours.
 const WEARY: usize = 25;
-/// What is smaller is zero whatever is beside it.
+/// Smaller entries are zero whatever their neighbours.
 const TINY: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 
 /// Brings a diagonal block in Hessenberg form to quasi-triangular form.
@@ -44,7 +45,7 @@ pub(super) fn triangularise(form: &mut Form, block: Range<usize>) -> Result<(), 
     Ok(())
 }
 
-/// Where the last part begins that cannot be taken apart: the subdiagonal entry before it is negligible, and made zero.
+/// The start of the last unreduced part: the subdiagonal entry before it is negligible, and set to zero.
 fn split(t: &mut DMatrix<f64>, first: usize, end: usize, rounding: f64) -> usize {
     let mut start = end - 1;
     while start > first {
@@ -57,7 +58,7 @@ fn split(t: &mut DMatrix<f64>, first: usize, end: usize, rounding: f64) -> usize
     start
 }
 
-/// Whether the entry left of the diagonal in row k is rounding of what is beside it, and what it does to the eigenvalues is too
+/// Whether the entry left of the diagonal in row k, and its effect on the eigenvalues, are rounding of its neighbours
 /// (Ahues and Tisseur, LAPACK Working Note 122, 1997).
 fn is_negligible(t: &DMatrix<f64>, first: usize, end: usize, k: usize) -> bool {
     let size = |i: usize, j: usize| t[(i, j)].abs();
@@ -120,8 +121,8 @@ struct Shifts {
 }
 
 impl Shifts {
-    /// The eigenvalues of the last two rows, or of them the one nearer to the last entry twice; after a while other ones, made up of
-    /// subdiagonal entries at one end or the other.
+    /// The eigenvalues of the last two rows, or twice the one nearer to the last entry; after a while exceptional ones,
+    /// made of subdiagonal entries at either end.
     fn of(t: &DMatrix<f64>, start: usize, end: usize, sweeps: usize) -> Shifts {
         let last = end - 1;
         let made_up = |at: usize, sub: [usize; 2]| {
@@ -161,7 +162,8 @@ impl Shifts {
     }
 }
 
-/// One sweep over the rows from `start` to `end`: what the shifts make of the first column is chased down the diagonal.
+/// One sweep over the rows from `start` to `end`: the bulge that the shifts create in the first column is chased down
+/// the diagonal.
 fn sweep(form: &mut Form, start: usize, end: usize, shifts: &Shifts) {
     for k in start..end - 1 {
         let reach = (k + 3).min(end);

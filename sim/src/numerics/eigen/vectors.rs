@@ -5,9 +5,9 @@ use nalgebra::{Complex, DMatrix};
 
 type Number = Complex<f64>;
 
-/// What takes the place of zero: so small that what it divides is all that is left of a vector, and is still a number.
+/// The replacement of a zero divisor: so small that the quotient dominates the vector, and still finite.
 const TINY: f64 = 1e-100;
-/// Where a vector has grown to this it is shortened.
+/// The size at which a vector is scaled down.
 const LONG: f64 = 1e100;
 
 /// The eigenvalues, in the order of the diagonal, each with Z x where T x = lambda x.
@@ -30,7 +30,7 @@ fn pair(form: &Form, k: usize) -> [(Number, Vec<Number>); 2] {
     let t = &form.t;
     let (a, b, c, d) = (t[(k, k)], t[(k, k + 1)], t[(k + 1, k)], t[(k + 1, k + 1)]);
     let half = (a - d) / 2.0;
-    // Below the diagonal there is something only where this is positive.
+    // Entries below the diagonal exist only if this is positive.
     let imaginary = (-(half * half + b * c)).max(0.0).sqrt();
     let value = Number::new(d + half, imaginary);
     let start = match b.abs() > c.abs() {
@@ -48,7 +48,7 @@ fn vector(form: &Form, k: usize, value: Number, end: &[Number]) -> Vec<Number> {
     let n = t.nrows();
     let mut x = vec![Number::default(); n];
     x[k..k + end.len()].copy_from_slice(end);
-    // Nearer to singular than the rounding of the eigenvalue nothing is; beside an exact zero only zero is.
+    // No matrix is closer to singular than the rounding of its eigenvalue, except for an exact zero.
     let least = (f64::EPSILON * magnitude(value)).max(TINY);
     let mut i = k;
     while i > 0 {

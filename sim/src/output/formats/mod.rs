@@ -1,4 +1,4 @@
-//! Tables as files, in the formats that other programs read.
+//! Tables as files, in formats that other programs read.
 
 mod lines;
 pub(crate) mod numpy;

@@ -59,12 +59,12 @@ fn write_archive<'a>(
     written.map_err(|why| WriteError::new(path, why))
 }
 
-/// A writer that keeps its first error and lets go whatever follows: an archive that cannot be written would print another
-/// message of its own when it is dropped.
+/// A writer that keeps its first error and discards whatever follows: an archive that cannot be written would print a
+/// message of its own when dropped.
 struct KeepsError<W> {
     inner: W,
     error: Option<Error>,
-    /// Where it would be without the error.
+    /// The position without the error.
     position: u64,
 }
 
@@ -128,7 +128,7 @@ fn fields(columns: &[Column]) -> String {
 fn header(kind: &str, shape: &[usize]) -> Vec<u8> {
     let sides: String = shape.iter().map(|side| format!("{side},")).collect();
     let text = format!("{{'descr': {kind}, 'fortran_order': False, 'shape': ({sides}), }}");
-    // Version 1 counts to 65535 and knows no letters beyond Latin; version 3 is for all others.
+    // Version 1 allows 65535 bytes and Latin letters only; version 3 is for all others.
     let old = text.is_ascii() && text.len() < 65_000;
     let before = if old { 10 } else { 12 };
     let padding = (64 - (before + text.len() + 1) % 64) % 64;

@@ -1,9 +1,9 @@
-//! Broken lines.
+//! Dashed lines.
 
 use super::scene::Point;
 
-/// The strokes of a broken line: along a polyline, `on` drawn, then `off` not, the first stroke begun this far
-/// before the polyline's start.
+/// The strokes of a dashed line along a polyline: `on` drawn, then `off` skipped, with the first stroke starting this
+/// far before the polyline.
 pub(super) fn dashes(points: &[Point], on: f64, off: f64, before: f64) -> Vec<Vec<Point>> {
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return Vec::new() };
     let mut total = 0.0;

@@ -2,8 +2,8 @@
 
 use super::scene::Point;
 
-/// Keeps, of every run of points within a column of this width, the first, the lowest, the highest and the
-/// last, in their order: extremes survive, and what is left out would hide behind what is drawn.
+/// Keeps, of every run of points within a column of this width, the first, the lowest, the highest and the last, in
+/// their order: extremes survive, and omitted points would be hidden behind drawn ones.
 pub(super) fn decimate(points: &[Point], column: f64) -> Vec<Point> {
     let mut kept = Vec::new();
     let same = |one: &Point, other: &Point| (one.0 / column).floor() == (other.0 / column).floor();

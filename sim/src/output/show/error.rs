@@ -1,4 +1,4 @@
-//! What can go wrong with a figure.
+//! Errors of figures.
 
 use crate::WriteError;
 use std::fmt::Display;
@@ -22,9 +22,9 @@ pub enum ShowError {
         figure: String,
         /// The curve's label.
         curve: String,
-        /// How many values it has.
+        /// The number of its values.
         values: usize,
-        /// How many abscissae the plot has.
+        /// The number of abscissae of the plot.
         abscissae: usize,
     },
     /// A pose does not fit the shapes.
@@ -34,9 +34,9 @@ pub enum ShowError {
         figure: String,
         /// The pose's time.
         time: f64,
-        /// How many numbers it has.
+        /// The number of its numbers.
         numbers: usize,
-        /// How many the shapes take.
+        /// The number that the shapes need.
         needed: usize,
     },
     /// The font cannot be used.
@@ -62,12 +62,12 @@ impl From<WriteError> for ShowError {
 }
 
 impl ShowError {
-    /// That a file or directory cannot be written.
+    /// The error if a file or directory cannot be written.
     pub(super) fn write(path: &Path, why: impl Display) -> Self {
         ShowError::Write { path: path.to_owned(), why: why.to_string() }
     }
 
-    /// That there is nothing to show.
+    /// The error if there is nothing to show.
     pub(super) fn empty(figure: &str, why: &'static str) -> Self {
         ShowError::Empty { figure: figure.to_owned(), why }
     }

@@ -12,7 +12,7 @@ pub(super) const POSES: usize = 6;
 /// Samples among which they are chosen.
 const MOST_CANDIDATES: usize = 2000;
 
-/// What came of drawing.
+/// The outcome of drawing.
 #[derive(Debug, Default)]
 pub struct Figures {
     /// The names of those that were drawn.
@@ -77,7 +77,7 @@ pub(super) fn draw_outputs(
     figures
 }
 
-/// What a figure that is no group of outputs is called: names of groups have no hyphen.
+/// The name of a figure that is not a group of outputs; names of groups have no hyphen.
 pub(super) fn name_beside_groups(description: &Description, name: &str) -> String {
     match description.figures.iter().any(|figure| figure.name == name) {
         true => format!("{name}-figure"),
@@ -94,12 +94,12 @@ pub(super) fn groups(description: &Description) -> impl Iterator<Item = (&Figure
     })
 }
 
-/// What a curve is called: the first line of its documentation, or its name.
+/// The label of a curve: the first line of its documentation, or its name.
 pub(super) fn label<'a>(docs: &'a str, name: &'a str) -> &'a str {
     docs.lines().next().filter(|line| !line.is_empty()).unwrap_or(name)
 }
 
-/// What the curves are, with their unit.
+/// The quantity of the curves, with its unit.
 fn y_label(name: &str, columns: &[&Column], labels: &[&str]) -> String {
     let mut units: Vec<String> = Vec::new();
     for column in columns {
@@ -140,8 +140,8 @@ fn chosen(run: &dyn Recorded, outcome: &Outcome, times: &[f64]) -> Vec<Row> {
     chosen.into_iter().map(|index| run.row(index)).collect()
 }
 
-/// The first sample, then each time the one whose drawing is farthest from all before: at equal times an oscillation
-/// could look as if it stood still.
+/// The first sample, then repeatedly the one whose drawing differs most from all before: at equal times an oscillation
+/// could seem to stand still.
 fn most_different(run: &dyn Recorded, samples: usize) -> Vec<Row> {
     let stride = samples.div_ceil(MOST_CANDIDATES).max(1);
     let candidates: Vec<Row> = (0..samples).step_by(stride).map(|index| run.row(index)).collect();

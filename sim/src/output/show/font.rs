@@ -9,7 +9,7 @@ use super::ShowError;
 
 static BYTES: &[u8] = include_bytes!("../../../assets/Roboto-Regular.ttf");
 
-/// How wide a letter is, in em, where the font does not say.
+/// The width of a letter in em, if the font does not define it.
 const USUAL_WIDTH: f64 = 0.5;
 
 /// The font of figures.
@@ -32,7 +32,7 @@ impl Font {
         }
     }
 
-    /// How wide a text is, in em.
+    /// The width of a text, in em.
     pub(super) fn width(&self, text: &str) -> f64 {
         text.chars().map(|letter| self.advance(self.glyph(letter))).sum()
     }

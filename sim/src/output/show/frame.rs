@@ -1,4 +1,4 @@
-//! What plots and drawings have around them: axes, grid, names, legend.
+//! The frame of plots and drawings: axes, grid, names, legend.
 
 use super::ShowError;
 use super::dash::dashes;
@@ -17,9 +17,9 @@ const MARGIN: f64 = 14.0;
 const TICK: f64 = 6.0;
 /// The length of the line before an entry of a legend.
 const SAMPLE: f64 = 30.0;
-/// From one row of a legend to the next.
+/// The distance between rows of a legend.
 const ROW: f64 = 25.0;
-/// From a legend to what it belongs to, and from one column to the next.
+/// The distance from a legend to its figure, and between columns.
 const APART: f64 = 22.0;
 /// The widest legend beside the data.
 const WIDEST: f64 = 300.0;
@@ -36,7 +36,7 @@ pub(super) struct Frame {
     pub(super) zero: bool,
 }
 
-/// What is written around the data area.
+/// The text around the data area.
 pub(super) struct Names<'a> {
     pub(super) title: &'a str,
     pub(super) x: &'a str,
@@ -51,7 +51,7 @@ pub(super) struct Entry {
     pub(super) style: Style,
 }
 
-/// How a line is broken.
+/// The dashes of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Style {
     Solid,
@@ -79,7 +79,7 @@ pub(super) struct Legend {
 }
 
 impl Legend {
-    /// A legend beside the data where it fits there, else below.
+    /// A legend beside the data if it fits there, otherwise below.
     pub(super) fn new(entries: Vec<Entry>, heading: Option<&'static str>, height: f64) -> Result<Self, ShowError> {
         let labels = most_room(entries.iter().map(|entry| entry.label.as_str()).chain(heading), LEGEND)?;
         let column = SAMPLE + 8.0 + labels;
@@ -88,7 +88,7 @@ impl Legend {
         Ok(Legend { entries, heading, column, beside })
     }
 
-    /// A legend beside the data, whose labels are cut where they are too long.
+    /// A legend beside the data, with long labels cut.
     pub(super) fn beside(entries: Vec<Entry>) -> Result<Self, ShowError> {
         let legend = Legend::new(entries, None, f64::INFINITY)?;
         Ok(Legend { column: legend.column.min(WIDEST), beside: true, ..legend })
@@ -166,7 +166,7 @@ pub(super) fn left_room(y: &Axis) -> Result<f64, ShowError> {
     Ok(MARGIN + NAME + 12.0 + numbers.max(20.0) + TICK + 5.0)
 }
 
-/// The room right of the data area, but for the legend.
+/// The room right of the data area, without the legend.
 pub(super) fn right_room(x: &Axis) -> Result<f64, ShowError> {
     let number = x.ticks.last().map_or(Ok(0.0), |tick| room(&tick.label, NUMBER))?;
     Ok(MARGIN.max(number / 2.0) + 4.0)
@@ -179,13 +179,13 @@ pub(super) fn top_room(title: &str, y: &Axis) -> f64 {
     MARGIN + title + note
 }
 
-/// The room below the data area, but for the legend.
+/// The room below the data area, without the legend.
 pub(super) fn bottom_room() -> f64 {
     TICK + 4.0 + NUMBER + 10.0 + NAME + MARGIN
 }
 
 impl Frame {
-    /// Where a point of the data is on the sheet.
+    /// The place of a data point on the sheet.
     pub(super) fn place(&self, point: Point) -> Point {
         let across = self.x.share(point.0) * (self.right - self.left);
         (self.left + across, self.bottom - self.y.share(point.1) * (self.bottom - self.top))

@@ -14,7 +14,7 @@ const LARGEST: (f64, f64) = (0.75, 10.0 / 9.0);
 const LEAST: f64 = 300.0;
 /// The most poses a legend tells the times of.
 const MOST_TIMES: usize = 10;
-/// Around what stands in space.
+/// The margin around a spatial mechanism.
 const MARGIN: f64 = 14.0;
 /// The height of the strip below it.
 const FOOT: f64 = 60.0;
@@ -42,7 +42,7 @@ pub(super) fn scene(title: &str, shapes: Shapes, poses: &[Pose], size: Size, nam
     Ok(scene)
 }
 
-/// Lays out what stands in space, without axes of the sheet: a scale, and where x, y and z point.
+/// Lays out a spatial mechanism, without axes of the sheet: a scale, and the directions of x, y and z.
 fn spatial(
     title: &str,
     poses: &[Pose],
@@ -89,7 +89,7 @@ fn extent(values: impl Iterator<Item = f64>) -> Point {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
 }
 
-/// The times of the poses, of some where they are many.
+/// The times of the poses, or of some if there are many.
 fn entries(poses: &[Pose], placed: &[Placed]) -> Vec<Entry> {
     let last = poses.len().saturating_sub(1);
     let told = poses.len().min(MOST_TIMES);

@@ -3,6 +3,9 @@
 //!
 //! A figure is first laid out as a scene in logical pixels. The scene is written as SVG with real text, and the
 //! PNG is that SVG rendered with two pixels to a logical one. The same input gives the same bytes.
+//!
+//! SVG and PNG come from this one scene, and the one font both measures and draws the labels, because plotting
+//! libraries place text differently in their backends.
 
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
@@ -52,7 +55,7 @@ pub use text::typeset;
 /// A curve of a plot.
 #[derive(Clone, Debug)]
 pub struct Curve<'a> {
-    /// What the legend calls it; units as in `m/s^2` are typeset.
+    /// Its label in the legend; units as in `m/s^2` are typeset.
     pub label: &'a str,
     /// Its values, as many as the plot has abscissae. Values that are not finite are gaps.
     pub values: Vec<f64>,
@@ -63,10 +66,9 @@ pub struct Curve<'a> {
 pub struct Plot<'a> {
     /// The title; may be empty.
     pub title: &'a str,
-    /// What is along the abscissa: `time [s]`.
+    /// The label of the abscissa: `time [s]`.
     pub x_label: &'a str,
-    /// What is along the ordinate: `angular speed [rad/s]`. Where it is empty, the label of a single curve
-    /// stands in for it.
+    /// The label of the ordinate: `angular speed [rad/s]`. If it is empty, the label of a single curve is used.
     pub y_label: &'a str,
     /// The abscissae.
     pub x: &'a [f64],
@@ -79,7 +81,7 @@ pub struct Plot<'a> {
 pub struct Size {
     /// Its width.
     pub width: f64,
-    /// Its height, but for a legend that has to stand below the data.
+    /// Its height, without a legend below the data.
     pub height: f64,
 }
 
@@ -94,11 +96,11 @@ impl Default for Size {
 pub struct Pose<'a> {
     /// The numbers of the mechanism's shapes, in the order of its description.
     pub numbers: &'a [f64],
-    /// When it is there, in seconds.
+    /// Its time, in seconds.
     pub time: f64,
 }
 
-/// Writes the plot to `NAME.svg` and `NAME.png` in the directory, which is made if need be.
+/// Writes the plot to `NAME.svg` and `NAME.png` in the directory, which is created if necessary.
 ///
 /// # Errors
 ///
@@ -107,8 +109,8 @@ pub fn plot(plot: &Plot, directory: &Path, name: &str) -> Result<(), ShowError> 
     panels(std::slice::from_ref(plot), Size::default(), directory, name)
 }
 
-/// Writes plots below each other, over one abscissa, to `NAME.svg` and `NAME.png` in the directory, which is made if
-/// need be. The abscissa is named as the last plot says.
+/// Writes plots below each other, over one abscissa, to `NAME.svg` and `NAME.png` in the directory, which is created if
+/// necessary. The abscissa is named as the last plot says.
 ///
 /// # Errors
 ///
@@ -117,8 +119,8 @@ pub fn panels(plots: &[Plot], size: Size, directory: &Path, name: &str) -> Resul
     save(&plot::scene(plots, size, name)?, directory, name)
 }
 
-/// Writes the mechanism in several positions to `NAME.svg` and `NAME.png` in the directory, which is made if
-/// need be: the first position strong, later ones fainter, both axes in metres and of equal scale.
+/// Writes the mechanism in several positions to `NAME.svg` and `NAME.png` in the directory, which is created if
+/// necessary: the first position strong, later ones fainter, both axes in metres and of equal scale.
 ///
 /// # Errors
 ///

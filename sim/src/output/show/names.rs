@@ -1,8 +1,8 @@
-//! What the points of a drawing are called, from the declaration.
+//! The names of a drawing's points, from the declaration.
 
 use sim_kernel::Description;
 
-/// The names of each shape's points: what the declaration calls them, or numbers where it cannot be read.
+/// The names of each shape's points: those of the declaration, or numbers if it cannot be read.
 pub(super) fn points(description: &Description) -> Vec<Vec<String>> {
     let numbered = || {
         let mut number = 0;

@@ -1,4 +1,4 @@
-//! Colours, told apart by colour-blind readers too.
+//! Colours that colour-blind readers can distinguish.
 
 use std::fmt::{self, Display, Formatter};
 
@@ -33,7 +33,7 @@ pub(super) fn series(index: usize) -> Colour {
     SERIES[index % SERIES.len()]
 }
 
-/// How often the palette has been used up before this index.
+/// The number of times the palette has been exhausted before this index.
 pub(super) fn round(index: usize) -> usize {
     index / SERIES.len()
 }

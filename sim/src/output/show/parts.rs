@@ -7,7 +7,7 @@ use super::scene::Point;
 use super::ticks::shown;
 use super::{Pose, ShowError, view};
 
-/// How strong the poses after the first are, from the second to the last.
+/// The opacity of the poses after the first, from the second to the last.
 const STRENGTH: (f64, f64) = (0.5, 0.2);
 
 /// A shape with its places, in metres and radians.
@@ -53,7 +53,7 @@ pub struct Shapes<'a> {
 }
 
 impl Shapes<'static> {
-    /// What a mechanism shows of itself.
+    /// The drawn parts of a mechanism.
     pub fn of(description: &Description) -> Self {
         Shapes { dimension: description.dimension, shapes: description.drawing }
     }
@@ -87,7 +87,7 @@ fn strength(index: usize, poses: usize) -> f64 {
     }
 }
 
-/// The parts a pose's numbers make; what is not finite is left out.
+/// The parts from a pose's numbers, without those that are not finite.
 fn parts(Shapes { dimension, shapes }: Shapes, mut numbers: &[f64]) -> Vec<Part> {
     let mut colours = 0;
     let mut parts = Vec::new();
@@ -113,7 +113,7 @@ fn parts(Shapes { dimension, shapes }: Shapes, mut numbers: &[f64]) -> Vec<Part>
     parts
 }
 
-/// What is drawn through or at points.
+/// Shapes drawn through or at points.
 fn through(shape: Shape, points: &[Point], colour: Colour) -> Vec<Part> {
     let finite = |point: &Point| shown(point.0) && shown(point.1);
     let pieces = points.split(|point| !finite(point)).filter(|piece| !piece.is_empty()).map(<[Point]>::to_vec);
@@ -131,7 +131,7 @@ fn through(shape: Shape, points: &[Point], colour: Colour) -> Vec<Part> {
 }
 
 impl Part {
-    /// The points it reaches to, but for the sizes of symbols.
+    /// The points that it extends to, without the sizes of symbols.
     pub(super) fn extent(&self) -> Vec<Point> {
         match self {
             Part::Line { points, .. } | Part::Ring { points, .. } => points.clone(),

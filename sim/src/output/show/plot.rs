@@ -10,16 +10,16 @@ use super::{Plot, ShowError, Size};
 
 /// The width of curves.
 const STROKE: f64 = 2.0;
-/// The width of columns in which curves are thinned out: half a logical pixel.
+/// The width of the columns for thinning curves: half a logical pixel.
 const COLUMN: f64 = 0.5;
 /// The least distance of ticks of the ordinate.
 const APART: f64 = 42.0;
 /// From one panel to the next.
 const GAP: f64 = 22.0;
-/// Curves longer than this are not broken: they would be all pieces.
+/// Curves longer than this are not dashed: they would be all pieces.
 const LONGEST_BROKEN: f64 = 20_000.0;
 
-/// Lays out plots as panels below each other, over one abscissa: that of the last names it.
+/// Lays out plots as panels below each other, over one abscissa: labelled as in the last.
 pub(super) fn scene(panels: &[Plot], size: Size, name: &str) -> Result<Scene, ShowError> {
     let Some(last) = panels.last() else { return Err(ShowError::empty(name, "no panels")) };
     panels.iter().try_for_each(|panel| check(panel, name))?;
@@ -33,7 +33,7 @@ pub(super) fn scene(panels: &[Plot], size: Size, name: &str) -> Result<Scene, Sh
     if share < 60.0 {
         return Err(ShowError::Draw(format!("{} panels need a figure higher than {}", panels.len(), size.height)));
     }
-    // Whether there is a note above, which depends on the ticks, takes little room from them.
+    // A note above, which depends on the ticks, takes little of their room.
     let axes: Vec<Axis> =
         y_ranges.iter().map(|range| Axis::new(*range, APART.min(share / 2.0) / share * (range.1 - range.0))).collect();
     let legends: Vec<Legend> = panels
@@ -102,7 +102,7 @@ fn check(plot: &Plot, name: &str) -> Result<(), ShowError> {
     }
 }
 
-/// What the axes are called.
+/// The labels of the axes.
 fn names(plot: &Plot) -> (String, String) {
     let y = match plot.curves.as_slice() {
         [curve] if plot.y_label.is_empty() => curve.label,

@@ -37,7 +37,7 @@ fn draw(scene: &Scene, font: &Font) -> Result<Pixmap, ShowError> {
 }
 
 fn line(sheet: &mut Pixmap, points: &[Point], width: f64, colour: Colour) {
-    // What has no length has its round ends only.
+    // A line without length consists of its round ends.
     if let [first, rest @ ..] = points
         && rest.iter().all(|point| point == first)
     {

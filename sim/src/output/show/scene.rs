@@ -14,7 +14,7 @@ pub(super) struct Scene {
     pub(super) width: f64,
     /// Its height.
     pub(super) height: f64,
-    /// What is on it.
+    /// The marks on it.
     pub(super) marks: Vec<Mark>,
 }
 
@@ -36,7 +36,7 @@ pub(super) enum Mark {
 pub(super) struct Label {
     /// The text.
     pub(super) text: String,
-    /// Where on the base line its anchor is.
+    /// The place of its anchor on the base line.
     pub(super) at: Point,
     /// The font's size, its em.
     pub(super) size: f64,
@@ -48,7 +48,7 @@ pub(super) struct Label {
     pub(super) colour: Colour,
 }
 
-/// What of a text is at its place.
+/// The anchor of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Anchor {
     Start,
@@ -90,7 +90,7 @@ impl Scene {
     }
 }
 
-/// Room for a text of this size. SVG is lettered with whatever the reader has, so there is some to spare.
+/// Room for a text of this size, with a margin, because SVG is displayed in the reader's font.
 pub(super) fn room(text: &str, size: f64) -> Result<f64, ShowError> {
     Ok(1.15 * Font::get()?.width(text) * size)
 }
@@ -100,8 +100,7 @@ pub(super) fn most_room<'a>(texts: impl IntoIterator<Item = &'a str>, size: f64)
     texts.into_iter().try_fold(0.0_f64, |most, text| Ok(most.max(room(text, size)?)))
 }
 
-/// The text and the size, at most the given one and at least 14, at which it fits; its end is cut off where it
-/// does not.
+/// The text and the size, at most the given one and at least 14, at which it fits; if it does not, its end is cut off.
 pub(super) fn fit(text: &str, size: f64, space: f64) -> Result<(String, f64), ShowError> {
     let needed = room(text, size)?;
     if needed <= space {

@@ -26,7 +26,7 @@ fn write_mark(svg: &mut String, mark: &Mark) -> fmt::Result {
         Mark::Line { points, width, colour } => {
             let mut places: Vec<String> = points.iter().map(place).collect();
             places.dedup();
-            // What is shorter than a tenth has its round ends only.
+            // A line shorter than a tenth consists of its round ends.
             if let ([_], [lone, ..]) = (places.as_slice(), points.as_slice()) {
                 return write_disc(svg, lone, width / 2.0, colour);
             }
@@ -72,7 +72,7 @@ fn decimal(length: f64, parts: f64) -> f64 {
     (length * parts).round() / parts + 0.0
 }
 
-/// The text as it is written in XML, where most control characters cannot be.
+/// The text escaped for XML, without control characters.
 fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for letter in text.chars() {

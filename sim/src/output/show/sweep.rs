@@ -1,4 +1,4 @@
-//! The figures of a sweep: everything against what is driven.
+//! The figures of a sweep: all quantities against the driven one.
 
 use super::figures::{Figures, POSES, draw_mechanism, draw_outputs, label, name_beside_groups};
 use super::{Curve, Plot, ShowError, Size, panels};
@@ -13,9 +13,9 @@ pub(crate) const SWEEP_FIGURES: [&str; 4] = ["mechanism", "drive", "transmission
 /// Ratios of outputs in one figure: with more, panels would be too low.
 const MOST_PANELS: usize = 5;
 
-/// Draws every figure of a sweep into a directory: each group of outputs, what the drives exert (`drive`), the transmission
-/// index (`transmission`), and the ratios of outputs to what is driven (`ratios`), all against what is driven; and the
-/// mechanism at equal intervals.
+/// Draws every figure of a sweep into a directory: each group of outputs, the forces of the drives (`drive`), the
+/// transmission index (`transmission`), and the ratios of outputs to the driven quantity (`ratios`), all against the
+/// driven quantity; and the mechanism at equal intervals.
 pub fn sweep_figures<M: Mechanism>(found: &Kinematics<M>, table: &Table, directory: &Path, size: Size) -> Figures {
     let (description, driven) = (const { &M::DESCRIPTION }, found.sweep.driven);
     let poses = if description.drawing.is_empty() { Vec::new() } else { spread(found) };

@@ -22,7 +22,7 @@ const SLIDER: (f64, f64) = (21.0, 11.5);
 const GUIDE: f64 = 58.0;
 /// Half the width of springs and dampers.
 const SPRING: f64 = 9.0;
-/// That of short ones, beside their length.
+/// That of short ones, relative to their length.
 const STOUTEST: f64 = 0.2;
 /// The length of the axes of space.
 const AXES: f64 = 34.0;
@@ -40,7 +40,7 @@ pub(super) fn pin(scene: &mut Scene, at: Point, colour: Colour) {
     scene.disc(at, PIN - OUTLINE / 2.0, WHITE);
 }
 
-/// A marked point, as centres of mass are: quarters in turn dark and white.
+/// A marked point, such as a centre of mass: quarters alternately dark and white.
 pub(super) fn mass(scene: &mut Scene, at: Point, strength: f64) {
     let ink = INK.on_white(strength);
     scene.disc(at, MASS, ink);
@@ -141,7 +141,7 @@ fn between([from, to]: [Point; 2]) -> (f64, f64) {
     (right.hypot(down), (-down).atan2(right))
 }
 
-/// Where x, y and z point.
+/// The directions of x, y and z.
 pub(super) fn axes(scene: &mut Scene, at: Point) {
     for (name, axis) in [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0]), ("z", [0.0, 0.0, 1.0])] {
         let (right, up) = view::seen(&axis);
@@ -152,7 +152,7 @@ pub(super) fn axes(scene: &mut Scene, at: Point) {
     }
 }
 
-/// A bar of round length, at most this long on the sheet, from its left end.
+/// A scale bar of round length, at most this long on the sheet, from its left end.
 pub(super) fn scale(scene: &mut Scene, at: Point, metre: f64, longest: f64) {
     let exponent = (longest / metre).log10().floor() as i32;
     let sizes = [5, 2, 1].map(|digit| (digit, f64::from(digit) * 10.0_f64.powi(exponent)));

@@ -27,7 +27,7 @@ pub fn typeset(label: &str) -> String {
     typeset
 }
 
-/// The length of the whole number a text begins with; 0 where there is none, or a broken one.
+/// The length of the whole number that a text begins with; 0 if there is none, or a fraction.
 fn power_length(text: &str) -> usize {
     let sign = usize::from(text.starts_with('-'));
     let digits = text[sign..].bytes().take_while(u8::is_ascii_digit).count();
@@ -88,7 +88,7 @@ fn grouped(digits: &str) -> String {
     grouped
 }
 
-/// Times, all with as many decimals as tell them apart well, but a bare 0.
+/// Times, all with enough decimals to distinguish them, except a bare 0.
 pub(super) fn times(times: &[f64]) -> Vec<String> {
     let mut sorted = times.to_vec();
     sorted.sort_by(f64::total_cmp);

@@ -2,7 +2,7 @@
 
 use super::text::{decimal, power_of_ten};
 
-/// Values from here on are as good as infinite.
+/// Values from here on count as infinite.
 const HUGE: f64 = 1e300;
 
 /// Below this share of the values, their differences are rounding.
@@ -17,7 +17,7 @@ pub(super) struct Axis {
     pub(super) high: f64,
     /// Its ticks, in order.
     pub(super) ticks: Vec<Tick>,
-    /// What labels are to be multiplied with and added to, if need be: `×10³ + 2`.
+    /// The factor and offset of the labels, if any: `×10³ + 2`.
     pub(super) note: Option<String>,
 }
 
@@ -33,7 +33,7 @@ impl Axis {
         Axis { ticks, note: None, ..*self }
     }
 
-    /// The same ticks with labels as if they were not multiplied.
+    /// The same ticks with labels without a factor.
     pub(super) fn without_note(&self) -> Axis {
         Axis { note: None, ..self.clone() }
     }
@@ -53,7 +53,7 @@ pub(super) fn shown(value: f64) -> bool {
     value.abs() < HUGE
 }
 
-/// The range of those values that can be shown, if there are any; around a constant it is made wider.
+/// The range of the finite values, if there are any, widened around a constant.
 pub(super) fn range(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     let (low, high) = values
         .filter(|value| shown(*value))
@@ -92,7 +92,7 @@ impl Axis {
         Axis { low, high, ticks: ticks.collect(), note: note(factor, base, exponent) }
     }
 
-    /// Where a value is between its ends, 0 and 1.
+    /// The position of a value between its ends, 0 and 1.
     pub(super) fn share(&self, value: f64) -> f64 {
         (value - self.low) / (self.high - self.low)
     }
@@ -114,14 +114,14 @@ fn scaled(count: i64, exponent: i32) -> f64 {
     if exponent < 0 { count as f64 / ten_to(-exponent) } else { count as f64 * ten_to(exponent) }
 }
 
-/// What to leave out of labels, for the note: nothing, unless they would differ in their seventh digit only.
+/// The offset moved from the labels to the note: none, unless they would differ only from the seventh digit on.
 fn base(counts: &[i64]) -> i64 {
     let (Some(first), Some(last)) = (counts.first(), counts.last()) else { return 0 };
     let size = first.unsigned_abs().max(last.unsigned_abs());
     if size < 1_000_000 || last.abs_diff(*first) > size / 1000 { 0 } else { counts[counts.len() / 2] }
 }
 
-/// The power of a thousand to leave out of labels up to a count.
+/// The power of a thousand moved out of labels up to a count.
 fn factor(farthest: u64, exponent: i32) -> i32 {
     let magnitude = farthest.checked_ilog10().map_or(0, |digits| digits as i32 + exponent);
     if (-3..5).contains(&magnitude) { 0 } else { 3 * magnitude.div_euclid(3) }
@@ -137,7 +137,7 @@ fn note(factor: i32, base: i64, exponent: i32) -> Option<String> {
     }
 }
 
-/// A number of many digits, with a power of ten where it is very large or small.
+/// A number of many digits, with a power of ten if it is very large or small.
 fn magnitude(mut digits: i64, mut exponent: i32) -> String {
     while digits % 10 == 0 && digits != 0 {
         digits /= 10;

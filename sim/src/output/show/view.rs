@@ -1,8 +1,8 @@
-//! How figures see what stands in space: from afar, with z upwards.
+//! The projection of spatial figures: from afar, with z upwards.
 
 use super::scene::Point;
 
-/// Where figures look from, in radians: about z from x, and above the plane of x and y.
+/// The direction of view, in radians: about z from x, and above the plane of x and y.
 const AZIMUTH: f64 = -1.05;
 const ELEVATION: f64 = 0.4;
 /// The corners of a circle.

@@ -6,7 +6,7 @@ use std::fmt;
 /// Matrices of a dyad are turned and scaled unit matrices up to this.
 const ROUNDING: f64 = 1e-12;
 
-/// How a loop is closed.
+/// The form of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// One equation in an angle: a link whose end is on a line.
@@ -35,7 +35,7 @@ impl fmt::Display for Form {
 
 type Vector = [f64; 2];
 
-/// How both rows of a pair depend on an unknown.
+/// The dependence of both rows of a pair on an unknown.
 enum Column {
     /// By cosine and sine: the columns of a matrix by rows.
     Angle([Vector; 2]),
@@ -43,7 +43,7 @@ enum Column {
     Length(Vector),
 }
 
-/// All values of the unknowns where the residuals are zero; `None` if they are of no known form.
+/// All values of the unknowns where the residuals are zero; `None` if their form is unknown.
 pub(super) fn close(residual: &dyn Fn(&[f64]) -> Vec<f64>, guesses: &[f64]) -> Option<(Form, Vec<Vec<f64>>)> {
     match guesses {
         [guess] => close_one(&|x| residual(&[x])[0], *guess),
@@ -54,8 +54,8 @@ pub(super) fn close(residual: &dyn Fn(&[f64]) -> Vec<f64>, guesses: &[f64]) -> O
     }
 }
 
-/// Two unknowns that the coordinates x and y of a pair are combinations of, as angles may count from a link as well as
-/// from the ground: (x, y) = C (u, v), with C by rows, and its inverse.
+/// Two unknowns of which the coordinates x and y of a pair are combinations, because angles may be measured from a link
+/// as well as from the ground: (x, y) = C (u, v), with C by rows, and its inverse.
 type Choice = ([Vector; 2], [Vector; 2]);
 
 const CHOICES: [Choice; 5] = [
@@ -120,7 +120,7 @@ impl Column {
     }
 }
 
-/// How both rows depend on one unknown.
+/// The dependence of both rows on one unknown.
 fn column(f: &dyn Fn(f64) -> Vec<f64>) -> Option<Column> {
     let harmonic = |row: usize| fit_harmonic(&|x| f(x)[row]).map(|(Harmonic { cosine, sine }, _)| [cosine, sine]);
     let linear = |row: usize| fit_linear(&|x| f(x)[row]).map(|(slope, _)| slope);
@@ -130,7 +130,7 @@ fn column(f: &dyn Fn(f64) -> Vec<f64>) -> Option<Column> {
     }
 }
 
-/// Whether f(x, y) is a function of x and one of y, added.
+/// Whether f(x, y) is the sum of a function of x and one of y.
 fn is_sum(f: &dyn Fn(f64, f64) -> Vec<f64>) -> bool {
     let origin = f(0.0, 0.0);
     [(0.9, 2.3), (-1.7, 0.4)].into_iter().all(|(x, y)| {

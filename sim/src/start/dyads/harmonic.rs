@@ -1,10 +1,10 @@
-//! Functions of one coordinate as constraints have them: of an angle, a + b cos + c sin; of a length, a + b s.
+//! Functions of one coordinate in constraints: of an angle, a + b cos + c sin; of a length, a + b s.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// Beside the largest coefficient, what is left where a function is not of the form that was fitted.
+/// The residual, relative to the largest coefficient, above which a function does not have the fitted form.
 const ROUNDING: f64 = 1e-12;
-/// As much above 1 a cosine is 1: links that only just reach each other.
+/// A cosine this little above 1 counts as 1: the links only just reach each other.
 const STRETCHED: f64 = 1e-12;
 
 /// A function of an angle without its constant: cosine cos + sine sin.

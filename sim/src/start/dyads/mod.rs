@@ -1,9 +1,9 @@
-//! Loops that close in closed form: which constraints determine which coordinates, and all ways in which they do.
+//! Loops that close in closed form: which constraints determine which coordinates, and all solutions.
 //!
-//! Dyads (RRR, RRP) are recognised by what their constraints are functions of, asked of the kernels: a coordinate of which
-//! they are a + b cos + c sin is an angle, one of which they are a + b s a length. Constraints in one or two unknown
-//! coordinates, given the others, are closed one after the other. (Assur groups of the second class: Galletti, Mech.
-//! Mach. Theory 21, 1986.)
+//! Dyads (RRR, RRP) are recognised from the kernels alone: if constraints are a + b cos + c sin of a coordinate at
+//! several places, to rounding, it is an angle; if they are a + b s, a length. Constraints in one or two unknown
+//! coordinates, given the others, are closed one after the other. All other loops are left to Newton's method. (Assur
+//! groups of the second class: Galletti, Mech. Mach. Theory 21, 1986.)
 
 mod close;
 mod harmonic;
@@ -24,31 +24,32 @@ pub struct Loop {
     pub form: Form,
 }
 
-/// All configurations of a mechanism that have what is given of its start.
+/// All configurations of a mechanism that satisfy its given start.
 #[derive(Clone, Debug)]
 pub struct Branches<M: Mechanism> {
-    /// The loops that close in closed form, in the order in which they do.
+    /// The loops that close in closed form, in the order of solution.
     pub loops: Vec<Loop>,
-    /// The coordinates that are not found so.
+    /// The coordinates that are not found this way.
     pub open: Vec<&'static str>,
-    /// The configurations, nearest to the guesses first; of many the 256 nearest, as they are twice as many with each loop.
+    /// The configurations, nearest to the guesses first; at most the 256 nearest, because each loop doubles their
+    /// number.
     pub positions: Vec<M::Q>,
 }
 
-/// Configurations that are followed; coordinates that are not found yet keep their guesses, and count nothing.
+/// The configurations so far; coordinates not found yet keep their guesses and do not count.
 const MOST_BRANCHES: usize = 256;
 
 /// The rows and unknowns of a loop, by index.
 type Block = (Vec<usize>, Vec<usize>);
 
-/// All configurations of a mechanism, of any type, that have what is given of its start.
+/// All configurations of a mechanism, of any type, that satisfy its given start.
 pub(crate) struct Closed {
     pub(crate) loops: Vec<Loop>,
     pub(crate) open: Vec<&'static str>,
     pub(crate) positions: Vec<Vec<f64>>,
 }
 
-/// Closes what can be closed in closed form, given the coordinates that the start gives; the others keep their guesses.
+/// Closes all loops that close in closed form, from the given coordinates of the start; the others keep their guesses.
 pub(crate) fn close_loops(mechanism: &dyn AnyMechanism, guesses: &[f64], given: &[bool]) -> Closed {
     let mut found = Closed { loops: Vec::new(), open: Vec::new(), positions: vec![guesses.to_vec()] };
     let depends = dependence(mechanism, guesses);
@@ -91,13 +92,13 @@ pub(crate) fn nearest(mechanism: &dyn AnyMechanism, guesses: &[f64], given: &[bo
     if found.loops.is_empty() || !found.open.is_empty() { None } else { found.positions.into_iter().next() }
 }
 
-/// Whether all constraints hold, but for what a root next to a dead point loses, which a correction regains.
+/// Whether all constraints hold, to the accuracy lost by a root next to a dead point, which a correction restores.
 fn is_closed(mechanism: &dyn AnyMechanism, q: &[f64]) -> bool {
     let (values, magnitudes) = (mechanism.constraints(0.0, q), mechanism.constraint_magnitudes(0.0, q));
     mechanism.is_met(0.0, q) || values.iter().zip(&magnitudes).all(|(value, magnitude)| value.abs() <= 1e-9 * magnitude)
 }
 
-/// Which constraint depends on which coordinate: where C_q is exactly zero at several positions it does not.
+/// Which constraint depends on which coordinate: it does not if C_q is exactly zero at several positions.
 fn dependence(mechanism: &dyn AnyMechanism, q: &[f64]) -> Vec<Vec<bool>> {
     let moved = |k: usize| -> Vec<f64> {
         q.iter().enumerate().map(|(j, q)| q + 0.1 * (k * (j + 1)) as f64 + 0.03 * k as f64).collect()
@@ -108,7 +109,7 @@ fn dependence(mechanism: &dyn AnyMechanism, q: &[f64]) -> Vec<Vec<bool>> {
     (0..jacobians[0].nrows()).map(|i| (0..q.len()).map(|j| depends(i, j)).collect()).collect()
 }
 
-/// One constraint in one unknown coordinate, else two in two, that have not been refused.
+/// One constraint in one unknown coordinate, otherwise two in two, that have not been refused.
 fn next_block(depends: &[Vec<bool>], known: &[bool], refused: &[Block]) -> Option<Block> {
     let unknowns = |rows: &[usize]| -> Vec<usize> {
         (0..known.len()).filter(|j| !known[*j] && rows.iter().any(|i| depends[*i][*j])).collect()
@@ -123,7 +124,7 @@ fn next_block(depends: &[Vec<bool>], known: &[bool], refused: &[Block]) -> Optio
     blocks.filter(determines).find(|block| !refused.contains(block))
 }
 
-/// All ways to close a loop from each configuration so far; `None` if it is of no known form.
+/// All solutions of a loop from each configuration so far; `None` if its form is unknown.
 fn close_all(
     mechanism: &dyn AnyMechanism,
     so_far: &[Vec<f64>],

@@ -52,7 +52,7 @@ fn compared(input: ParseStream) -> Result<(Expression, Comparison, Expression)> 
     let comparison = comparison(input)?;
     let right = sum(input)?;
     match is_comparison(input) {
-        true => Err(here(input, "one comparison at a time; for a range write `if` inside of `if`")),
+        true => Err(here(input, "one comparison at a time; for a range write one `if` inside another")),
         false => Ok((left, comparison, right)),
     }
 }
@@ -68,7 +68,10 @@ fn comparison(input: ParseStream) -> Result<Comparison> {
         _ if input.parse::<Option<Token![<]>>()?.is_some() => Comparison::Less,
         _ if input.parse::<Option<Token![>]>>()?.is_some() => Comparison::Greater,
         _ if input.peek(Token![=]) || input.peek(Token![==]) || input.peek(Token![!=]) => {
-            return Err(here(input, "what varies is equal at points alone; compare with `<`, `<=`, `>` or `>=`"));
+            return Err(here(
+                input,
+                "varying quantities are equal only for an instant; compare with `<`, `<=`, `>` or `>=`",
+            ));
         }
         _ => return Err(here(input, format!("expected a comparison, `<`, `<=`, `>` or `>=`: `{FORM}`"))),
     })

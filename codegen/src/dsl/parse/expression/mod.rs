@@ -180,10 +180,7 @@ fn atom(input: ParseStream) -> Result<Expression> {
         return Ok(Expression { region, kind: Kind::Vector(list(&content, "`]`")?) });
     }
     if choice::starts(input) {
-        return Err(here(
-            input,
-            "a choice inside of an operation stands in parentheses: `a + (if b > c then x else y)`",
-        ));
+        return Err(here(input, "a choice inside an operation stands in parentheses: `a + (if b > c then x else y)`"));
     }
     if input.peek(Ident::peek_any) {
         let name = Ident::parse_any(input)?;
@@ -258,7 +255,7 @@ fn juxtaposition(input: ParseStream, left: &Expression) -> Result<()> {
              For a product with a vector write `*` before `[`",
         ));
     }
-    // To syn a minus sign and a number are one literal.
+    // syn takes a minus sign and a number as one literal.
     let number = input.peek(Lit) && !input.peek(Token![-]);
     if input.peek(syn::token::Bracket) || input.peek(syn::token::Paren) || number {
         return Err(here(input, "an operator is missing here; a product is written `a*b`"));

@@ -1,4 +1,4 @@
-//! What the page's script is given.
+//! The data for the page's script.
 
 use super::rows::{chosen, doubles, floats};
 use crate::output::outcome::{Outcome, Recorded};
@@ -75,7 +75,7 @@ fn figure(group: &Group) -> Value {
     json!({ "title": typeset(&group.title), "columns": group.columns })
 }
 
-/// The columns of the table but for the time.
+/// The columns of the table except time.
 fn labelled(description: &Description, table: &Table) -> Vec<Labelled> {
     let outputs = description.outputs.len();
     let first_output = table.columns.len() - outputs;

@@ -17,14 +17,14 @@ use serde_json::Value;
 use sim_kernel::Mechanism;
 use std::path::Path;
 
-/// What a report says of a run beside the run itself.
+/// The contents of a report beside the run itself.
 #[derive(Clone, Copy, Debug)]
 pub struct About<'a> {
     /// The run's summary, as [`crate::summary`] makes it.
     pub summary: &'a Value,
-    /// The command that makes the run again.
+    /// The command that repeats the run.
     pub command: &'a str,
-    /// The run file that makes it again, as text.
+    /// The run file that repeats it, as text.
     pub run_file: Option<&'a str>,
 }
 

@@ -24,7 +24,7 @@ const SCRIPT: [&str; 8] = [
     include_str!("../../../../assets/report/page.js"),
 ];
 
-/// Bytes of typeset equations beyond which nobody would read them.
+/// The size of typeset equations, in bytes, beyond which they are omitted.
 #[cfg(feature = "analysis")]
 const MOST_OF_EQUATIONS: usize = 300_000;
 
@@ -49,7 +49,7 @@ pub(super) fn page(run: &dyn Recorded, outcome: &Outcome, table: &Table, about: 
     })
 }
 
-/// The template with each `{{slot}}` replaced; what is put in is not looked at again.
+/// The template with each `{{slot}}` replaced; inserted text is not processed again.
 fn fill(template: &str, content: impl Fn(&str) -> String) -> String {
     let mut page = String::new();
     let mut pieces = template.split("{{");
@@ -115,7 +115,7 @@ fn facts(run: &Outcome, about: &About) -> String {
     facts.into_iter().map(item).collect::<Vec<_>>().join("\n")
 }
 
-/// The equations of motion, where the declaration can be derived again.
+/// The equations of motion, if the declaration can be derived again.
 #[cfg(feature = "analysis")]
 fn equations(description: &Description) -> String {
     let Ok(parts) = codegen::equations_as(codegen::notation::Notation::MathMl, description.declaration) else {
@@ -136,7 +136,7 @@ fn equations(description: &Description) -> String {
     format!("<section class=\"card equations\"><h2>Equations of motion</h2>\n{}</section>", parts.join("\n"))
 }
 
-/// Factors and arguments a little apart, as books set them: browsers give the invisible operators no space.
+/// Adds space between factors and arguments, as in print: browsers give invisible operators none.
 #[cfg(feature = "analysis")]
 fn apart(mathml: &str) -> String {
     let spaced = |space: &str, sign: char| format!("<mo {space}=\"0.14em\">{sign}</mo>");

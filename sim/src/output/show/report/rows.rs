@@ -4,11 +4,11 @@ use crate::Column;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-/// The bytes that packed samples may take, so that a page with everything else stays under 2 MB.
+/// The size limit of packed samples in bytes, so that the page stays under 2 MB.
 const BUDGET: usize = 1_450_000;
 
-/// The samples shown: all of them where they fit, each `width` floats; else some at equal distances, the last, and
-/// those at which a column is largest or smallest.
+/// The samples shown, each `width` floats: all if they fit; otherwise some at equal distances, the last, and those at
+/// which a column is largest or smallest.
 pub(super) fn chosen(columns: &[&Column], samples: usize, width: usize) -> Vec<usize> {
     // Four bytes a float, eight for the time, four letters to three bytes.
     let room = BUDGET * 3 / 4 / (8 + 4 * width.max(1));
@@ -27,7 +27,7 @@ pub(super) fn chosen(columns: &[&Column], samples: usize, width: usize) -> Vec<u
     rows
 }
 
-/// Where the finite value that beats all others stands.
+/// The index of the finite value that beats all others.
 fn extreme(values: &[f64], beats: fn(f64, f64) -> bool) -> Option<usize> {
     let mut best: Option<usize> = None;
     for (row, value) in values.iter().enumerate() {

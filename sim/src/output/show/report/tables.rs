@@ -78,7 +78,7 @@ fn started(q: &Quantity, value: f64, kind: &str) -> String {
     )
 }
 
-/// Whatever the summary says of the method.
+/// The summary's entries about the method.
 fn method(summary: &Value) -> String {
     let entries = summary["method"].as_object().into_iter().flatten();
     let rows: Vec<String> =
@@ -123,7 +123,7 @@ fn accuracy(run: &Outcome, summary: &Value) -> String {
     for passed in run.steps.singularities.iter().take(MOST_EVENTS) {
         let (name, time) = (escaped(passed.constraint), number(passed.time, 9));
         rows.push(format!(
-            "<tr><th>singular position</th><td colspan=\"2\">{name} depends on other constraints at t = {time} s; passed straight on</td></tr>"
+            "<tr><th>singular position</th><td colspan=\"2\">{name} depends on other constraints at t = {time} s; passed straight through</td></tr>"
         ));
     }
     let undefined = summary["undefined_outputs"].as_object().into_iter().flatten();

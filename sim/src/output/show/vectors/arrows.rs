@@ -1,11 +1,11 @@
-//! Which forces and reactions have an arrow, and the outputs that it is made of.
+//! Which forces and reactions have an arrow, and the outputs that define it.
 
 use super::Vector;
 use super::expressions::{binary, change, components, is_vector, name, named, output, rate};
 use codegen::dsl::{Declaration, Equation, Expression, Load, Operator, Output, Shape};
 use sim_kernel::Description;
 
-/// Where an arrow's numbers come from: outputs from the first index, the components of the point first.
+/// The outputs of an arrow, from this index on: first the components of the point.
 pub(super) enum Source {
     /// Then those of the force.
     Load(usize),
@@ -15,9 +15,8 @@ pub(super) enum Source {
     Joint { first: usize, row: usize },
 }
 
-/// Every force that is a load, and every weight; every constraint between vectors where its left side is; every other at
-/// the points named in it that are drawn, where its virtual work is that of a force. What they need is added to the
-/// outputs.
+/// Every force that is a load, and every weight; every constraint between vectors where its left side is; every other
+/// at the points named in it that are drawn, where its virtual work is that of a force. The required outputs are added.
 pub(super) fn arrows(
     declaration: &Declaration,
     description: &Description,
@@ -42,7 +41,7 @@ pub(super) fn arrows(
         }
         row += 1;
     }
-    // What cannot be counted here is better not drawn.
+    // Forces that cannot be determined here are not drawn.
     if row == description.constraints.len() { drawing.found } else { Vec::new() }
 }
 

@@ -1,4 +1,4 @@
-//! Expressions taken apart and made anew.
+//! Rewriting of expressions.
 
 use codegen::dsl::{Choice, Expression, Kind, Operator, Output};
 
@@ -42,7 +42,7 @@ pub(super) fn named(expression: &Expression) -> Vec<String> {
     names
 }
 
-/// What a name, or the rate of one, stands for instead.
+/// The replacement of a name, or of its rate.
 fn substitute(expression: &Expression, point: &Expression, by: &Expression) -> Expression {
     rebuilt(expression, &|part| is_same(part, point).then(|| by.clone()))
 }

@@ -12,9 +12,9 @@ mod expressions;
 
 /// A force that can be drawn.
 pub(super) struct Vector {
-    /// What stands at its arrow.
+    /// The label of its arrow.
     pub(super) label: String,
-    /// What it is.
+    /// Its kind.
     pub(super) about: String,
     /// `load` or `reaction`.
     pub(super) kind: &'static str,
