@@ -1,7 +1,7 @@
 //! What the mechanism says of itself.
 
 use super::{kebab_case, size};
-use crate::dsl::Mark;
+use crate::dsl::{Mark, Source};
 use crate::dynamics::EquationsOfMotion;
 use crate::model::{Coordinate, Dimension, Direction, Event, EventStep, Level, Model, Shape, Start, Target, Unit};
 use crate::program::Program;
@@ -11,12 +11,13 @@ use quote::quote;
 pub(super) fn description(
     equations: &EquationsOfMotion,
     program: &Program,
-    declaration: &str,
+    source: &Source,
     path: &TokenStream,
 ) -> TokenStream {
     let model = &equations.model;
     let quantity = |name: &str, unit: &Unit, docs: &str| quantity(name, unit, docs, path);
     let (name, type_name, docs) = (kebab_case(&model.name), &model.name, &model.docs);
+    let Source { text: declaration, hash: declaration_hash } = source;
     let coordinates = coordinates(model, path);
     let parameters = model.parameters.iter().map(|p| quantity(&p.name, &p.unit, &p.docs));
     let inputs = model.inputs.iter().map(|input| quantity(&input.name, &input.unit, &input.docs));
@@ -50,6 +51,7 @@ pub(super) fn description(
             type_name: #type_name,
             docs: #docs,
             declaration: #declaration,
+            declaration_hash: #declaration_hash,
             coordinates: &[#(#coordinates),*],
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],

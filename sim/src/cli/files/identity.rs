@@ -1,9 +1,9 @@
 //! Which files belong to one run: some name it, and its summary lists the digests of all others.
 
-use crate::Table;
 use crate::cli::Stop;
 use crate::cli::files::json;
 use crate::state::digest::Digest;
+use crate::{Provenance, Table};
 use serde_json::Value;
 use std::fs::File;
 use std::io::{self, Read};
@@ -34,14 +34,21 @@ pub(in crate::cli) fn digest(path: &Path) -> io::Result<String> {
     }
 }
 
-/// What a run is known by: the digest of its table and of what else it was and found.
+/// The member that says where a file comes from.
+pub(in crate::cli) const PROVENANCE: &str = "provenance";
+
+/// What a run is known by: the digest of its table and of what else it was and found, whoever has found it.
 pub(in crate::cli) fn of_run(table: &Table, values: &[&Value]) -> String {
     let mut digest = Digest::new();
     for column in &table.columns {
         digest.add(column.header().as_bytes());
         column.values.iter().for_each(|value| digest.add(&value.to_bits().to_le_bytes()));
     }
-    values.iter().for_each(|value| digest.add(value.to_string().as_bytes()));
+    for value in values {
+        let mut value = (*value).clone();
+        value.as_object_mut().and_then(|members| members.shift_remove(PROVENANCE));
+        digest.add(value.to_string().as_bytes());
+    }
     digest.text()
 }
 
@@ -59,6 +66,17 @@ fn digests(summary: &Value) -> Option<&serde_json::Map<String, Value>> {
 
 fn read(path: &Path) -> Option<Value> {
     json::parse(&io::read_to_string(open(path).ok()?).ok()?).ok()
+}
+
+/// Where the files of a folder come from, as its summary says.
+pub(in crate::cli) fn provenance(directory: &Path) -> Provenance {
+    let summary = read(&directory.join(SUMMARY));
+    let text = |name: &str| {
+        let member = summary.as_ref()?.get(PROVENANCE)?.get(name)?;
+        member.as_str().map(str::to_owned)
+    };
+    let [model, declaration, command, run] = ["model", "declaration", "command", "run"].map(text);
+    Provenance { model, declaration, command, run }
 }
 
 /// Refuses a folder whose files are not all of one run, as where a run was killed while it moved its files there.
