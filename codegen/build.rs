@@ -11,7 +11,9 @@ use std::process::Command;
 fn package(name: &str) -> (&'static str, &'static [&'static str]) {
     match name {
         "codegen" => ("codegen/", &["codegen/src"]),
-        _ => ("sim/", &["sim/src", "sim/assets", "sim/kernel/src", "mechanism-macros/src", "codegen/src", "models/src"]),
+        _ => {
+            ("sim/", &["sim/src", "sim/assets", "sim/kernel/src", "mechanism-macros/src", "codegen/src", "models/src"])
+        }
     }
 }
 
@@ -24,7 +26,8 @@ fn main() {
     let is_needed = name != "codegen" || std::env::var_os("CARGO_FEATURE_COMMAND").is_some();
     let found = || of_checkout(&folder, &name).or_else(|| of_archive(&folder));
     let commit = if is_needed { found() } else { None };
-    let is_plain = |text: &String| !text.is_empty() && text.chars().all(|c| c.is_ascii_alphanumeric() || "-_.+".contains(c));
+    let is_plain =
+        |text: &String| !text.is_empty() && text.chars().all(|c| c.is_ascii_alphanumeric() || "-_.+".contains(c));
     let said = || Some(variable("LINKWRIGHT_COMMIT")).filter(is_plain);
     println!("cargo::rustc-env=LINKWRIGHT_COMMIT={}", commit.or_else(said).unwrap_or_else(|| "unknown".into()));
 }

@@ -61,7 +61,8 @@ impl Made {
         let output = script.output().unwrap();
         assert!(output.status.success());
         let text = String::from_utf8(output.stdout).unwrap();
-        let lines = |prefix: &str| text.lines().filter_map(|line| line.strip_prefix(prefix)).map(String::from).collect();
+        let lines =
+            |prefix: &str| text.lines().filter_map(|line| line.strip_prefix(prefix)).map(String::from).collect();
         let commits: Vec<String> = lines("cargo::rustc-env=LINKWRIGHT_COMMIT=");
         assert_eq!(commits.len(), 1, "{text}");
         (commits[0].clone(), lines("cargo::rerun-if-changed="))
@@ -102,7 +103,10 @@ fn a_checkout_is_named() {
     let (_, watched) = made.find("sim", "sim", &[]);
     let branch = made.git(&["symbolic-ref", "HEAD"]);
     for place in [".git/HEAD", ".git/logs/HEAD", &format!(".git/{branch}"), "sim/src"] {
-        assert!(watched.iter().any(|path| Path::new(path) == made.folder.canonicalize().unwrap().join(place)), "{place}: {watched:?}");
+        assert!(
+            watched.iter().any(|path| Path::new(path) == made.folder.canonicalize().unwrap().join(place)),
+            "{place}: {watched:?}"
+        );
     }
     // Whoever makes a macro only is not built again for each commit.
     assert_eq!(made.find("sim", "codegen", &[]), ("unknown".into(), vec!["build.rs".into()]));

@@ -7,7 +7,8 @@ use std::path::Path;
 
 /// The hash of a shipped mechanism's declaration, from its source.
 fn hash(model: &str) -> String {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/src").join(format!("{}.rs", model.replace('-', "_")));
+    let file =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/src").join(format!("{}.rs", model.replace('-', "_")));
     let mut declarations = codegen::dsl::declarations(&fs::read_to_string(file).unwrap()).unwrap();
     codegen::dsl::hash(declarations.remove(0))
 }
@@ -135,10 +136,9 @@ fn files_of_other_commands_say_where_they_come_from() {
         let output = sim(&words);
         assert!(output.status.success(), "{}", stderr(&output));
     };
-    for (command, figure) in [
-        ("kinematics four-bar --steps 30", "mechanism"),
-        ("poincare pendulum --event bottom --count 3", "section_phi"),
-    ] {
+    for (command, figure) in
+        [("kinematics four-bar --steps 30", "mechanism"), ("poincare pendulum --event bottom --count 3", "section_phi")]
+    {
         let directory = fresh("provenance-of-others");
         done(command, &directory);
         let mut expected = of(command.split(' ').nth(1).unwrap());
@@ -162,7 +162,9 @@ fn files_of_other_commands_say_where_they_come_from() {
     expected["run"] = runs[0].clone().into();
     check(&one.join("plot-phi.svg"), expected.clone(), "plot drawn-one phi");
     let compared = fresh("drawn-compared");
-    assert!(sim(&["compare", first, second, "--quantity", "phi", "--out", compared.to_str().unwrap()]).status.success());
+    assert!(
+        sim(&["compare", first, second, "--quantity", "phi", "--out", compared.to_str().unwrap()]).status.success()
+    );
     expected["run"] = runs.join(", ").into();
     check(&compared.join("phi.svg"), expected, "compare drawn-one drawn-other --quantity phi");
 }
@@ -171,7 +173,8 @@ fn files_of_other_commands_say_where_they_come_from() {
 #[test]
 fn a_run_file_of_another_declaration_is_told() {
     let directory = fresh("declared");
-    let words = ["run", "pendulum", "--t-end", "0.1", "--no-figures", "--no-report", "--out", directory.to_str().unwrap()];
+    let words =
+        ["run", "pendulum", "--t-end", "0.1", "--no-figures", "--no-report", "--out", directory.to_str().unwrap()];
     assert!(sim(&words).status.success());
     let mut file: Value = serde_json::from_str(&fs::read_to_string(directory.join("run.json")).unwrap()).unwrap();
     let again = scratch("declared-again");
@@ -186,14 +189,16 @@ fn a_run_file_of_another_declaration_is_told() {
     assert_eq!(run(&hash("pendulum"), &[]), "");
     let other = "0".repeat(32);
     let said = run(&other, &[]);
-    let words = ["warning: ", "again.json", "another declaration of `pendulum`", &other, &hash("pendulum"), sim::COMMIT];
+    let words =
+        ["warning: ", "again.json", "another declaration of `pendulum`", &other, &hash("pendulum"), sim::COMMIT];
     assert!(words.iter().all(|words| said.contains(words)) && said.lines().count() == 1, "{said}");
     assert_eq!(run(&other, &["--quiet"]), "");
     // What wrote it now says so.
     let written: Value = serde_json::from_str(&fs::read_to_string(out.join("run.json")).unwrap()).unwrap();
     assert_eq!(written["provenance"]["declaration"], hash("pendulum"));
     // Files from before there was any are read.
-    fs::write(&path, "{\"format\": \"linkwright run 1\", \"model\": \"pendulum\", \"options\": {\"t-end\": 0.1}}").unwrap();
+    fs::write(&path, "{\"format\": \"linkwright run 1\", \"model\": \"pendulum\", \"options\": {\"t-end\": 0.1}}")
+        .unwrap();
     let output = sim(&["run", path.to_str().unwrap(), "--no-figures", "--no-report", "--out", out.to_str().unwrap()]);
     assert!(output.status.success() && stderr(&output).is_empty(), "{}", stderr(&output));
 }
@@ -208,7 +213,8 @@ fn the_program_says_what_it_is() {
     let made = fresh("made");
     assert!(sim(&["new", made.to_str().unwrap()]).status.success());
     let manifest = fs::read_to_string(made.join("Cargo.toml")).unwrap();
-    let line = format!("# Made by `new` of Linkwright {}, commit {}.\n[package]\n", env!("CARGO_PKG_VERSION"), sim::COMMIT);
+    let line =
+        format!("# Made by `new` of Linkwright {}, commit {}.\n[package]\n", env!("CARGO_PKG_VERSION"), sim::COMMIT);
     assert!(manifest.starts_with(&line), "{manifest}");
 }
 

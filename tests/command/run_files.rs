@@ -57,7 +57,10 @@ fn every_mistake_names_its_field() {
         (with("initial", "{\"alpha_dot\": false}"), &["initial.alpha_dot:", "not true or false"]),
         (with("initial", "{\"alpha_dot\": \"60 m\"}"), &["initial.alpha_dot:", "dimension"]),
         // Where it comes from.
-        (with("format", "\"linkwright run 2\", \"provenance\": \"me\""), &["provenance: an object is needed, not text"]),
+        (
+            with("format", "\"linkwright run 2\", \"provenance\": \"me\""),
+            &["provenance: an object is needed, not text"],
+        ),
         // Options.
         (with("options", "null"), &["options: an object is needed, not null"]),
         (with("options", "{\"tend\": 1}"), &["did you mean `t-end`?"]),

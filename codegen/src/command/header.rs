@@ -21,8 +21,7 @@ const MADE: &str = "Made by Linkwright ";
 
 /// The program with its commit, each declaration by its hash, and the options; then an empty line.
 pub(super) fn header(source: &Source, options: &str, comment: Comment) -> syn::Result<String> {
-    let mut lines =
-        vec![format!("{MADE}{}, commit {}.", env!("CARGO_PKG_VERSION"), env!("LINKWRIGHT_COMMIT"))];
+    let mut lines = vec![format!("{MADE}{}, commit {}.", env!("CARGO_PKG_VERSION"), env!("LINKWRIGHT_COMMIT"))];
     for declaration in source.declarations()? {
         let hash = dsl::hash(declaration.clone());
         lines.push(format!("Declaration of {}: {hash}.", dsl::parse_head(declaration)?.name));

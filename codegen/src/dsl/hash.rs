@@ -124,7 +124,8 @@ mod tests {
 
     #[test]
     fn every_word_counts() {
-        let others = [("0.2", "0.3"), ("0.2", "0.20"), ("[m] = 0", "[mm] = 0"), ("-l", "l"), ("bob", "bar"), ("Two ", "Two")];
+        let others =
+            [("0.2", "0.3"), ("0.2", "0.20"), ("[m] = 0", "[mm] = 0"), ("-l", "l"), ("bob", "bar"), ("Two ", "Two")];
         for (word, other) in others.into_iter().chain([("{ l", "l {"), ("pub Bob", "pubBob")]) {
             assert_ne!(of(&TEXT.replacen(word, other, 1)), of(TEXT), "{word} {other}");
         }

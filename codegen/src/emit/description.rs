@@ -39,12 +39,7 @@ pub(super) fn description(
     });
     let drawing = drawing(model, path);
     let dimension = size(model.dimension);
-    let made = [
-        ("dynamics_jacobian", equations.declared.by_state.is_some()),
-        ("dynamics_sensitivity", equations.declared.by_parameters.is_some()),
-        ("inverse_dynamics", equations.inverse.is_some()),
-    ];
-    let kernels = made.iter().filter(|(_, is_made)| *is_made).map(|(name, _)| name);
+    let kernels = optional_kernels(equations);
     quote! {
         #path::Description {
             name: #name,
@@ -69,6 +64,16 @@ pub(super) fn description(
             drawing: &[#(#drawing),*],
         }
     }
+}
+
+/// The kernels that not every mechanism has.
+fn optional_kernels(equations: &EquationsOfMotion) -> impl Iterator<Item = &'static str> {
+    let made = [
+        ("dynamics_jacobian", equations.declared.by_state.is_some()),
+        ("dynamics_sensitivity", equations.declared.by_parameters.is_some()),
+        ("inverse_dynamics", equations.inverse.is_some()),
+    ];
+    made.into_iter().filter(|(_, is_made)| *is_made).map(|(name, _)| name)
 }
 
 /// Coordinates with their speeds and accelerations, and how each starts.

@@ -28,8 +28,7 @@ pub struct Provenance {
 impl Provenance {
     /// That of a file on a mechanism.
     pub fn of(description: &Description) -> Provenance {
-        let [model, declaration] =
-            [description.name, description.declaration_hash].map(|text| Some(text.to_owned()));
+        let [model, declaration] = [description.name, description.declaration_hash].map(|text| Some(text.to_owned()));
         Provenance { model, declaration, ..Provenance::default() }
     }
 

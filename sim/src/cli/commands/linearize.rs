@@ -8,8 +8,8 @@ use crate::cli::settings::positive;
 use crate::cli::{Stop, print, unknown};
 use crate::output::formats::numpy::write_matrices;
 use crate::{
-    Control, Description, Linearization, Mode, Provenance, Settings, Start, State, WriteError, assemble, equilibrium, linearize,
-    run, write_json,
+    Control, Description, Linearization, Mode, Provenance, Settings, Start, State, WriteError, assemble, equilibrium,
+    linearize, run, write_json,
 };
 use nalgebra::{Complex, DMatrix};
 use serde_json::{Map, Value, json};

@@ -45,7 +45,10 @@ mod tests {
     #[test]
     fn where_to_is_left_out() {
         let command = |words: &[&str]| of_words("sim", words.iter().map(OsString::from));
-        assert_eq!(command(&["poincare", "pendulum", "--out", "a b", "--count", "3"]), "sim poincare pendulum --count 3");
+        assert_eq!(
+            command(&["poincare", "pendulum", "--out", "a b", "--count", "3"]),
+            "sim poincare pendulum --count 3"
+        );
         assert_eq!(command(&["--json", "run", "m", "--out=x", "--set", "l=2 m", "-q"]), "sim run m --set 'l=2 m'");
         let folder = std::env::temp_dir();
         let name = folder.file_name().unwrap().to_str().unwrap();

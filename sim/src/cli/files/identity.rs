@@ -107,3 +107,19 @@ fn stranger(directory: &Path) -> Option<(String, &'static str)> {
     let added = || tables.into_iter().find(|name| !digests.contains_key(name) && directory.join(name).is_file());
     changed.or_else(added).map(|name| (name, first))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    /// A run by another commit or command that found the same is the same run.
+    #[test]
+    fn a_run_is_known_by_what_it_found() {
+        let table = Table::from_columns(Vec::new());
+        let of = |value: Value| of_run(&table, &[&value]);
+        let found = of(json!({ "period": 1.0 }));
+        assert_eq!(of(json!({ "period": 1.0, "provenance": { "commit": "0123456789ab" } })), found);
+        assert_ne!(of(json!({ "period": 2.0 })), found);
+    }
+}
