@@ -111,7 +111,7 @@ mod tests {
 
     #[test]
     fn layout_and_comments_do_not_count() {
-        let laid_out = "/// A bob.\n pub   Bob ; // whose rod is light\n parameters\n{\n  l[m]=0.2;/* short */\n}\n\
+        let laid_out = "///A bob.  \n pub   Bob ; // whose rod is light\n parameters\n{\n  l[m]=0.2;/* short */\n}\n\
                         outputs{g \"Two words\"{y[m]= - l;}}";
         assert_eq!(of(laid_out), of(TEXT));
         // As the compiler gives documentation to a macro.
