@@ -1,18 +1,31 @@
 //! The build scripts that find the commit: compiled alone, and run in repositories made for them.
 
-use crate::fresh;
+use crate::scratch;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::OnceLock;
 
-/// A folder with the sources of a package in it, and the script as a program.
+/// A folder with packages in it.
 struct Made {
     folder: PathBuf,
-    script: PathBuf,
 }
 
 fn source(package: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join(package).join("build.rs")
+}
+
+/// The script as a program.
+fn script() -> &'static Path {
+    static BUILT: OnceLock<PathBuf> = OnceLock::new();
+    BUILT.get_or_init(|| {
+        let script = scratch("commit").join("script");
+        let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+        let mut compiler = Command::new(rustc);
+        compiler.args(["--edition", "2024", "-o"]).arg(&script).arg(source("sim"));
+        assert!(compiler.status().unwrap().success());
+        script
+    })
 }
 
 impl Made {
@@ -21,14 +34,7 @@ impl Made {
         let folder = std::env::temp_dir().join(format!("linkwright-{name}-{}", std::process::id()));
         let _ = fs::remove_dir_all(&folder);
         fs::create_dir_all(&folder).unwrap();
-        let built = fresh(name);
-        fs::create_dir_all(&built).unwrap();
-        let script = built.join("script");
-        let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
-        let mut compiler = Command::new(rustc);
-        compiler.args(["--edition", "2024", "-o"]).arg(&script).arg(source("sim"));
-        assert!(compiler.status().unwrap().success());
-        Made { folder, script }
+        Made { folder }
     }
 
     /// A package where this path leads.
@@ -55,7 +61,7 @@ impl Made {
 
     /// The commit that the script of a package finds, and what has it run again.
     fn find(&self, path: &str, name: &str, variables: &[(&str, &str)]) -> (String, Vec<String>) {
-        let mut script = Command::new(&self.script);
+        let mut script = Command::new(script());
         script.env_remove("LINKWRIGHT_COMMIT").env_remove("CARGO_FEATURE_COMMAND");
         script.env("CARGO_MANIFEST_DIR", self.folder.join(path)).env("CARGO_PKG_NAME", name).envs(variables.to_vec());
         let output = script.output().unwrap();
@@ -108,8 +114,20 @@ fn a_checkout_is_named() {
             "{place}: {watched:?}"
         );
     }
-    // Whoever makes a macro only is not built again for each commit.
-    assert_eq!(made.find("sim", "codegen", &[]), ("unknown".into(), vec!["build.rs".into()]));
+    // What is not there would have the script run each time.
+    let is_there = |path: &String| path == "build.rs" || Path::new(path).exists();
+    assert!(watched.iter().all(is_there), "{watched:?}");
+}
+
+/// What macros are made with is not built again for each commit; the command is.
+#[test]
+fn a_library_that_writes_no_files_is_not_named() {
+    let made = Made::new("library");
+    made.git(&["init", "-q"]);
+    made.package("codegen");
+    let commit = made.commit(&["."]);
+    assert_eq!(made.find("codegen", "codegen", &[]), ("unknown".into(), vec!["build.rs".into()]));
+    assert_eq!(made.find("codegen", "codegen", &[("CARGO_FEATURE_COMMAND", "1")]).0, commit);
 }
 
 /// A repository of somebody else's is not asked, whatever is in it.
@@ -126,11 +144,13 @@ fn other_repositories_are_not_asked() {
     let text = "{\n  \"git\": {\n    \"sha1\": \"0123456789abcdef0123456789abcdef01234567\"\n  },\n  \"path_in_vcs\": \"sim\"\n}";
     fs::write(made.folder.join("sim/.cargo_vcs_info.json"), text).unwrap();
     assert_eq!(made.found("sim"), "0123456789ab");
-    // Nor is one that a hook names.
-    let hooked = [("GIT_DIR", made.folder.join(".git").to_str().unwrap().to_owned())];
-    let hooked: Vec<(&str, &str)> = hooked.iter().map(|(name, value)| (*name, value.as_str())).collect();
+    // Nor is one that a hook names, as if what lies here were of it.
+    made.commit(&["sim/Cargo.toml", "sim/build.rs"]);
     let elsewhere = Made::new("elsewhere");
     elsewhere.package("sim");
+    let [repository, tree] =
+        [made.folder.join(".git"), elsewhere.folder.clone()].map(|path| path.display().to_string());
+    let hooked = [("GIT_DIR", repository.as_str()), ("GIT_WORK_TREE", tree.as_str())];
     assert_eq!(elsewhere.find("sim", "sim", &hooked).0, "unknown");
 }
 

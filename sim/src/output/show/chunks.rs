@@ -41,7 +41,7 @@ mod tests {
         assert_eq!(chunk(*b"IEND", &[]), b"\0\0\0\0IEND\xae\x42\x60\x82");
     }
 
-    /// A reader that checks all checksums finds the same picture.
+    /// A reader finds the same picture.
     #[test]
     fn the_picture_stays() {
         let mut picture = Pixmap::new(3, 2).unwrap();
