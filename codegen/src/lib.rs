@@ -29,8 +29,8 @@ pub fn generate(tokens: TokenStream, path: &TokenStream) -> syn::Result<TokenStr
     let (declaration, model) = resolved(tokens.clone())?;
     let mut equations = dynamics::derive_cheapest(model);
     let program = program::plan(&mut equations);
-    let text = dsl::source_text(tokens);
-    Ok(emit::emit(&declaration.head, &text, &equations, &program, path))
+    let source = dsl::Source::of(tokens);
+    Ok(emit::emit(&declaration.head, &source, &equations, &program, path))
 }
 
 /// The formatted items of every mechanism that a text declares: a Rust file with `mechanism! { .. }` in it, or a bare

@@ -3,7 +3,9 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 mod analysis;
+mod commit;
 mod failing;
+mod provenance;
 mod run_files;
 
 use serde_json::Value;

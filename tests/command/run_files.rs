@@ -7,7 +7,7 @@ use std::fs;
 /// A whole run file with this in the place of one of its entries.
 fn with(entry: &str, value: &str) -> String {
     let entries = [
-        ("format", "\"linkwright run 1\""),
+        ("format", "\"linkwright run 2\""),
         ("model", "\"quick-return\""),
         ("parameters", "{\"O2A\": \"180 mm\"}"),
         ("initial", "{\"alpha_dot\": \"60 rpm\"}"),
@@ -37,7 +37,7 @@ fn every_mistake_names_its_field() {
         // The file.
         ("[]".into(), &["a run file is an object, not a list"]),
         (fine.replacen("\"initial\"", "\"inital\"", 1), &["did you mean `initial`?"]),
-        (with("format", "\"linkwright run 2\""), &["format:", "linkwright run 2", "linkwright run 1"]),
+        (with("format", "\"linkwright run 3\""), &["format:", "linkwright run 3", "linkwright run 2"]),
         (with("format", "1"), &["format: it is 1"]),
         ("{\"parameters\": {}}".into(), &["`model` is missing"]),
         (with("model", "3"), &["model:", "not a number"]),
@@ -56,6 +56,11 @@ fn every_mistake_names_its_field() {
         (with("initial", "{\"alhpa\": 1}"), &["initial.alhpa:", "did you mean `alpha`?"]),
         (with("initial", "{\"alpha_dot\": false}"), &["initial.alpha_dot:", "not true or false"]),
         (with("initial", "{\"alpha_dot\": \"60 m\"}"), &["initial.alpha_dot:", "dimension"]),
+        // Where it comes from.
+        (
+            with("format", "\"linkwright run 2\", \"provenance\": \"me\""),
+            &["provenance: an object is needed, not text"],
+        ),
         // Options.
         (with("options", "null"), &["options: an object is needed, not null"]),
         (with("options", "{\"tend\": 1}"), &["did you mean `t-end`?"]),

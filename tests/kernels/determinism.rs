@@ -44,6 +44,9 @@ fn the_carried_text_declares_the_same_mechanism() {
     for description in mechanisms::all() {
         let tokens: proc_macro2::TokenStream = description.declaration.parse().unwrap();
         assert_eq!(codegen::dsl::source_text(tokens), description.declaration, "{}", description.name);
+        // The macro has seen other tokens: its own layout, and documentation as attributes.
+        let tokens: proc_macro2::TokenStream = description.declaration.parse().unwrap();
+        assert_eq!(codegen::dsl::hash(tokens), description.declaration_hash, "{}", description.name);
         let equations = codegen::equations(description.declaration.parse().unwrap()).unwrap();
         assert_eq!(equations.model.name, description.type_name);
     }

@@ -3,11 +3,13 @@
 mod difference;
 mod document;
 mod graph;
+mod header;
 mod source;
 mod statistics;
 
 use anyhow::{Context, Result};
 use clap::{Parser, ValueEnum};
+use header::{Comment, header, header_of};
 use proc_macro2::TokenStream;
 use source::Source;
 use std::io::{ErrorKind, Write};
@@ -17,7 +19,7 @@ use std::path::PathBuf;
 ///
 /// Exit status: 0, 1 if `--check` finds a difference, 2 if something is wrong.
 #[derive(Parser)]
-#[command(name = "codegen", version)]
+#[command(name = "codegen", version = concat!(env!("CARGO_PKG_VERSION"), " (commit ", env!("LINKWRIGHT_COMMIT"), ")"))]
 pub(crate) struct Arguments {
     /// A Rust file with `mechanism! { .. }` in it, or a bare declaration; `-` or nothing for standard input
     file: Option<PathBuf>,
@@ -30,7 +32,7 @@ pub(crate) struct Arguments {
     /// Print the graph of a kernel's operations for Graphviz, as in `codegen FILE --graph dynamics | dot -Tsvg`
     #[arg(long, value_name = "KERNEL", group = "view")]
     graph: Option<String>,
-    /// Compare with this file instead of printing
+    /// Compare with this file instead of printing, but for the lines on top that say what made it
     #[arg(long, value_name = "FILE")]
     check: Option<PathBuf>,
     /// Where the generated code finds the trait `Mechanism`
@@ -57,15 +59,29 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome> {
     let source = Source::read(arguments.file.as_deref())?;
     let text = view(arguments, &source)?;
     match &arguments.check {
-        None => print(&text).map(|()| Outcome::Done),
+        None => print(&(top(arguments, &source)? + &text)).map(|()| Outcome::Done),
         Some(file) => {
             let expected = std::fs::read_to_string(file).with_context(|| format!("cannot read {}", file.display()))?;
-            match difference::difference(&file.display().to_string(), &expected, &text) {
+            let found = header_of(&expected).to_owned() + &text;
+            match difference::difference(&file.display().to_string(), &expected, &found) {
                 None => Ok(Outcome::Done),
                 Some(difference) => print(&difference).map(|()| Outcome::Differs),
             }
         }
     }
+}
+
+/// What stands above a view that may be kept as a file: where it comes from.
+fn top(arguments: &Arguments, source: &Source) -> Result<String> {
+    let (options, comment) = match (arguments.equations, &arguments.graph) {
+        _ if arguments.statistics => return Ok(String::new()),
+        (Some(Notation::Infix), _) => ("equations infix".to_owned(), Comment::None),
+        (Some(Notation::Latex), _) => ("equations latex".to_owned(), Comment::Percent),
+        (Some(Notation::Mathml), _) => ("equations mathml".to_owned(), Comment::Angles),
+        (None, Some(kernel)) => (format!("graph {kernel}"), Comment::Slashes),
+        (None, None) => (format!("path {}", arguments.path), Comment::Slashes),
+    };
+    source.located(header(source, &options, comment))
 }
 
 /// The requested view, as text.

@@ -9,14 +9,14 @@ use std::time::{Duration, Instant};
 /// Operations by kind for each kernel, what sharing saves, and the stages of the path with their times.
 pub(super) fn statistics(declaration: TokenStream) -> syn::Result<String> {
     let mut stages = Stages::default();
-    let text = dsl::source_text(declaration.clone());
+    let source = dsl::Source::of(declaration.clone());
     // The body of `codegen::generate`, stage by stage.
     let declaration = stages.time("parse", || codegen::parse(declaration))?;
     let model = stages.time("resolve", || model::resolve(&declaration))?;
     let mut equations = stages.time("derive", || dynamics::derive_cheapest(model));
     let program = stages.time("plan", || program::plan(&mut equations));
     let tokens =
-        stages.time("emit", || emit::emit(&declaration.head, &text, &equations, &program, &quote!(sim_kernel)));
+        stages.time("emit", || emit::emit(&declaration.head, &source, &equations, &program, &quote!(sim_kernel)));
     let formatted = stages.time("format", || emit::format(tokens))?;
     let model = &equations.model;
     let mut out = format!(

@@ -2,6 +2,7 @@
 
 mod declarations;
 mod file;
+mod hash;
 mod limits;
 mod parse;
 mod print;
@@ -14,10 +15,11 @@ mod tree;
 
 pub use declarations::declarations;
 pub use file::read_files;
+pub use hash::hash;
 pub use parse::{parse_head, parse_unit};
 pub use region::Region;
 pub use reuse::attributed;
-pub use source::source_text;
+pub use source::{Source, source_text};
 pub use syntax::*;
 pub use tree::*;
 

@@ -1,6 +1,23 @@
 //! The declaration's text, recovered from its tokens, so that a built mechanism can be derived again.
 
+use super::hash::{documentation, hash};
 use proc_macro2::{Delimiter, LineColumn, TokenStream, TokenTree};
+
+/// What a built mechanism carries of its declaration.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
+    /// Its text, as [`source_text`] gives it.
+    pub text: String,
+    /// Its hash, as [`hash`] gives it.
+    pub hash: String,
+}
+
+impl Source {
+    /// Of a declaration's tokens, its files read in.
+    pub fn of(tokens: TokenStream) -> Source {
+        Source { hash: hash(tokens.clone()), text: source_text(tokens) }
+    }
+}
 
 /// The tokens as text, on the lines and columns where they stood; comments other than documentation are gone. Tokens
 /// without a place in a file are separated by one space.
@@ -30,7 +47,7 @@ fn leaves(tokens: TokenStream) -> Vec<Leaf> {
         if let TokenTree::Punct(pound) = &token
             && pound.as_char() == '#'
             && let Some(TokenTree::Group(group)) = tokens.peek()
-            && let Some(text) = documentation(group)
+            && let Some(text) = documentation(group).filter(|text| !text.contains('\n'))
         {
             let span = pound.span();
             out.push(Leaf { text: format!("///{text}"), start: span.start(), end: span.end(), ends_line: true });
@@ -57,17 +74,6 @@ fn leaves(tokens: TokenStream) -> Vec<Leaf> {
 
 fn leaf(text: &str, span: proc_macro2::Span) -> Leaf {
     Leaf { text: text.to_owned(), start: span.start(), end: span.end(), ends_line: false }
-}
-
-/// The text of `[doc = ".."]`.
-fn documentation(group: &proc_macro2::Group) -> Option<String> {
-    let attribute: syn::MetaNameValue = syn::parse2(group.stream()).ok()?;
-    match attribute.value {
-        syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) if attribute.path.is_ident("doc") => {
-            Some(text.value()).filter(|text| !text.contains('\n'))
-        }
-        _ => None,
-    }
 }
 
 struct Writer {

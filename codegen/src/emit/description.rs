@@ -1,7 +1,7 @@
 //! The description of the mechanism.
 
 use super::{kebab_case, size};
-use crate::dsl::Mark;
+use crate::dsl::{Mark, Source};
 use crate::dynamics::EquationsOfMotion;
 use crate::model::{Coordinate, Dimension, Direction, Event, EventStep, Level, Model, Shape, Start, Target, Unit};
 use crate::program::Program;
@@ -11,12 +11,13 @@ use quote::quote;
 pub(super) fn description(
     equations: &EquationsOfMotion,
     program: &Program,
-    declaration: &str,
+    source: &Source,
     path: &TokenStream,
 ) -> TokenStream {
     let model = &equations.model;
     let quantity = |name: &str, unit: &Unit, docs: &str| quantity(name, unit, docs, path);
     let (name, type_name, docs) = (kebab_case(&model.name), &model.name, &model.docs);
+    let Source { text: declaration, hash: declaration_hash } = source;
     let coordinates = coordinates(model, path);
     let parameters = model.parameters.iter().map(|p| quantity(&p.name, &p.unit, &p.docs));
     let inputs = model.inputs.iter().map(|input| quantity(&input.name, &input.unit, &input.docs));
@@ -38,18 +39,14 @@ pub(super) fn description(
     });
     let drawing = drawing(model, path);
     let dimension = size(model.dimension);
-    let made = [
-        ("dynamics_jacobian", equations.declared.by_state.is_some()),
-        ("dynamics_sensitivity", equations.declared.by_parameters.is_some()),
-        ("inverse_dynamics", equations.inverse.is_some()),
-    ];
-    let kernels = made.iter().filter(|(_, is_made)| *is_made).map(|(name, _)| name);
+    let kernels = optional_kernels(equations);
     quote! {
         #path::Description {
             name: #name,
             type_name: #type_name,
             docs: #docs,
             declaration: #declaration,
+            declaration_hash: #declaration_hash,
             coordinates: &[#(#coordinates),*],
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
@@ -67,6 +64,16 @@ pub(super) fn description(
             drawing: &[#(#drawing),*],
         }
     }
+}
+
+/// The kernels that not every mechanism has.
+fn optional_kernels(equations: &EquationsOfMotion) -> impl Iterator<Item = &'static str> {
+    let made = [
+        ("dynamics_jacobian", equations.declared.by_state.is_some()),
+        ("dynamics_sensitivity", equations.declared.by_parameters.is_some()),
+        ("inverse_dynamics", equations.inverse.is_some()),
+    ];
+    made.into_iter().filter(|(_, is_made)| *is_made).map(|(name, _)| name)
 }
 
 /// Coordinates with their speeds and accelerations, and how each starts.

@@ -6,6 +6,7 @@ use super::marker::has_no_fields;
 use super::names::{other_scalar, prepared_name};
 use super::speeds;
 use super::{ident, size};
+use crate::dsl::Source;
 use crate::dynamics::EquationsOfMotion;
 use crate::model::Model;
 use crate::program::{Program, Results, Sparsity};
@@ -17,13 +18,13 @@ use quote::quote;
 pub(super) fn implementation(
     equations: &EquationsOfMotion,
     program: &Program,
-    declaration: &str,
+    source: &Source,
     path: &TokenStream,
 ) -> TokenStream {
     let model = &equations.model;
     let name = ident(&model.name);
     let types = types(equations, program, path);
-    let description = description(equations, program, declaration, path);
+    let description = description(equations, program, source, path);
     let parameters = parameters(model, path);
     let inputs = inputs(model, path);
     let switched = switched(model);

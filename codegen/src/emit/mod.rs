@@ -20,7 +20,7 @@ mod types;
 pub use format::format;
 pub use stub::stub;
 
-use crate::dsl::Head;
+use crate::dsl::{Head, Source};
 use crate::dynamics::EquationsOfMotion;
 use crate::program::Program;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -29,14 +29,14 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 /// impl of the runtime's trait. `path` is where `sim_kernel` is found.
 pub fn emit(
     head: &Head,
-    declaration: &str,
+    source: &Source,
     equations: &EquationsOfMotion,
     program: &Program,
     path: &TokenStream,
 ) -> TokenStream {
     let types = types::types(head, equations, program, path);
     let kernels = kernel::kernels(&equations.model, program, path);
-    let mechanism = implementation::implementation(equations, program, declaration, path);
+    let mechanism = implementation::implementation(equations, program, source, path);
     let speeds = speeds::speeds(head, equations, program, path);
     [types, kernels, mechanism].into_iter().chain(speeds).collect()
 }

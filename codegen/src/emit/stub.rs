@@ -28,7 +28,7 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
             #types
 
             const DESCRIPTION: #path::Description = #path::Description {
-                name: "", type_name: "", docs: "", declaration: "", coordinates: &[], parameters: &[], inputs: &[], constraints: &[],
+                name: "", type_name: "", docs: "", declaration: "", declaration_hash: "", coordinates: &[], parameters: &[], inputs: &[], constraints: &[],
                 speed_constraints: &[], norm_constraints: &[], sparsity: &[],
                 conditionals: &[], events: &[], outputs: &[], rated_outputs: &[], figures: &[], optional_kernels: &[], dimension: 2, drawing: &[],
             };

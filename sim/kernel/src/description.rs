@@ -13,6 +13,9 @@ pub struct Description {
     pub docs: &'static str,
     /// The text it was declared with, without comments.
     pub declaration: &'static str,
+    /// FNV-1a, 128 bits, of its words, in 32 hexadecimal digits: the same for the same words however they are laid out, whether
+    /// the macro, a build script or the command has read them.
+    pub declaration_hash: &'static str,
     /// Generalised coordinates.
     pub coordinates: &'static [Coordinate],
     /// Parameters.

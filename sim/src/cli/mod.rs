@@ -114,6 +114,11 @@ fn with_run_file(mechanisms: &[Entry], arguments: Arguments, words: &[OsString])
         _ => return execute(mechanisms, arguments),
     };
     let file = RunFile::open(&path)?;
+    let of_file = |entry: &&Entry| file.declaration().is_some_and(|(model, _)| model == entry.description.name);
+    let difference = mechanisms.iter().find(of_file).and_then(|entry| file.difference(entry.description));
+    if let Some(difference) = difference.filter(|_| !arguments.voice.quiet) {
+        eprintln!("warning: {difference}");
+    }
     let arguments = Arguments::try_parse_from(file.expand(words)?).map_err(|error| {
         let said = error.to_string();
         Stop::Usage(file.blamed(said.trim_start_matches("error: ").trim_end()))

@@ -8,6 +8,7 @@ use crate::run::Run;
 use crate::state::settings::Stepping;
 use serde_json::{Map, Value, json};
 use sim_kernel::{Description, Mechanism};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// A file that could not be written.
@@ -25,12 +26,27 @@ impl WriteError {
     }
 }
 
-/// Writes a table as CSV: header cells `name [unit]`, numbers that read back as the same `f64`.
+/// Writes a table as CSV: header cells `name [unit]`, numbers that read back as the same `f64`. Where it comes from is not in
+/// it, as readers would have to be told what to skip: see [`write_commented_csv`].
 ///
 /// # Errors
 /// If the file cannot be written.
 pub fn write_csv(table: &Table, path: &Path) -> Result<(), WriteError> {
+    csv_below(&[], table, path)
+}
+
+/// The same, with lines on top that begin with `#` and say where it comes from.
+///
+/// # Errors
+/// If the file cannot be written.
+pub fn write_commented_csv(table: &Table, path: &Path) -> Result<(), WriteError> {
+    csv_below(&table.provenance.lines(), table, path)
+}
+
+fn csv_below(comments: &[String], table: &Table, path: &Path) -> Result<(), WriteError> {
     let written = whole::<csv::Error>(path, |file| {
+        let comments: String = comments.iter().map(|line| format!("# {line}\n")).collect();
+        file.write_all(comments.as_bytes())?;
         let mut writer = csv::Writer::from_writer(file);
         writer.write_record(table.columns.iter().map(|column| column.header()))?;
         for row in 0..table.times().len() {
@@ -93,6 +109,7 @@ pub(crate) fn summary_of(run: &Outcome, table: &Table) -> Value {
         "residuals": { "position": run.position_residual, "velocity": run.velocity_residual },
         "energy_balance": run.energy_balance,
         "energy_taken_by_events": run.energy_taken,
+        "provenance": table.provenance.to_json(),
     })
 }
 

@@ -2,6 +2,7 @@
 
 use crate::model::{AnyMechanism, At};
 use crate::motion::typed::Any;
+use crate::state::provenance::Provenance;
 use crate::state::trajectory::Trajectory;
 use sim_kernel::{Description, Mechanism, Quantity};
 use std::borrow::Cow;
@@ -30,6 +31,8 @@ impl Column {
 pub struct Table {
     /// The columns, time first.
     pub columns: Vec<Column>,
+    /// Where it comes from: what files and figures of it say.
+    pub provenance: Provenance,
     /// The index of the first output.
     first_output: usize,
 }
@@ -80,7 +83,7 @@ impl Table {
         columns.push(column(work_name(description).into(), "J"));
         let first_output = columns.len();
         columns.extend(description.outputs.iter().map(of));
-        Table { columns, first_output }
+        Table { columns, provenance: Provenance::of(description), first_output }
     }
 
     /// Puts columns of the same length before the outputs.
@@ -93,7 +96,7 @@ impl Table {
     /// A table of columns of one length, time first, without outputs.
     #[cfg(test)]
     pub(crate) fn from_columns(columns: Vec<Column>) -> Table {
-        Table { first_output: columns.len(), columns }
+        Table { first_output: columns.len(), provenance: Provenance::default(), columns }
     }
 
     /// The times of the samples.

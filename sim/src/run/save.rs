@@ -4,6 +4,7 @@ use super::Simulation;
 use crate::events::Change;
 use crate::integrate::Stepper;
 use crate::state::digest::Digest;
+use crate::state::provenance::{COMMIT, VERSION};
 use crate::state::saved::{Bytes, Damaged};
 use crate::state::settings::{Settings, Stepping};
 use sim_kernel::Mechanism;
@@ -42,6 +43,8 @@ impl<M: Mechanism> Simulation<M> {
         let mut identity = self.identity();
         // Writing bytes cannot fail.
         let _ = identity.iter_mut().try_for_each(|(_, value)| bytes.text(value));
+        // Which commit has saved it is told, and does not matter: the version says whether it can be read.
+        let _ = bytes.text(&mut COMMIT.to_owned());
         let _ = bytes.flag(&mut self.failure.is_some());
         let _ = self.clone().transfer(&mut bytes);
         let Bytes::Written(mut bytes) = bytes else { return Vec::new() };
@@ -70,6 +73,7 @@ impl<M: Mechanism> Simulation<M> {
                 return Err(NotRestored::Other { what, saved, here });
             }
         }
+        bytes.text(&mut String::new()).map_err(|Damaged| NotRestored::Damaged)?;
         let mut has_failed = false;
         bytes.flag(&mut has_failed).map_err(|Damaged| NotRestored::Damaged)?;
         if has_failed {
@@ -96,11 +100,10 @@ impl<M: Mechanism> Simulation<M> {
         };
         let stop = stop
             .map_or("none".to_owned(), |stop| format!("{}:{}", description.events[stop.event].name, stop.occurrence));
-        let declaration = format!("{:016x}", Digest::of(description.declaration.as_bytes()));
         let identity = [
-            ("version of this library", env!("CARGO_PKG_VERSION").to_owned()),
+            ("version of this library", VERSION.to_owned()),
             ("mechanism", description.name.to_owned()),
-            ("declaration, by its digest", declaration),
+            ("declaration, by its hash", description.declaration_hash.to_owned()),
             ("end", format!("{end} s")),
             ("method", method.name().to_owned()),
             ("length of steps", stepping),

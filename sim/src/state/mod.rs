@@ -1,8 +1,9 @@
-//! States and trajectories, the settings of a run, and its failures.
+//! States and trajectories, the settings of a run, why it fails, and where files come from.
 
 pub(crate) mod digest;
 pub(crate) mod failure;
 pub(crate) mod interpolate;
+pub(crate) mod provenance;
 pub(crate) mod saved;
 pub(crate) mod settings;
 pub(crate) mod trajectory;

@@ -431,6 +431,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
         type_name: "Pendulum",
         docs: "A point mass on a rod without mass, let go from rest at its amplitude.",
         declaration: "/// A point mass on a rod without mass, let go from rest at its amplitude.\npub Pendulum;\n\ncoordinates {\n    /// Angle of the rod from the vertical.\n    phi [rad];\n}\n\nparameters {\n    /// Length of the rod.\n    l [m] = 1;\n    /// Mass of the bob.\n    m [kg] = 1;\n    g [m/s^2] = 9.81;\n    /// Where it is let go.\n    amplitude [deg] = 90;\n}\n\nlet O = [0, 0];\nlet P = l*[sin(phi), -cos(phi)];\n\nbodies { bob: mass m at P; }\nloads { gravity [0, -g]; }\ninitial { phi = amplitude; }\n\nevents {\n    /// The bob passes its lowest point.\n    bottom: phi = 0;\n    /// The bob stands still.\n    rest: dot(phi) = 0;\n}\n\noutputs {\n    /// angle of the rod\n    angle [deg] = phi;\n    /// speed of the bob\n    speed [m/s] = l*dot(phi);\n    /// force in the rod, positive in tension\n    tension [N] = m*(l*dot(phi)^2 + g*cos(phi));\n}\n\ndrawing {\n    ground O;\n    line O, P;\n    circle P radius l/20;\n}\n",
+        declaration_hash: "9df940c645f5acc94d477a4bcf2c3411",
         coordinates: &[
             sim_kernel::Coordinate {
                 position: sim_kernel::Quantity {

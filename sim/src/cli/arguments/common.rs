@@ -53,6 +53,11 @@ pub(in crate::cli) struct WrittenArguments {
     #[arg(long, value_name = "WxH", default_value = "960x540")]
     pub(in crate::cli) size: Size,
 
+    /// Begins trajectory.csv with lines after `#` that say where it comes from; readers have to be told, as pandas by
+    /// `comment="#"`.
+    #[arg(long)]
+    pub(in crate::cli) csv_comments: bool,
+
     /// Writes no figures.
     #[arg(long)]
     pub(in crate::cli) no_figures: bool,

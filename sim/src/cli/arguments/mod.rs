@@ -8,7 +8,7 @@ mod run;
 
 use clap::{Args, Parser, Subcommand};
 use common::Size;
-pub(super) use common::{StartArguments, Voice};
+pub(super) use common::{StartArguments, Voice, WrittenArguments};
 pub(super) use kinematics::KinematicsArguments;
 pub(super) use linearize::LinearizeArguments;
 pub(super) use poincare::PoincareArguments;
@@ -18,7 +18,7 @@ use std::path::PathBuf;
 /// Runs mechanisms that were declared in the language, and shows their motion.
 #[derive(Parser)]
 #[command(
-    version,
+    version = concat!(env!("CARGO_PKG_VERSION"), " (commit ", env!("LINKWRIGHT_COMMIT"), ")"),
     arg_required_else_help = true,
     after_help = "Examples, for a mechanism that `list` shows as quick-return:\n  sim list\n  sim run quick-return\n  sim run quick-return --t-end 5 --set O2A=180mm\n  sim run quick-return --method rk4 --steps 8192\n  \
                   sim run quick-return --initial alpha=30deg --initial alpha_dot=60rpm --out out/slow\n  \

@@ -13,7 +13,7 @@ use std::path::PathBuf;
     report.html      the mechanism in motion, plots, tables and equations; opens in any browser, without network\n  \
     trajectory.csv   time, coordinates, speeds, accelerations, multipliers, work done and outputs; headers `name [unit]`\n  \
     run.json         the run file, which makes this run again: `sim run DIR/run.json`\n  \
-    summary.json     model, parameters, method, events, period, residuals, energy balance\n  \
+    summary.json     model, parameters, method, events, period, residuals, energy balance; where all files come from\n  \
     timing.json      wall times; all other files are the same bytes run after run\n  \
     NAME.svg, .png   a figure for each group of outputs, and mechanism.svg, .png: the mechanism in several positions\n\n\
     A value may have a unit of the same dimension: 180mm, 0.18, \"180 mm\". Without one it is in the declared unit."

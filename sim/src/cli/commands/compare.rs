@@ -1,7 +1,7 @@
 //! `sim compare`.
 
 use crate::cli::arguments::{CompareArguments, Voice};
-use crate::cli::files::stored::{Stored, make};
+use crate::cli::files::stored::{Stored, make, provenance_of};
 use crate::cli::{Stop, print};
 use crate::output::show::{self, Curve, Plot};
 
@@ -11,7 +11,7 @@ pub(in crate::cli) fn compare(arguments: &CompareArguments, voice: Voice) -> Res
     let labels = labels(&runs, arguments);
     let quantities = quantities(&runs, &arguments.quantity)?;
     make(&arguments.out)?;
-    let mut written = Vec::new();
+    let (mut written, provenance) = (Vec::new(), provenance_of(&runs));
     for quantity in &quantities {
         let figure = Figure::of(&runs, quantity)?;
         let curves = labels.iter().zip(&figure.curves).map(|(label, values)| Curve { label, values: values.clone() });
@@ -22,7 +22,7 @@ pub(in crate::cli) fn compare(arguments: &CompareArguments, voice: Voice) -> Res
             x: &figure.times,
             curves: curves.collect(),
         };
-        show::panels(&[plot], arguments.size.show(), &arguments.out, quantity)?;
+        show::panels_with(&[plot], arguments.size.show(), &arguments.out, quantity, &provenance)?;
         written.push(format!("{quantity}.svg"));
         written.push(format!("{quantity}.png"));
     }

@@ -62,6 +62,7 @@ fn as_json(facts: &Facts) -> Value {
         "name": d.name,
         "type": d.type_name,
         "docs": d.docs,
+        "declaration_hash": d.declaration_hash,
         "degrees_of_freedom": facts.mobility.as_ref().ok().map(|mobility| mobility.degrees_of_freedom),
         "configuration_freedom": facts.mobility.as_ref().ok().map(|mobility| mobility.configuration_freedom),
         "redundant_constraints": facts.mobility.as_ref().map_or(Vec::new(), |mobility| mobility.dependent.clone()),
@@ -87,7 +88,7 @@ const fn told(start: Start) -> &'static str {
 
 fn as_text(facts: &Facts) -> String {
     let d = facts.description;
-    let mut text = format!("{}\n{}\n\n{}", d.name, d.docs, size(facts));
+    let mut text = format!("{}\n{}\n\n{}declaration {}\n", d.name, d.docs, size(facts), d.declaration_hash);
     text += &section("Coordinates", coordinates(facts));
     let parameters = d.parameters.iter().zip(&facts.defaults);
     let parameters = parameters.map(|(p, si)| [p.name.to_owned(), short(si / p.factor), unit(p), p.docs.to_owned()]);

@@ -2,6 +2,7 @@
 
 use crate::analysis::kinematics::{prescribed_coordinate, quotient};
 use crate::cli::arguments::{KinematicsArguments, Voice};
+use crate::cli::files::asked;
 use crate::cli::files::folder;
 use crate::cli::files::written::Files;
 use crate::cli::given::{mechanism_with, start_with};
@@ -128,7 +129,7 @@ pub(in crate::cli) fn kinematics_command<M: Mechanism>(
     let found = signals::interruptible(|| kinematics_until(&signals::INTERRUPTED, mechanism, &start, &sweep))?;
     let draw =
         |table: &Table, directory: &Path| show::sweep_figures(&found, table, directory, arguments.written.size.show());
-    tell(&Found::new(&found), &found.table(), (arguments, files), &draw, voice)
+    tell(&Found::new(&found), &mut found.table(), (arguments, files), &draw, voice)
 }
 
 /// A value, if it is given.
@@ -179,14 +180,14 @@ impl<'a> Found<'a> {
 /// Writes the results, and prints a summary.
 fn tell(
     found: &Found,
-    table: &Table,
+    table: &mut Table,
     (arguments, mut files): (&KinematicsArguments, Files),
     draw: &dyn Fn(&Table, &Path) -> show::Figures,
     voice: Voice,
 ) -> Result<(), Stop> {
-    files.add_table(table, &arguments.written.format);
     let mut summary = summary(found);
-    Files::name_run(table, &mut [&mut summary]);
+    Files::name_run(table, asked::command(), &mut [&mut summary]);
+    files.add_table(table, &arguments.written);
     folder::tell("summary.json", summary.clone());
     if !arguments.written.no_figures && !table.times().is_empty() {
         files.add_figures(|directory| draw(table, directory));

@@ -2,13 +2,14 @@
 
 use crate::cli::arguments::{LinearizeArguments, Voice};
 use crate::cli::commands::steady::advice;
+use crate::cli::files::asked;
 use crate::cli::given::{mechanism_with, start_with};
 use crate::cli::settings::positive;
 use crate::cli::{Stop, print, unknown};
 use crate::output::formats::numpy::write_matrices;
 use crate::{
-    Control, Description, Linearization, Mode, Settings, Start, State, WriteError, assemble, equilibrium, linearize,
-    run, write_json,
+    Control, Description, Linearization, Mode, Provenance, Settings, Start, State, WriteError, assemble, equilibrium,
+    linearize, run, write_json,
 };
 use nalgebra::{Complex, DMatrix};
 use serde_json::{Map, Value, json};
@@ -64,9 +65,11 @@ struct Found<'a> {
 fn tell(found: &Found, arguments: &LinearizeArguments, voice: Voice) -> Result<(), Stop> {
     let directory = arguments.out.clone().unwrap_or_else(|| format!("out/{}-linear", found.description.name).into());
     std::fs::create_dir_all(&directory).map_err(|why| WriteError::new(&directory, why))?;
-    let said = summary(found, &arguments.at);
+    let provenance = Provenance { command: Some(asked::command()), ..Provenance::of(found.description) };
+    let mut said = summary(found, &arguments.at);
+    said["provenance"] = provenance.to_json();
     write_json(&said, &directory.join("linear.json"))?;
-    write_matrices(&found.matrices, &directory.join("linear.npz"))?;
+    write_matrices(&found.matrices, &provenance, &directory.join("linear.npz"))?;
     match voice {
         Voice { quiet: true, .. } => Ok(()),
         Voice { json: true, .. } => print(&format!("{said:#}\n")),

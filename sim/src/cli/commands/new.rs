@@ -1,8 +1,8 @@
 //! `sim new`.
 
-use crate::WriteError;
 use crate::cli::arguments::{NewArguments, Voice};
 use crate::cli::{Stop, print};
+use crate::{Provenance, WriteError};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -40,7 +40,8 @@ pub(in crate::cli) fn new(arguments: &NewArguments, voice: Voice) -> Result<(), 
             .replace("{{crate}}", &crate_name)
             .replace("{{type}}", &type_name)
             .replace("{{model}}", &model)
-            .replace("{{dependency}}", &dependency);
+            .replace("{{dependency}}", &dependency)
+            .replace("{{program}}", &Provenance::program());
         write(&path.join(file), &text)?;
     }
     if let Some(workspace) = workspace {

@@ -1,7 +1,7 @@
 //! `sim plot`.
 
 use crate::cli::arguments::{PlotArguments, Voice};
-use crate::cli::files::stored::{Stored, StoredColumn, make, place};
+use crate::cli::files::stored::{Stored, StoredColumn, make, place, provenance_of};
 use crate::cli::{Stop, print};
 use crate::output::show::{self, Curve, Plot};
 
@@ -40,7 +40,8 @@ pub(in crate::cli) fn plot(arguments: &PlotArguments, voice: Voice) -> Result<()
     };
     let (directory, name) = place(&arguments.out.clone().unwrap_or_else(default));
     make(&directory)?;
-    show::panels(&plots, arguments.size.show(), &directory, &name)?;
+    let provenance = provenance_of(std::slice::from_ref(&run));
+    show::panels_with(&plots, arguments.size.show(), &directory, &name, &provenance)?;
     let written = directory.join(name);
     match voice.quiet {
         true => Ok(()),

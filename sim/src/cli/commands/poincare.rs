@@ -1,6 +1,7 @@
 //! `sim poincare`.
 
 use crate::cli::arguments::{PoincareArguments, Voice};
+use crate::cli::files::asked;
 use crate::cli::files::folder;
 use crate::cli::files::written::Files;
 use crate::cli::given::{mechanism_with, start_with};
@@ -30,22 +31,24 @@ pub(in crate::cli) fn poincare_command<M: Mechanism>(arguments: &PoincareArgumen
     let directory = arguments.out.clone().unwrap_or_else(|| format!("out/{}-poincare", description.name).into());
     let files = Files::new(description, &directory, &["mechanism"])?;
     let found = progress::watched(&settings, voice, |settings| poincare(mechanism, &start, &section, settings))?;
-    let table = Table::of(&found.mechanism, &found.trajectory);
-    let draw = |directory: &Path| show::section_figures(&found, directory, arguments.written.size.show());
+    let mut table = Table::of(&found.mechanism, &found.trajectory);
+    let draw = |table: &Table, directory: &Path| {
+        show::section_figures(&found, table, directory, arguments.written.size.show())
+    };
     let (period, failure) = (found.period, found.trajectory.failure.as_ref());
-    tell(description, &table, (period, failure), arguments, &draw, (files, voice))
+    tell(description, &mut table, (period, failure), arguments, &draw, (files, voice))
 }
 
 /// Writes and prints the results.
 fn tell(
     description: &Description,
-    table: &Table,
+    table: &mut Table,
     (period, failure): (Option<Period>, Option<&Failure>),
     arguments: &PoincareArguments,
-    draw: &dyn Fn(&Path) -> show::Figures,
+    draw: &dyn Fn(&Table, &Path) -> show::Figures,
     (mut files, voice): (Files, Voice),
 ) -> Result<(), Stop> {
-    let times = table.times();
+    let times = table.times().to_vec();
     let mut said = json!({
         "model": description.name,
         "event": arguments.event,
@@ -56,14 +59,14 @@ fn tell(
         "failure": failure.map(ToString::to_string),
         "failure_code": failure.map(|failure| failure.what.code()),
     });
-    files.add_table(table, &arguments.written.format);
-    Files::name_run(table, &mut [&mut said]);
+    Files::name_run(table, asked::command(), &mut [&mut said]);
+    files.add_table(table, &arguments.written);
     folder::tell("summary.json", said.clone());
     if !arguments.written.no_figures && !times.is_empty() {
-        files.add_figures(draw);
+        files.add_figures(|directory| draw(table, directory));
     }
     files.finish();
-    files.say(voice, said, &format!("{}{}", report(description, arguments, times, period), files.line()))?;
+    files.say(voice, said, &format!("{}{}", report(description, arguments, &times, period), files.line()))?;
     let problems = match failure {
         Some(failure) => vec![failure.to_string()],
         None if times.is_empty() => vec![format!(

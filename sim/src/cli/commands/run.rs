@@ -4,7 +4,7 @@ use crate::cli::Stop;
 use crate::cli::arguments::{RunArguments, Voice};
 use crate::cli::commands::list::counted;
 use crate::cli::files::folder;
-use crate::cli::files::run_file::Reproduction;
+use crate::cli::files::reproduction::Reproduction;
 use crate::cli::files::written::Files;
 use crate::cli::given::{held_at, mechanism_with, start_with};
 use crate::cli::progress;
@@ -31,21 +31,21 @@ pub(in crate::cli) fn run_command<M: Mechanism>(arguments: &RunArguments, voice:
     let files = Files::new(description, &directory, &["mechanism"])?;
     warn_of_redundancy(&mechanism, &start, voice);
     let found = progress::watched(&settings, voice, |settings| run(mechanism, &start, settings))?;
-    let table = Table::of(&found.mechanism, &found.trajectory);
-    told(&found, &table, arguments, (&mut reproduction, files, clock), voice)
+    let mut table = Table::of(&found.mechanism, &found.trajectory);
+    told(&found, &mut table, arguments, (&mut reproduction, files, clock), voice)
 }
 
 /// Writes the results, prints a short table, and reports failures.
 fn told(
     found: &dyn Recorded,
-    table: &Table,
+    table: &mut Table,
     arguments: &RunArguments,
     (reproduction, mut files, clock): (&mut Reproduction, Files, Instant),
     voice: Voice,
 ) -> Result<(), Stop> {
     let outcome = found.outcome();
     let mut summary = summary_of(&outcome, table);
-    let times = write(&mut files, found, (&outcome, table, &mut summary), arguments, (reproduction, clock));
+    let times = write(&mut files, found, (&outcome, &mut *table, &mut summary), arguments, (reproduction, clock));
     files.say(voice, summary, &report(&outcome, &files, &times))?;
     let is_interrupted = outcome.failure.as_ref().is_some_and(|failure| failure.what == What::Interrupted);
     files.check(failures(&outcome, table), is_interrupted)
@@ -63,13 +63,13 @@ struct Times {
 fn write(
     files: &mut Files,
     run: &dyn Recorded,
-    (outcome, table, summary): (&Outcome, &Table, &mut Value),
+    (outcome, table, summary): (&Outcome, &mut Table, &mut Value),
     arguments: &RunArguments,
     (reproduction, clock): (&mut Reproduction, Instant),
 ) -> Times {
     let seconds = || clock.elapsed().as_secs_f64();
-    files.add_table(table, &arguments.written.format);
-    let run_name = Files::name_run(table, &mut [&mut reproduction.file, summary]);
+    Files::name_run(table, reproduction.command.clone(), &mut [&mut reproduction.file, summary]);
+    files.add_table(table, &arguments.written);
     files.add("run.json", |path| write_json(&reproduction.file, path));
     folder::tell("summary.json", summary.clone());
     let without_figures = seconds();
@@ -84,10 +84,11 @@ fn write(
     }
     let times = Times { without_figures, total: seconds() };
     let timing = json!({
-        "run": run_name,
+        "run": table.provenance.run,
         "integration_seconds": outcome.integration_seconds,
         "without_figures_seconds": times.without_figures,
         "total_seconds": times.total,
+        "provenance": table.provenance.to_json(),
     });
     files.add("timing.json", |path| write_json(&timing, path));
     files.finish();

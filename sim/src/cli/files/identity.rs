@@ -4,10 +4,10 @@
 //! JSON files bear the name and may be edited. Tables and pictures have no place for a name that every reader accepts,
 //! so the summary, which is moved last, lists the digests of all other files.
 
-use crate::Table;
 use crate::cli::Stop;
 use crate::cli::files::json;
 use crate::state::digest::Digest;
+use crate::{Provenance, Table};
 use serde_json::Value;
 use std::fs::File;
 use std::io::{self, Read};
@@ -38,14 +38,21 @@ pub(in crate::cli) fn digest(path: &Path) -> io::Result<String> {
     }
 }
 
-/// The name of a run: the digest of its table and of its other results.
+/// The member that says where a file comes from.
+pub(in crate::cli) const PROVENANCE: &str = "provenance";
+
+/// What a run is known by: the digest of its table and of what else it was and found, whoever has found it.
 pub(in crate::cli) fn of_run(table: &Table, values: &[&Value]) -> String {
     let mut digest = Digest::new();
     for column in &table.columns {
         digest.add(column.header().as_bytes());
         column.values.iter().for_each(|value| digest.add(&value.to_bits().to_le_bytes()));
     }
-    values.iter().for_each(|value| digest.add(value.to_string().as_bytes()));
+    for value in values {
+        let mut value = (*value).clone();
+        value.as_object_mut().and_then(|members| members.shift_remove(PROVENANCE));
+        digest.add(value.to_string().as_bytes());
+    }
     digest.text()
 }
 
@@ -63,6 +70,17 @@ fn digests(summary: &Value) -> Option<&serde_json::Map<String, Value>> {
 
 fn read(path: &Path) -> Option<Value> {
     json::parse(&io::read_to_string(open(path).ok()?).ok()?).ok()
+}
+
+/// Where the files of a folder come from, as its summary says.
+pub(in crate::cli) fn provenance(directory: &Path) -> Provenance {
+    let summary = read(&directory.join(SUMMARY));
+    let text = |name: &str| {
+        let member = summary.as_ref()?.get(PROVENANCE)?.get(name)?;
+        member.as_str().map(str::to_owned)
+    };
+    let [model, declaration, command, run] = ["model", "declaration", "command", "run"].map(text);
+    Provenance { model, declaration, command, run }
 }
 
 /// Refuses a folder whose files are not all of one run, for example after a run was killed while moving its files.
@@ -92,4 +110,20 @@ fn stranger(directory: &Path) -> Option<(String, &'static str)> {
     let tables = crate::Format::ALL.iter().map(|format| format!("trajectory.{}", format.name()));
     let added = || tables.into_iter().find(|name| !digests.contains_key(name) && directory.join(name).is_file());
     changed.or_else(added).map(|name| (name, first))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    /// A run by another commit or command that found the same is the same run.
+    #[test]
+    fn a_run_is_known_by_what_it_found() {
+        let table = Table::from_columns(Vec::new());
+        let of = |value: Value| of_run(&table, &[&value]);
+        let found = of(json!({ "period": 1.0 }));
+        assert_eq!(of(json!({ "period": 1.0, "provenance": { "commit": "0123456789ab" } })), found);
+        assert_ne!(of(json!({ "period": 2.0 })), found);
+    }
 }

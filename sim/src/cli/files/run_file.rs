@@ -1,185 +1,26 @@
 //! Run files: everything that `run` takes, as JSON. They are read as arguments of the command line, so that both mean
 //! the same.
 
-use crate::Start;
-use crate::cli::arguments::{Arguments, RunArguments};
+use crate::cli::arguments::Arguments;
 use crate::cli::files::identity;
 use crate::cli::files::json;
-use crate::cli::{Stop, program, unknown};
-use crate::state::settings::{Method, Rows, Settings, Stepping};
+use crate::cli::{Stop, unknown};
+use crate::state::provenance::{COMMIT, VERSION};
+use crate::state::settings::Method;
 use clap::CommandFactory;
-use codegen::model::Unit;
-use serde_json::{Map, Value, json};
-use sim_kernel::{Description, Input, Mechanism, Quantity, Start as Known};
+use serde_json::{Map, Value};
+use sim_kernel::Description;
 use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 
-/// The format of run files.
-const FORMAT: &str = "linkwright run 1";
+/// What a run file says of itself, and what files said that can still be read: before version 2 they did not tell where they
+/// come from.
+pub(in crate::cli) const FORMAT: &str = "linkwright run 2";
+const EARLIER: &str = "linkwright run 1";
 
 /// Options about where to write, not what.
 const NOT_OF_A_RUN: [&str; 8] = ["set", "initial", "input", "out", "json", "quiet", "help", "version"];
-
-/// How a run is repeated.
-pub(in crate::cli) struct Reproduction {
-    /// The run file.
-    pub(in crate::cli) file: Value,
-    /// The command with every option.
-    pub(in crate::cli) command: String,
-}
-
-/// The mechanism's values in a run.
-struct Given<'a> {
-    description: &'static Description,
-    /// Parameters and their defaults.
-    values: &'a [f64],
-    defaults: &'a [f64],
-    inputs: &'a [Input<f64>],
-    initial: Vec<(&'static str, String, bool)>,
-}
-
-impl Reproduction {
-    /// The run file of a run as requested, with all defaults.
-    pub(in crate::cli) fn new<M: Mechanism>(
-        mechanism: &M,
-        start: &Start<M>,
-        settings: &Settings,
-        arguments: &RunArguments,
-    ) -> Reproduction {
-        let (values, defaults, inputs) = (mechanism.parameters(), M::defaults().parameters(), mechanism.inputs());
-        let given = Given {
-            description: const { &M::DESCRIPTION },
-            values: values.as_ref(),
-            defaults: defaults.as_ref(),
-            inputs: inputs.as_ref(),
-            initial: initial(mechanism, start),
-        };
-        Reproduction::of(given, settings, arguments)
-    }
-
-    fn of(given: Given, settings: &Settings, arguments: &RunArguments) -> Reproduction {
-        let Given { description, values, defaults, inputs, initial } = given;
-        let parameters: Vec<(&str, String, bool)> = description
-            .parameters
-            .iter()
-            .enumerate()
-            .map(|(i, p)| (p.name, in_si(p, values[i]), values[i] != defaults[i]))
-            .collect();
-        let inputs: Vec<(&str, String, bool)> = description
-            .inputs
-            .iter()
-            .zip(inputs)
-            .filter_map(|(quantity, input)| Some((quantity.name, in_si(quantity, input.held()?), true)))
-            .collect();
-        let options = options(settings, arguments, description.events);
-        let mut command = format!("{} run {}", program(), description.name);
-        for (name, value, _) in parameters.iter().filter(|entry| entry.2) {
-            command += &format!(" --set {}", quoted(&format!("{name}={value}")));
-        }
-        for (name, value, _) in initial.iter().filter(|entry| entry.2) {
-            command += &format!(" --initial {}", quoted(&format!("{name}={value}")));
-        }
-        for (name, value, _) in &inputs {
-            command += &format!(" --input {}", quoted(&format!("{name}={value}")));
-        }
-        for (name, value) in &options {
-            command += &match value {
-                Value::Bool(true) => format!(" --{name}"),
-                Value::Bool(false) => String::new(),
-                value => format!(" --{name} {}", quoted(&word(value).unwrap_or_default())),
-            };
-        }
-        let object = |entries: &[(&str, String, bool)]| {
-            let entries = entries.iter().map(|(name, value, _)| ((*name).to_owned(), Value::from(value.as_str())));
-            entries.collect::<Map<String, Value>>()
-        };
-        let mut file = json!({
-            "format": FORMAT,
-            "model": description.name,
-            "parameters": object(&parameters),
-            "initial": object(&initial),
-            "options": options,
-        });
-        if !inputs.is_empty() {
-            file["inputs"] = object(&inputs).into();
-        }
-        Reproduction { file, command }
-    }
-
-    /// The run file as it is written.
-    pub(in crate::cli) fn text(&self) -> String {
-        format!("{:#}\n", self.file)
-    }
-}
-
-/// The given and guessed start values, and whether the declaration differs.
-fn initial<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Vec<(&'static str, String, bool)> {
-    let declared = crate::declared_start(mechanism);
-    let coordinates = M::DESCRIPTION.coordinates;
-    let mut entries = Vec::new();
-    for (i, c) in coordinates.iter().enumerate() {
-        if start.position_given[i] || c.start == Known::Guess {
-            let differs =
-                start.positions[i] != declared.positions[i] || start.position_given[i] != declared.position_given[i];
-            entries.push((c.position.name, in_si(&c.position, start.positions[i]), differs));
-        }
-    }
-    for (i, c) in coordinates.iter().enumerate() {
-        if start.speed_given[i] {
-            let differs = start.speeds[i] != declared.speeds[i] || !declared.speed_given[i];
-            entries.push((c.speed.name, in_si(&c.speed, start.speeds[i]), differs));
-        }
-    }
-    entries
-}
-
-/// A value in the coherent SI unit, so that it reads back as the same number.
-fn in_si(quantity: &Quantity, value: f64) -> String {
-    let unit = Unit::parse(quantity.unit).map_or_else(|_| quantity.unit.to_owned(), |unit| unit.si_text());
-    match unit.as_str() {
-        // Degrees have the dimension 1; their coherent unit is the radian.
-        "1" if quantity.factor != 1.0 => format!("{value:?} rad"),
-        "1" => format!("{value:?}"),
-        unit => format!("{value:?} {unit}"),
-    }
-}
-
-/// The options of a run by their long names.
-fn options(settings: &Settings, arguments: &RunArguments, events: &[sim_kernel::event::Event]) -> Map<String, Value> {
-    let mut options = Map::new();
-    let mut put = |name: &str, value: Value| options.insert(name.to_owned(), value);
-    put("t-end", format!("{:?} s", settings.end).into());
-    put("method", settings.method.name().into());
-    match settings.stepping {
-        Stepping::Equal(steps) => put("steps", steps.into()),
-        Stepping::Adaptive(tolerance) => {
-            put("rtol", tolerance.relative.into());
-            put("atol", tolerance.absolute.into())
-        }
-    };
-    put("projection", settings.stabilisation.to_string().into());
-    put(
-        "rows",
-        match settings.rows {
-            Rows::Steps => "steps".into(),
-            Rows::Even(rows) => rows.into(),
-        },
-    );
-    if let Some((stop, name)) = settings.stop.and_then(|stop| Some((stop, events.get(stop.event)?.name))) {
-        put("until", format!("{name}:{}", stop.occurrence).into());
-    }
-    put("format", arguments.written.format.iter().map(|format| format.name()).collect::<Vec<_>>().into());
-    put("size", arguments.written.size.to_string().into());
-    put("no-figures", arguments.written.no_figures.into());
-    put("no-report", arguments.no_report.into());
-    options
-}
-
-fn quoted(text: &str) -> String {
-    let plain = |c: char| c.is_alphanumeric() || "._-+=,:/^%".contains(c);
-    if text.chars().all(plain) { text.to_owned() } else { format!("'{}'", text.replace('\'', "'\\''")) }
-}
 
 /// A run file that was read.
 pub(in crate::cli) struct RunFile {
@@ -212,6 +53,26 @@ impl RunFile {
         Ok(all)
     }
 
+    /// Its model, and the hash of the declaration with which it was written, where it says so.
+    pub(in crate::cli) fn declaration(&self) -> Option<(&str, &str)> {
+        Some((self.file.get("model")?.as_str()?, self.file.get("provenance")?.get("declaration")?.as_str()?))
+    }
+
+    /// What is to be known before it is run with a mechanism whose declaration is another.
+    pub(in crate::cli) fn difference(&self, description: &Description) -> Option<String> {
+        let (_, hash) = self.declaration().filter(|(_, hash)| *hash != description.declaration_hash)?;
+        let said = |name: &str| self.file["provenance"].get(name).and_then(Value::as_str).unwrap_or("unknown");
+        Some(format!(
+            "{}: it was written with another declaration of `{}`, {hash} by Linkwright {}, commit {}; it is run with {} by \
+             Linkwright {VERSION}, commit {COMMIT}",
+            self.path,
+            description.name,
+            said("version"),
+            said("commit"),
+            description.declaration_hash,
+        ))
+    }
+
     /// A mistake in its arguments, with the path of the entry in question.
     pub(in crate::cli) fn blamed(&self, message: &str) -> String {
         let members = |entry: &'static str| {
@@ -236,13 +97,16 @@ impl RunFile {
 fn read(file: &Value, own: &[String]) -> Result<Vec<String>, String> {
     let file = file.as_object().ok_or_else(|| format!("a run file is an object, not {}", kind(file)))?;
     for key in file.keys() {
-        let known = ["$schema", "run", "format", "model", "parameters", "initial", "inputs", "options"];
+        let known = ["$schema", "run", "format", "model", "parameters", "initial", "inputs", "options", "provenance"];
         if !known.contains(&key.as_str()) {
             return Err(message(unknown("entry", key, known.into_iter())));
         }
     }
-    if let Some(other) = file.get("format").filter(|format| *format != FORMAT) {
+    if let Some(other) = file.get("format").filter(|format| ![FORMAT, EARLIER].iter().any(|known| *format == known)) {
         return Err(format!("format: it is {other}, but this program reads \"{FORMAT}\""));
+    }
+    if let Some(other) = file.get("provenance").filter(|provenance| !provenance.is_object()) {
+        return Err(format!("provenance: an object is needed, not {}", kind(other)));
     }
     let model = match file.get("model") {
         Some(Value::String(model)) => model,
@@ -328,7 +192,7 @@ fn object<'a>(file: &'a Map<String, Value>, entry: &str) -> Result<Vec<(&'a Stri
 }
 
 /// A value as an argument of the command line.
-fn word(value: &Value) -> Option<String> {
+pub(in crate::cli) fn word(value: &Value) -> Option<String> {
     match value {
         Value::String(text) => Some(text.clone()),
         Value::Number(number) => Some(number.to_string()),
@@ -353,6 +217,7 @@ pub(in crate::cli) const SCHEMA: &str = include_str!("../../../assets/run.schema
 #[cfg(test)]
 mod tests {
     use super::*;
+    use serde_json::json;
 
     /// The schema names the options of `run`, all of them and no others.
     #[test]
@@ -365,7 +230,7 @@ mod tests {
         described.sort();
         known.sort();
         assert_eq!(described, known);
-        assert_eq!(schema["properties"]["format"]["const"], FORMAT);
+        assert_eq!(schema["properties"]["format"]["enum"], json!([EARLIER, FORMAT]));
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! Runs read back from their directories.
 
-use crate::WriteError;
-use crate::cli::files::identity;
+use crate::cli::files::{asked, identity};
 use crate::cli::{Stop, unknown};
+use crate::{Provenance, WriteError};
 use std::path::{Path, PathBuf};
 
 /// The table of a run.
@@ -10,6 +10,8 @@ pub(in crate::cli) struct Stored {
     /// The label of its curves: its directory.
     pub(in crate::cli) name: String,
     columns: Vec<StoredColumn>,
+    /// Where it comes from, as far as the files beside it say.
+    provenance: Provenance,
 }
 
 /// A column, as its header says.
@@ -37,18 +39,19 @@ impl Stored {
             )));
         }
         let fail = |why: &dyn std::fmt::Display| Stop::Failed(anyhow::anyhow!("cannot read {}: {why}", file.display()));
-        let mut reader = csv::Reader::from_path(&file).map_err(|why| fail(&why))?;
+        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(&file).map_err(|why| fail(&why))?;
         let mut columns: Vec<StoredColumn> = reader.headers().map_err(|why| fail(&why))?.iter().map(column).collect();
         for record in reader.records() {
             let record = record.map_err(|why| fail(&why))?;
             for (column, cell) in columns.iter_mut().zip(&record) {
-                let line = column.values.len() + 2;
+                let line = record.position().map_or(0, csv::Position::line);
                 let value = cell.parse().map_err(|_| fail(&format!("line {line}: `{cell}` is not a number")))?;
                 column.values.push(value);
             }
         }
         let directory = file.parent().and_then(Path::file_name).unwrap_or(file.as_os_str());
-        Ok(Stored { name: directory.to_string_lossy().into_owned(), columns })
+        let provenance = identity::provenance(file.parent().unwrap_or(Path::new("")));
+        Ok(Stored { name: directory.to_string_lossy().into_owned(), columns, provenance })
     }
 
     /// A column by name.
@@ -67,6 +70,21 @@ impl StoredColumn {
     /// `name [unit]`.
     pub(in crate::cli) fn header(&self) -> String {
         format!("{} [{}]", self.name, self.unit)
+    }
+}
+
+/// Where a figure of these runs comes from: of this command, and of what they have in common.
+pub(in crate::cli) fn provenance_of(runs: &[Stored]) -> Provenance {
+    let common = |of: fn(&Provenance) -> &Option<String>| {
+        let mut values = runs.iter().map(|run| of(&run.provenance));
+        values.next().filter(|first| values.all(|other| other == *first)).cloned().flatten()
+    };
+    let names: Vec<&str> = runs.iter().filter_map(|run| run.provenance.run.as_deref()).collect();
+    Provenance {
+        model: common(|of| &of.model),
+        declaration: common(|of| &of.declaration),
+        command: Some(asked::command()),
+        run: (!names.is_empty()).then(|| names.join(", ")),
     }
 }
 

@@ -1,11 +1,11 @@
 //! The files that a command writes.
 
-use crate::cli::arguments::Voice;
+use crate::cli::arguments::{Voice, WrittenArguments};
 use crate::cli::files::folder;
-use crate::cli::files::identity::{self, RUN};
+use crate::cli::files::identity::{self, PROVENANCE, RUN};
 use crate::cli::{Stop, print};
 use crate::output::show::{Figures, ShowError};
-use crate::{Format, Table, write_table};
+use crate::{Format, Table, write_commented_csv, write_table};
 use serde_json::Value;
 use sim_kernel::Description;
 use std::path::{Path, PathBuf};
@@ -44,11 +44,12 @@ impl Files {
         }
     }
 
-    /// Writes a table in these formats.
-    pub(in crate::cli) fn add_table(&mut self, table: &Table, formats: &[Format]) {
-        for format in Format::ALL.iter().filter(|format| formats.contains(format)) {
-            self.add(&format!("trajectory.{}", format.name()), |path| {
-                write_table(table, *format, path.parent().unwrap_or(path)).map(|_| ())
+    /// Writes a table in all formats that are asked for.
+    pub(in crate::cli) fn add_table(&mut self, table: &Table, written: &WrittenArguments) {
+        for format in Format::ALL.iter().filter(|format| written.format.contains(format)) {
+            self.add(&format!("trajectory.{}", format.name()), |path| match format {
+                Format::Csv if written.csv_comments => write_commented_csv(table, path),
+                _ => write_table(table, *format, path.parent().unwrap_or(path)).map(|_| ()),
             });
         }
     }
@@ -84,13 +85,16 @@ impl Files {
         self.failures.push(failure.to_string());
     }
 
-    /// Names a run by its table and these values, which carry the name from here on.
-    pub(in crate::cli) fn name_run(table: &Table, values: &mut [&mut Value]) -> Value {
-        let run = Value::from(identity::of_run(table, &values.iter().map(|value| &**value).collect::<Vec<_>>()));
+    /// Names a run by its table and these values. From here on they bear the name, and say where they come from: of this
+    /// command.
+    pub(in crate::cli) fn name_run(table: &mut Table, command: String, values: &mut [&mut Value]) {
+        let run = identity::of_run(table, &values.iter().map(|value| &**value).collect::<Vec<_>>());
+        table.provenance.command = Some(command);
+        table.provenance.run = Some(run.clone());
         for object in values.iter_mut().filter_map(|value| value.as_object_mut()) {
-            object.shift_insert(0, RUN.to_owned(), run.clone());
+            object.shift_insert(0, RUN.to_owned(), run.clone().into());
+            object.insert(PROVENANCE.to_owned(), table.provenance.to_json());
         }
-        run
     }
 
     /// Moves all files to their places, with `summary.json`, which lists them. Only then are earlier ones removed.

@@ -5,6 +5,7 @@
 use crate::output::whole::whole;
 use crate::output::write::WriteError;
 use crate::record::table::{Column, Table};
+use crate::state::provenance::Provenance;
 #[cfg(feature = "cli")]
 use nalgebra::DMatrix;
 use std::io::{BufWriter, Error, Result, Seek, SeekFrom, Write};
@@ -28,32 +29,39 @@ pub(super) fn write_npy(table: &Table, path: &Path) -> std::result::Result<(), W
     written.map_err(|why| WriteError::new(path, why))
 }
 
-/// An archive with an array for each column: `numpy.load(path)["alpha"]`.
+/// An archive with an array for each column: `numpy.load(path)["alpha"]`. Where it comes from is the archive's comment, as JSON:
+/// `zipfile.ZipFile(path).comment`.
 pub(super) fn write_npz(table: &Table, path: &Path) -> std::result::Result<(), WriteError> {
     let columns =
         table.columns.iter().map(|column| (column.name.as_str(), vec![column.values.len()], column.values.as_slice()));
-    write_archive(columns, path)
+    write_archive(columns, &table.provenance, path)
 }
 
 /// An archive with these matrices: `numpy.load(path)["A"]`.
 #[cfg(feature = "cli")]
-pub(crate) fn write_matrices(matrices: &[(&str, &DMatrix<f64>)], path: &Path) -> std::result::Result<(), WriteError> {
+pub(crate) fn write_matrices(
+    matrices: &[(&str, &DMatrix<f64>)],
+    provenance: &Provenance,
+    path: &Path,
+) -> std::result::Result<(), WriteError> {
     // nalgebra's matrices are stored by columns, NumPy's by rows.
     let rows: Vec<DMatrix<f64>> = matrices.iter().map(|(_, matrix)| matrix.transpose()).collect();
     let arrays = matrices.iter().zip(&rows);
     write_archive(
         arrays.map(|((name, matrix), rows)| (*name, vec![matrix.nrows(), matrix.ncols()], rows.as_slice())),
+        provenance,
         path,
     )
 }
 
 fn write_archive<'a>(
     arrays: impl Iterator<Item = (&'a str, Vec<usize>, &'a [f64])>,
+    provenance: &Provenance,
     path: &Path,
 ) -> std::result::Result<(), WriteError> {
     let written = whole(path, |file| -> Result<()> {
         let mut out = KeepsError { inner: BufWriter::new(file), error: None, position: 0 };
-        let written = archive(arrays, &mut out);
+        let written = archive(arrays, &provenance.to_json().to_string(), &mut out);
         out.error.map_or(written, Err)
     });
     written.map_err(|why| WriteError::new(path, why))
@@ -102,12 +110,20 @@ impl<W: Seek> Seek for KeepsError<W> {
     }
 }
 
-fn archive<'a>(arrays: impl Iterator<Item = (&'a str, Vec<usize>, &'a [f64])>, out: impl Write + Seek) -> Result<()> {
+fn archive<'a>(
+    arrays: impl Iterator<Item = (&'a str, Vec<usize>, &'a [f64])>,
+    comment: &str,
+    out: impl Write + Seek,
+) -> Result<()> {
     // Stored, as numpy.savez does, and without the time of day: the same table gives the same bytes.
     let stored = SimpleFileOptions::default()
         .compression_method(CompressionMethod::Stored)
         .last_modified_time(DateTime::default());
     let mut archive = ZipWriter::new(out);
+    // More than this an archive cannot say.
+    if comment.len() <= usize::from(u16::MAX) {
+        archive.set_comment(comment)?;
+    }
     for (name, shape, values) in arrays {
         let stored = stored.large_file(8 * values.len() > u32::MAX as usize / 2);
         archive.start_file(format!("{name}.npy"), stored)?;

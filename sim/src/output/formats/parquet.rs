@@ -14,7 +14,7 @@ use parquet::schema::types::Type;
 use std::path::Path;
 use std::sync::Arc;
 
-/// A column of doubles for each of the table's, and `unit:NAME` for each in the file's metadata.
+/// A column of doubles for each of the table's; in the file's metadata `unit:NAME` for each, and `provenance`, as JSON.
 pub(super) fn write(table: &Table, path: &Path) -> std::result::Result<(), WriteError> {
     let written = whole(path, |file| -> Result<()> {
         let columns = table.columns.iter().map(|column| {
@@ -24,8 +24,10 @@ pub(super) fn write(table: &Table, path: &Path) -> std::result::Result<(), Write
         let columns: Result<Vec<_>> = columns.collect();
         let schema = Arc::new(Type::group_type_builder("trajectory").with_fields(columns?).build()?);
         let unit = |name: &str, unit: &str| KeyValue::new(format!("unit:{name}"), unit.to_owned());
-        let units = table.columns.iter().map(|column| unit(&column.name, &column.unit)).collect();
-        let properties = WriterProperties::builder().set_key_value_metadata(Some(units)).build();
+        let units = table.columns.iter().map(|column| unit(&column.name, &column.unit));
+        let provenance = KeyValue::new("provenance".to_owned(), table.provenance.to_json().to_string());
+        let metadata = units.chain([provenance]).collect();
+        let properties = WriterProperties::builder().set_key_value_metadata(Some(metadata)).build();
         let mut writer = SerializedFileWriter::new(file, schema, Arc::new(properties))?;
         let mut rows = writer.next_row_group()?;
         for column in &table.columns {
@@ -65,6 +67,8 @@ mod tests {
         std::fs::remove_file(&path).unwrap();
         let units = reader.metadata().file_metadata().key_value_metadata().unwrap();
         assert!(units.iter().any(|unit| unit.key == "unit:x" && unit.value.as_deref() == Some("mm")));
+        let provenance = table.provenance.to_json().to_string();
+        assert!(units.iter().any(|entry| entry.key == "provenance" && entry.value.as_ref() == Some(&provenance)));
         for (i, row) in reader.get_row_iter(None).unwrap().enumerate() {
             use parquet::record::RowAccessor;
             let row = row.unwrap();

@@ -1,7 +1,8 @@
 //! The figures of a run: one for each group of outputs, and the mechanism in several positions.
 
-use super::{Curve, Plot, Pose, ShowError, Size, mechanism_of_size, panels};
+use super::{Curve, Plot, Pose, ShowError, Size, mechanism_of_size, panels_with};
 use crate::output::outcome::{Outcome, Recorded, Row};
+use crate::state::provenance::Provenance;
 use crate::{Column, Run, Table};
 use sim_kernel::{Description, Figure, Mechanism};
 use std::ops::Range;
@@ -46,7 +47,7 @@ pub(crate) fn figures_of(
     let mut figures = draw_outputs(description, table, ("time [s]", table.times()), directory, size);
     if !description.drawing.is_empty() {
         let (name, rows) = (name_beside_groups(description, "mechanism"), chosen(run, outcome, table.times()));
-        figures.add(&name, draw_mechanism(description, &rows, directory, &name, size));
+        figures.add(&name, draw_mechanism(description, &rows, directory, &name, size, &table.provenance));
     }
     figures
 }
@@ -72,7 +73,7 @@ pub(super) fn draw_outputs(
         let columns: Vec<&Column> = group.iter().map(|(column, _)| *column).collect();
         let y_label = y_label(figure.name, &columns, &labels);
         let shown = Plot { title: figure.title, x_label, y_label: &y_label, x, curves: curves.collect() };
-        figures.add(figure.name, panels(&[shown], size, directory, figure.name));
+        figures.add(figure.name, panels_with(&[shown], size, directory, figure.name, &table.provenance));
     }
     figures
 }
@@ -119,13 +120,14 @@ pub(super) fn draw_mechanism(
     directory: &Path,
     name: &str,
     size: Size,
+    provenance: &Provenance,
 ) -> Result<(), ShowError> {
     let poses: Vec<Pose> = rows.iter().map(|row| Pose { numbers: &row.drawing, time: row.time }).collect();
     let title = match poses.len() {
         1 => description.type_name.to_owned(),
         n => format!("{} in {n} positions", description.type_name),
     };
-    mechanism_of_size(&title, super::Shapes::of(description), &poses, size, directory, name)
+    mechanism_of_size(&title, super::Shapes::of(description), &poses, size, directory, name, provenance)
 }
 
 /// The samples at equal times through the period, or where positions differ most, in the order of time.

@@ -2,13 +2,11 @@
 //! page on which it moves.
 //!
 //! A figure is first laid out as a scene in logical pixels. The scene is written as SVG with real text, and the
-//! PNG is that SVG rendered with two pixels to a logical one. The same input gives the same bytes.
-//!
-//! SVG and PNG come from this one scene, and the one font both measures and draws the labels, because plotting
-//! libraries place text differently in their backends.
+//! PNG is that SVG rendered with two pixels to a logical one. Both say where they come from. The same input gives the same bytes.
 
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
+mod chunks;
 mod dash;
 mod decimate;
 mod error;
@@ -33,6 +31,7 @@ mod vectors;
 mod view;
 
 use crate::output::whole::whole_bytes;
+use crate::state::provenance::Provenance;
 use std::fs;
 use std::path::Path;
 
@@ -116,7 +115,18 @@ pub fn plot(plot: &Plot, directory: &Path, name: &str) -> Result<(), ShowError> 
 ///
 /// As [`plot`], and if there is no room for so many.
 pub fn panels(plots: &[Plot], size: Size, directory: &Path, name: &str) -> Result<(), ShowError> {
-    save(&plot::scene(plots, size, name)?, directory, name)
+    panels_with(plots, size, directory, name, &Provenance::default())
+}
+
+/// The same of which more is known than the program.
+pub(crate) fn panels_with(
+    plots: &[Plot],
+    size: Size,
+    directory: &Path,
+    name: &str,
+    provenance: &Provenance,
+) -> Result<(), ShowError> {
+    save(&plot::scene(plots, size, name)?, directory, name, provenance)
 }
 
 /// Writes the mechanism in several positions to `NAME.svg` and `NAME.png` in the directory, which is created if
@@ -126,10 +136,10 @@ pub fn panels(plots: &[Plot], size: Size, directory: &Path, name: &str) -> Resul
 ///
 /// There is nothing to show, a pose has too few or too many numbers, or a file cannot be written.
 pub fn mechanism(title: &str, shapes: Shapes, poses: &[Pose], directory: &Path, name: &str) -> Result<(), ShowError> {
-    mechanism_of_size(title, shapes, poses, Size::default(), directory, name)
+    mechanism_of_size(title, shapes, poses, Size::default(), directory, name, &Provenance::default())
 }
 
-/// The same on a sheet of about this size.
+/// The same on a sheet of about this size, of which more is known than the program.
 fn mechanism_of_size(
     title: &str,
     shapes: Shapes,
@@ -137,15 +147,16 @@ fn mechanism_of_size(
     size: Size,
     directory: &Path,
     name: &str,
+    provenance: &Provenance,
 ) -> Result<(), ShowError> {
-    save(&mechanism::scene(title, shapes, poses, size, name)?, directory, name)
+    save(&mechanism::scene(title, shapes, poses, size, name)?, directory, name, provenance)
 }
 
 /// Writes a scene in both formats.
-fn save(scene: &Scene, directory: &Path, name: &str) -> Result<(), ShowError> {
-    let document = svg::document(scene);
+fn save(scene: &Scene, directory: &Path, name: &str, provenance: &Provenance) -> Result<(), ShowError> {
+    let document = svg::document(scene, provenance);
     fs::create_dir_all(directory).map_err(|why| ShowError::write(directory, why))?;
     let path = directory.join(format!("{name}.svg"));
     whole_bytes(&path, document.as_bytes()).map_err(|why| ShowError::write(&path, why))?;
-    png::write(scene, &directory.join(format!("{name}.png")))
+    png::write(scene, provenance, &directory.join(format!("{name}.png")))
 }

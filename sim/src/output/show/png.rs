@@ -5,19 +5,21 @@ use std::path::Path;
 use tiny_skia::{FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, Stroke, Transform};
 
 use super::ShowError;
+use super::chunks::with_provenance;
 use super::font::Font;
 use super::palette::{Colour, WHITE};
 use super::scene::{Anchor, Label, Mark, Point, Scene};
 use crate::output::whole::whole_bytes;
+use crate::state::provenance::Provenance;
 
 /// Pixels to a logical pixel.
 const SCALE: f64 = 2.0;
 
 /// Draws a scene and writes it to the file.
-pub(super) fn write(scene: &Scene, path: &Path) -> Result<(), ShowError> {
+pub(super) fn write(scene: &Scene, provenance: &Provenance, path: &Path) -> Result<(), ShowError> {
     let sheet = draw(scene, Font::get()?)?;
     let bytes = sheet.encode_png().map_err(|why| ShowError::Draw(why.to_string()))?;
-    whole_bytes(path, &bytes).map_err(|why| ShowError::write(path, why))
+    whole_bytes(path, &with_provenance(bytes, provenance)).map_err(|why| ShowError::write(path, why))
 }
 
 fn draw(scene: &Scene, font: &Font) -> Result<Pixmap, ShowError> {

@@ -1,20 +1,27 @@
 //! The figures of a Poincaré section: speed against position of each coordinate, a dot for each crossing.
 
 use super::figures::{Figures, label};
-use super::{Curve, Plot, Size, panels};
+use super::{Curve, Plot, Size, panels_with};
 use crate::model::At;
-use crate::{Driven, Section};
+use crate::state::provenance::Provenance;
+use crate::{Driven, Section, Table};
 use sim_kernel::{Description, Mechanism};
 use std::f64::consts::TAU;
 use std::path::Path;
 
-/// Draws `section_NAME` for each coordinate into a directory. Angles are within half a turn of the first.
-pub fn section_figures<M: Mechanism>(found: &Section<M>, directory: &Path, size: Size) -> Figures {
+/// Draws `section_NAME` for each coordinate into a directory; the figures come from where the table does. Angles are within half a turn of the first.
+pub fn section_figures<M: Mechanism>(found: &Section<M>, table: &Table, directory: &Path, size: Size) -> Figures {
     let samples: Vec<At<f64>> = found.trajectory.samples.iter().map(At::sample).collect();
-    draw(const { &M::DESCRIPTION }, &samples, directory, size)
+    draw(const { &M::DESCRIPTION }, &samples, directory, size, &table.provenance)
 }
 
-fn draw(description: &'static Description, samples: &[At<f64>], directory: &Path, size: Size) -> Figures {
+fn draw(
+    description: &'static Description,
+    samples: &[At<f64>],
+    directory: &Path,
+    size: Size,
+    provenance: &Provenance,
+) -> Figures {
     let mut figures = Figures::default();
     let Some(first) = samples.first() else { return figures };
     for (j, c) in description.coordinates.iter().enumerate() {
@@ -33,7 +40,7 @@ fn draw(description: &'static Description, samples: &[At<f64>], directory: &Path
         let curves = vec![Curve { label: c.speed.name, values }];
         let shown = Plot { title: "Poincaré section", x_label: &x_label, y_label: &y_label, x: &x, curves };
         let name = format!("section_{}", c.position.name);
-        figures.add(&name, panels(&[shown], size, directory, &name));
+        figures.add(&name, panels_with(&[shown], size, directory, &name, provenance));
     }
     figures
 }

@@ -4,14 +4,17 @@ use std::fmt::{self, Write};
 
 use super::palette::{Colour, WHITE};
 use super::scene::{Anchor, Label, Mark, Point, Scene};
+use crate::state::provenance::Provenance;
 
-/// The document.
-pub(super) fn document(scene: &Scene) -> String {
+/// The document; where it comes from is its metadata, as JSON.
+pub(super) fn document(scene: &Scene, provenance: &Provenance) -> String {
     let (width, height) = (scene.width, scene.height);
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
          viewBox=\"0 0 {width} {height}\" fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\" \
-         font-family=\"Roboto, sans-serif\">\n<rect width=\"{width}\" height=\"{height}\" fill=\"{WHITE}\"/>\n"
+         font-family=\"Roboto, sans-serif\">\n<metadata>{}</metadata>\n\
+         <rect width=\"{width}\" height=\"{height}\" fill=\"{WHITE}\"/>\n",
+        escaped(&provenance.to_json().to_string())
     );
     for mark in &scene.marks {
         // Writing to a string does not fail.
@@ -93,7 +96,7 @@ mod tests {
     use super::*;
 
     fn lines(scene: &Scene) -> Vec<String> {
-        document(scene).lines().skip(2).map(str::to_owned).collect()
+        document(scene, &Provenance::default()).lines().skip(3).map(str::to_owned).collect()
     }
 
     #[test]
@@ -117,6 +120,10 @@ mod tests {
         let written = lines(&scene);
         assert!(written[0].starts_with("<text x=\"5\" y=\"20\" transform=\"rotate(-90 5 20)\" text-anchor=\"end\""));
         assert!(written[0].ends_with(">a&lt;b &amp; \"c\" \u{fffd}&gt;</text>"), "{written:?}");
-        roxmltree::Document::parse(&document(&scene)).unwrap();
+        let provenance = Provenance { command: Some("sim plot --title 'a<b & \"c\"'".into()), ..Provenance::default() };
+        let text = document(&scene, &provenance);
+        let read = roxmltree::Document::parse(&text).unwrap();
+        let metadata = read.descendants().find(|node| node.has_tag_name("metadata")).and_then(|node| node.text());
+        assert_eq!(serde_json::from_str::<serde_json::Value>(metadata.unwrap()).unwrap(), provenance.to_json());
     }
 }

@@ -1,8 +1,9 @@
 //! The figures of a sweep: all quantities against the driven one.
 
 use super::figures::{Figures, POSES, draw_mechanism, draw_outputs, label, name_beside_groups};
-use super::{Curve, Plot, ShowError, Size, panels};
+use super::{Curve, Plot, ShowError, Size, panels_with};
 use crate::output::outcome::Row;
+use crate::state::provenance::Provenance;
 use crate::{Column, Driven, Kinematics, Table};
 use sim_kernel::{Description, Mechanism};
 use std::path::Path;
@@ -40,7 +41,7 @@ fn draw(
         let columns: Vec<&Column> = columns.into_iter().take(MOST_PANELS).collect();
         if !columns.is_empty() {
             let name = name_beside_groups(description, name);
-            figures.add(&name, stacked(title, &columns, abscissa, directory, &name, size));
+            figures.add(&name, stacked(title, &columns, abscissa, directory, &name, size, &table.provenance));
         }
     };
     add("drive", "What the drive exerts", columns("drive_"));
@@ -48,7 +49,7 @@ fn draw(
     add("ratios", &format!("Ratios of rates to that of {}", driven.name), columns("ratio_"));
     if !poses.is_empty() {
         let name = name_beside_groups(description, "mechanism");
-        figures.add(&name, draw_mechanism(description, poses, directory, &name, size));
+        figures.add(&name, draw_mechanism(description, poses, directory, &name, size, &table.provenance));
     }
     figures
 }
@@ -61,6 +62,7 @@ fn stacked(
     directory: &Path,
     name: &str,
     size: Size,
+    provenance: &Provenance,
 ) -> Result<(), ShowError> {
     let labels: Vec<String> = columns.iter().map(|column| column.header()).collect();
     let plots: Vec<Plot> = columns
@@ -71,7 +73,7 @@ fn stacked(
             Plot { title, x_label, y_label: label, x, curves }
         })
         .collect();
-    panels(&plots, size, directory, name)
+    panels_with(&plots, size, directory, name, provenance)
 }
 
 /// Samples at equal intervals, without the last of a whole turn.

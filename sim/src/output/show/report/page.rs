@@ -6,6 +6,7 @@ use super::html::{escaped, number};
 use super::tables::tables;
 use crate::Table;
 use crate::output::outcome::{Outcome, Recorded};
+use crate::state::provenance::Provenance;
 use sim_kernel::Description;
 
 const TEMPLATE: &str = include_str!("../../../../assets/report/page.html");
@@ -40,13 +41,24 @@ pub(super) fn page(run: &dyn Recorded, outcome: &Outcome, table: &Table, about: 
         "tables" => tables(outcome, about.summary),
         "equations" => equations(description),
         "reproduce" => reproduce(description, about),
-        "footer" => format!("Linkwright {}. Plots by uPlot 1.6, under the MIT licence.", env!("CARGO_PKG_VERSION")),
+        "generator" => escaped(&Provenance::program()),
+        "provenance" => escaped(&table.provenance.to_json().to_string()),
+        "footer" => footer(&table.provenance),
         // Within a script element only its end tag must not occur.
         "data" => data(run, outcome, table).to_string().replace("</", "<\\/"),
         "uplot" => format!("/*!\n{UPLOT_LICENSE}*/\n{UPLOT}"),
         "script" => format!("(() => {{\n\"use strict\";\n{}}})();", SCRIPT.concat()),
         other => other.to_owned(),
     })
+}
+
+/// What made the page, of what, and which run it is; the command stands above.
+fn footer(provenance: &Provenance) -> String {
+    let mut footer = escaped(&Provenance::program());
+    for (name, text) in [("declaration", &provenance.declaration), ("run", &provenance.run)] {
+        footer += &text.as_ref().map_or(String::new(), |text| format!("; {name} <code>{}</code>", escaped(text)));
+    }
+    footer + ". Plots by uPlot 1.6, under the MIT licence."
 }
 
 /// The template with each `{{slot}}` replaced; inserted text is not processed again.
