@@ -4,7 +4,7 @@ use super::ShowError;
 use super::dash::dashes;
 use super::palette::{AXIS, Colour, GRID, INK, ZERO};
 use super::scene::{Anchor, Label, Point, Scene, fit, most_room, room};
-use super::ticks::Axis;
+use super::ticks::{Axis, FEW, Round};
 
 const TITLE: f64 = 20.0;
 const NAME: f64 = 17.0;
@@ -147,17 +147,26 @@ impl Legend {
     }
 }
 
-/// The least distance of ticks, in numbers, on a level axis of this range and width: their labels do not touch.
-pub(super) fn apart(range: (f64, f64), width: f64) -> Result<f64, ShowError> {
+/// The least distance of ticks, in numbers, on a level axis of this range and width: their labels do not touch, and they are a
+/// few, if there is room for them.
+pub(super) fn apart(range: (f64, f64), width: f64, round: Round) -> Result<f64, ShowError> {
     let unit = (range.1 - range.0) / width;
-    for least in [60.0, 80.0, 110.0, 150.0, 200.0] {
-        let axis = Axis::new(range, least * unit);
-        let labels = most_room(axis.ticks.iter().map(|tick| tick.label.as_str()), NUMBER)?;
-        if axis.ticks.windows(2).all(|pair| pair[1].at - pair[0].at >= (labels + 14.0) * unit) {
+    // The usual distances, wider ones for long labels, nearer ones on short axes.
+    let mut most: Option<(usize, f64)> = None;
+    for least in [60.0, 80.0, 110.0, 150.0, 200.0, 50.0, 40.0, 30.0] {
+        let ticks = Axis::new(range, least * unit, round).ticks;
+        let labels = most_room(ticks.iter().map(|tick| tick.label.as_str()), NUMBER)?;
+        if ticks.windows(2).any(|pair| pair[1].at - pair[0].at < (labels + 14.0) * unit) {
+            continue;
+        }
+        if ticks.len() >= FEW {
             return Ok(least * unit);
         }
+        if most.is_none_or(|(count, _)| ticks.len() > count) {
+            most = Some((ticks.len(), least));
+        }
     }
-    Ok(300.0 * unit)
+    Ok(most.map_or(300.0, |(_, least)| least) * unit)
 }
 
 /// The room left of the data area.

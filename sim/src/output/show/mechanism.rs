@@ -5,7 +5,7 @@ use super::palette::{AXIS, INK};
 use super::parts::{Part, Placed, Shapes, placed};
 use super::scene::{Point, Scene};
 use super::text::{times, typeset};
-use super::ticks::Axis;
+use super::ticks::{Axis, FEW, Round};
 use super::{Pose, ShowError, Size, symbols};
 
 /// The largest data area, as parts of a figure's width and height.
@@ -16,6 +16,8 @@ const LEAST: f64 = 300.0;
 const MOST_TIMES: usize = 10;
 /// Around what stands in space.
 const MARGIN: f64 = 14.0;
+/// The distance of ticks of the ordinate, and the least, where those of the abscissa would be few.
+const TICKS: (f64, f64) = (60.0, 20.0);
 /// The height of the strip below it.
 const FOOT: f64 = 60.0;
 
@@ -28,8 +30,10 @@ pub(super) fn scene(title: &str, shapes: Shapes, poses: &[Pose], size: Size, nam
         return spatial(&title, poses, &placed, (x_range, y_range, scale));
     }
     let (width, height) = ((x_range.1 - x_range.0) * scale, (y_range.1 - y_range.0) * scale);
-    let distance = apart(x_range, width)?;
-    let (x, y) = (Axis::new(x_range, distance), Axis::new(y_range, distance));
+    let distance = apart(x_range, width, Round::Decimals)?;
+    let x = Axis::new(x_range, distance, Round::Decimals);
+    let y = Axis::new(y_range, distance, Round::Decimals);
+    let y = if y.ticks.len() < FEW { Axis::fitted(y_range, height, TICKS, Round::Decimals) } else { y };
 
     let legend = Legend::new(entries(poses, &placed), Some("t [s]"), height)?;
     let (left, top) = (left_room(&y)?, top_room(&title, &y));

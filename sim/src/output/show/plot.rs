@@ -5,15 +5,15 @@ use super::frame::{Entry, Frame, Legend, Names, Style, apart, bottom_room, left_
 use super::palette::{round, series};
 use super::scene::{Point, Scene};
 use super::text::typeset;
-use super::ticks::{Axis, padded, range, shown};
+use super::ticks::{Axis, Round, padded, range, shown};
 use super::{Plot, ShowError, Size};
 
 /// The width of curves.
 const STROKE: f64 = 2.0;
 /// The width of columns in which curves are thinned out: half a logical pixel.
 const COLUMN: f64 = 0.5;
-/// The least distance of ticks of the ordinate.
-const APART: f64 = 42.0;
+/// The distance of ticks of the ordinate, and the least where they would be few.
+const TICKS: (f64, f64) = (42.0, 20.0);
 /// From one panel to the next.
 const GAP: f64 = 22.0;
 /// Curves longer than this are not broken: they would be all pieces.
@@ -34,8 +34,8 @@ pub(super) fn scene(panels: &[Plot], size: Size, name: &str) -> Result<Scene, Sh
         return Err(ShowError::Draw(format!("{} panels need a figure higher than {}", panels.len(), size.height)));
     }
     // Whether there is a note above, which depends on the ticks, takes little room from them.
-    let axes: Vec<Axis> =
-        y_ranges.iter().map(|range| Axis::new(*range, APART.min(share / 2.0) / share * (range.1 - range.0))).collect();
+    let axis = |(range, panel): (&Point, &Plot)| Axis::fitted(*range, share, TICKS, Round::of(&names(panel).1));
+    let axes: Vec<Axis> = y_ranges.iter().zip(panels).map(axis).collect();
     let legends: Vec<Legend> = panels
         .iter()
         .map(|panel| match panels.len() {
@@ -45,7 +45,9 @@ pub(super) fn scene(panels: &[Plot], size: Size, name: &str) -> Result<Scene, Sh
         .collect::<Result<_, _>>()?;
     let left = axes.iter().map(left_room).try_fold(0.0, |most: f64, room| room.map(|room| most.max(room)))?;
     let widest = size.width - left - legends.iter().map(Legend::width).fold(0.0, f64::max);
-    let x = Axis::new(x_range, apart(x_range, widest - 30.0)?);
+    let x_name = names(last).0;
+    let round = Round::of(&x_name);
+    let x = Axis::new(x_range, apart(x_range, widest - 30.0, round)?, round);
     let right = left + widest - right_room(&x)?;
     let notes: Vec<f64> = axes.iter().map(|axis| top_room("", axis) - top_room("", &axis.without_note())).collect();
     let first_top = top_room(&title, &axes[0]);
@@ -56,7 +58,6 @@ pub(super) fn scene(panels: &[Plot], size: Size, name: &str) -> Result<Scene, Sh
     let below = if panels.len() == 1 { legends[0].height(size.width) } else { 0.0 };
     let mut scene = Scene::new(size.width, size.height + below);
     let mut top = first_top;
-    let x_name = names(last).0;
     for (index, (panel, y)) in panels.iter().zip(axes).enumerate() {
         let is_last = index + 1 == panels.len();
         let x = if is_last { x.clone() } else { x.without_labels() };
