@@ -35,12 +35,12 @@ pub(super) fn scene(title: &str, shapes: Shapes, poses: &[Pose], size: Size, nam
     let y = Axis::new(y_range, distance, Round::Decimals);
     let y = if y.ticks.len() < FEW { Axis::fitted(y_range, height, TICKS, Round::Decimals) } else { y };
 
-    let legend = Legend::new(entries(poses, &placed), Some("t [s]"), height)?;
-    let (left, top) = (left_room(&y)?, top_room(&title, &y));
+    let legend = Legend::new(entries(poses, &placed), Some("t [s]".to_owned()), height)?;
+    let (left, top) = (left_room(&y, true)?, top_room(&title, y.note.is_some()));
     let sheet = left + width + right_room(&x)? + legend.width();
     let frame = Frame { left, right: left + width, top, bottom: top + height, x, y, zero: false };
     let mut scene = Scene::new(sheet.ceil(), (frame.bottom + bottom_room() + legend.height(sheet.ceil())).ceil());
-    frame.draw(&mut scene, &Names { title: &title, x: "x [m]", y: "y [m]" })?;
+    frame.draw(&mut scene, &Names { title: &title, x: "x [m]", y: "y [m]", above: false })?;
     draw(&mut scene, &frame, scale, &placed);
     legend.draw(&mut scene, &frame)?;
     Ok(scene)
@@ -55,8 +55,8 @@ fn spatial(
 ) -> Result<Scene, ShowError> {
     let (width, height) = ((x_range.1 - x_range.0) * scale, (y_range.1 - y_range.0) * scale);
     let (x, y) = (Axis::bare(x_range), Axis::bare(y_range));
-    let legend = Legend::new(entries(poses, placed), Some("t [s]"), height)?;
-    let (left, top) = (MARGIN, top_room(title, &y));
+    let legend = Legend::new(entries(poses, placed), Some("t [s]".to_owned()), height)?;
+    let (left, top) = (MARGIN, top_room(title, false));
     let sheet = left + width + MARGIN + legend.width();
     let frame = Frame { left, right: left + width, top, bottom: top + height, x, y, zero: false };
     let foot = frame.bottom + FOOT;

@@ -12,6 +12,8 @@ mod error;
 mod figures;
 mod font;
 mod frame;
+#[cfg(test)]
+mod layout;
 mod mechanism;
 mod names;
 mod palette;
@@ -108,11 +110,11 @@ pub fn plot(plot: &Plot, directory: &Path, name: &str) -> Result<(), ShowError> 
 }
 
 /// Writes plots below each other, over one abscissa, to `NAME.svg` and `NAME.png` in the directory, which is made if
-/// need be. The abscissa is named as the last plot says.
+/// need be. The abscissa is named as the last plot says. Where so many need it, the figure is higher than its size says.
 ///
 /// # Errors
 ///
-/// As [`plot`], and if there is no room for so many.
+/// As [`plot`].
 pub fn panels(plots: &[Plot], size: Size, directory: &Path, name: &str) -> Result<(), ShowError> {
     save(&plot::scene(plots, size, name)?, directory, name)
 }

@@ -54,11 +54,6 @@ impl Axis {
         let ticks = self.ticks.iter().map(|tick| Tick { at: tick.at, label: String::new() }).collect();
         Axis { ticks, note: None, ..*self }
     }
-
-    /// The same ticks with labels as if they were not multiplied.
-    pub(super) fn without_note(&self) -> Axis {
-        Axis { note: None, ..self.clone() }
-    }
 }
 
 /// A tick.

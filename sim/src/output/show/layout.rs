@@ -1,0 +1,117 @@
+//! What every figure has to be: labels apart and on the sheet, a few ticks, units.
+
+use super::font::Font;
+use super::palette::AXIS;
+use super::scene::{Anchor, Label, Mark, Scene};
+use super::{Curve, Plot, Size, plot};
+
+/// Left, top, right, bottom.
+type Bounds = (f64, f64, f64, f64);
+
+fn labels(scene: &Scene) -> Vec<&Label> {
+    scene.marks.iter().filter_map(|mark| if let Mark::Label(label) = mark { Some(label) } else { None }).collect()
+}
+
+/// From below the base line to the top of capitals.
+fn reach(label: &Label) -> Bounds {
+    let width = Font::get().unwrap().width(&label.text) * label.size;
+    let before = match label.anchor {
+        Anchor::Start => 0.0,
+        Anchor::Middle => width / 2.0,
+        Anchor::End => width,
+    };
+    let ((x, y), above, below) = (label.at, 0.72 * label.size, 0.2 * label.size);
+    match label.upwards {
+        true => (x - above, y - width + before, x + below, y + before),
+        false => (x - before, y - above, x - before + width, y + below),
+    }
+}
+
+fn assert_apart(scene: &Scene, what: &str) {
+    let labels = labels(scene);
+    for (index, label) in labels.iter().enumerate() {
+        let (left, top, right, bottom) = reach(label);
+        let inside = left >= 0.0 && top >= 0.0 && right <= scene.width && bottom <= scene.height;
+        assert!(inside, "{what}: `{}` leaves the sheet", label.text);
+        for other in &labels[..index] {
+            let (l, t, r, b) = reach(other);
+            let apart = r <= left || right <= l || b <= top || bottom <= t;
+            assert!(apart, "{what}: `{}` lies over `{}`", label.text, other.text);
+        }
+    }
+}
+
+/// Top and bottom of each data area.
+fn panels(scene: &Scene) -> Vec<(f64, f64)> {
+    let corners = scene.marks.iter().filter_map(|mark| match mark {
+        Mark::Line { points, colour, .. } if points.len() == 3 && *colour == AXIS => Some(points),
+        _ => None,
+    });
+    corners.map(|points| (points[0].1, points[1].1)).collect()
+}
+
+/// Labels left of a data area.
+fn ticks(scene: &Scene, (top, bottom): (f64, f64)) -> usize {
+    let is_tick = |label: &&&Label| label.anchor == Anchor::End && label.at.1 >= top && label.at.1 <= bottom + 10.0;
+    labels(scene).iter().filter(is_tick).count()
+}
+
+const NAMES: [&str; 6] = [
+    "angle of the crank [deg]",
+    "x6 [m]",
+    "x6_velocity [m/s]",
+    "x6_acceleration [m/s^2]",
+    "normal_force_slider3 [N]",
+    "the_longest_name_that_anybody_could_think_of_for_an_output [kg*m^2/s^2]",
+];
+
+/// Quantities of all sizes.
+fn wave(index: usize, x: &[f64]) -> Vec<f64> {
+    let (size, middle) = (10_f64.powf(1.7 * index as f64 - 5.0), [0.0, 3.0, -0.4][index % 3]);
+    x.iter().map(|x| size * (middle + (9.0 * x).sin())).collect()
+}
+
+fn stack<'a>(count: usize, x: &'a [f64]) -> Vec<Plot<'a>> {
+    let plot = |index: usize| {
+        let curves =
+            (0..=index % 3 * 3).map(|curve| Curve { label: NAMES[curve % 6], values: wave(index + curve % 2, x) });
+        let title = "Quantities of a mechanism";
+        Plot { title, x_label: "time [s]", y_label: NAMES[index % 6], x, curves: curves.collect() }
+    };
+    (0..count).map(plot).collect()
+}
+
+#[test]
+fn labels_of_stacked_plots_are_apart_and_have_units_and_ticks() {
+    let x: Vec<f64> = (0..=200).map(|step| 0.01 * f64::from(step)).collect();
+    for (width, height) in [(960.0, 540.0), (640.0, 240.0), (2000.0, 300.0), (960.0, 3000.0)] {
+        for count in [1, 2, 3, 5, 8, 12] {
+            let scene = plot::scene(&stack(count, &x), Size { width, height }, "stack").unwrap();
+            let what = format!("{count} on {width} x {height}");
+            assert_apart(&scene, &what);
+            assert!(scene.width == width && scene.height >= height);
+            let panels = panels(&scene);
+            assert_eq!(panels.len(), count);
+            for panel in panels {
+                let least = if panel.1 - panel.0 < 151.0 { 2 } else { 3 };
+                assert!(ticks(&scene, panel) >= least, "{what}: {panel:?}");
+            }
+            let units = ["[deg]", "[m]", "[m/s]", "[m/s²]", "[N]", "[kg·m²/s²]"];
+            let has = |unit: &str| labels(&scene).iter().any(|label| label.text.ends_with(unit));
+            let missing: Vec<&&str> = units.iter().take(count).filter(|unit| !has(unit)).collect();
+            assert!(missing.is_empty(), "{what}: {missing:?}");
+        }
+    }
+}
+
+#[test]
+fn ticks_of_angles_are_parts_of_a_turn() {
+    let x: Vec<f64> = (0..=360).map(f64::from).collect();
+    let curves = vec![Curve { label: "rocker", values: x.iter().map(|x| x / 2.0).collect() }];
+    let plot = Plot { title: "", x_label: "crank [deg]", y_label: "rocker [deg]", x: &x, curves };
+    let scene = plot::scene(&[plot], Size::default(), "angles").unwrap();
+    let found: Vec<&str> = labels(&scene).iter().map(|label| label.text.as_str()).collect();
+    let ticks: Vec<i32> = found.iter().filter_map(|text| text.parse().ok()).collect();
+    assert!(ticks.contains(&90) && ticks.contains(&180) && ticks.contains(&360), "{found:?}");
+    assert!(ticks.iter().all(|tick| [15, 30, 45].iter().any(|part| tick % part == 0)), "{found:?}");
+}
