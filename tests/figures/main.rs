@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use sim::show::{Curve, Plot, Pose, Shapes, ShowError, mechanism, plot};
+use sim::show::{Curve, Plot, Pose, Shapes, ShowError, Size, mechanism, path, plot};
 use sim_kernel::Shape;
 
 fn directory(name: &str) -> PathBuf {
@@ -219,4 +219,39 @@ fn what_stands_in_space_has_a_scale_and_its_axes() {
     let drawn = svg(&directory, "space");
     assert!(drawn.contains(">0.1 m<") && [">x<", ">y<", ">z<"].iter().all(|axis| drawn.contains(axis)));
     assert!(!drawn.contains("x [m]"));
+}
+
+/// Width and height of the lines that are so wide, on the sheet.
+fn extent(svg: &str, stroke: &str) -> (f64, f64) {
+    let lines = svg.lines().filter(|line| line.contains(&format!("stroke-width=\"{stroke}\"")));
+    let places = lines.filter_map(|line| line.split('"').nth(1)).flat_map(|points| points.split(' '));
+    let points: Vec<(f64, f64)> = places
+        .map(|place| place.split_once(',').unwrap())
+        .map(|(x, y)| (x.parse().unwrap(), y.parse().unwrap()))
+        .collect();
+    range(&points)
+}
+
+/// Width and height of points.
+fn range(points: &[(f64, f64)]) -> (f64, f64) {
+    let extent = |part: fn(&(f64, f64)) -> f64| {
+        let (low, high) = points
+            .iter()
+            .map(part)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+        high - low
+    };
+    (extent(|point| point.0), extent(|point| point.1))
+}
+
+#[test]
+fn a_path_is_drawn_to_one_scale() {
+    let directory = directory("path");
+    let turns: Vec<f64> = (0..=360).map(|turn| f64::from(turn) * PI / 180.0).collect();
+    let x: Vec<f64> = turns.iter().map(|turn| turn.cos()).collect();
+    let curves = vec![curve("y [mm]", &turns, |turn| 1000.0 * turn.sin())];
+    let circle = Plot { title: "", x_label: "x [m]", y_label: "y [mm]", x: &x, curves };
+    path(&circle, 1e-3, Size::default(), &directory, "circle").unwrap();
+    let (width, height) = extent(&svg(&directory, "circle"), "2");
+    assert!((width - height).abs() < 1.0 && height > 300.0, "{width} {height}");
 }

@@ -1,8 +1,8 @@
-//! What every figure has to be: labels apart and on the sheet, a few ticks, units.
+//! What every figure has to be: labels apart and on the sheet, a few ticks, units, equal scales.
 
 use super::font::Font;
-use super::palette::AXIS;
-use super::scene::{Anchor, Label, Mark, Scene};
+use super::palette::{AXIS, series};
+use super::scene::{Anchor, Label, Mark, Point, Scene};
 use super::{Curve, Plot, Size, plot};
 
 /// Left, top, right, bottom.
@@ -114,4 +114,37 @@ fn ticks_of_angles_are_parts_of_a_turn() {
     let ticks: Vec<i32> = found.iter().filter_map(|text| text.parse().ok()).collect();
     assert!(ticks.contains(&90) && ticks.contains(&180) && ticks.contains(&360), "{found:?}");
     assert!(ticks.iter().all(|tick| [15, 30, 45].iter().any(|part| tick % part == 0)), "{found:?}");
+}
+
+/// The extent of what is drawn in the colour of the first curve or link.
+fn extent(scene: &Scene, width: f64) -> Point {
+    let drawn = scene.marks.iter().filter_map(|mark| match mark {
+        Mark::Line { points, width: own, colour } if *colour == series(0) && *own == width => Some(points),
+        _ => None,
+    });
+    let points: Vec<Point> = drawn.flatten().copied().collect();
+    let range = |part: fn(&Point) -> f64| {
+        let values = points.iter().map(part);
+        values.clone().fold(f64::NEG_INFINITY, f64::max) - values.fold(f64::INFINITY, f64::min)
+    };
+    (range(|point| point.0), range(|point| point.1))
+}
+
+/// An ellipse of 3 m by 1000 mm, lying and upright, on sheets of both kinds.
+#[test]
+fn paths_are_to_one_scale() {
+    let turns: Vec<f64> = (0..=720).map(|step| f64::from(step).to_radians() / 2.0).collect();
+    for (width, height) in [(960.0, 540.0), (400.0, 900.0)] {
+        for (a, b) in [(3.0, 1.0), (1.0, 3.0), (1.0, 40.0)] {
+            let x: Vec<f64> = turns.iter().map(|turn| 7.0 + a / 2.0 * turn.cos()).collect();
+            let values = turns.iter().map(|turn| 500.0 * b * turn.sin()).collect();
+            let curves = vec![Curve { label: "y [mm]", values }];
+            let plot = Plot { title: "Path", x_label: "x [m]", y_label: "", x: &x, curves };
+            let scene = plot::path(&plot, 1e-3, Size { width, height }, "path").unwrap();
+            let found = extent(&scene, 2.0);
+            assert!((found.1 * a - found.0 * b).abs() < 1.5 * a.max(b), "{found:?}");
+            assert!(found.0 > 0.6 * (width - 150.0) || found.1 > 0.6 * (height - 150.0), "{found:?}");
+            assert_apart(&scene, "path");
+        }
+    }
 }

@@ -119,6 +119,16 @@ pub fn panels(plots: &[Plot], size: Size, directory: &Path, name: &str) -> Resul
     save(&plot::scene(plots, size, name)?, directory, name)
 }
 
+/// Writes a plot of lengths against a length, both to one scale, as paths of points are drawn, to `NAME.svg` and `NAME.png` in the
+/// directory, which is made if need be. `ratio` is the size of the ordinate's unit by that of the abscissa's.
+///
+/// # Errors
+///
+/// As [`plot`].
+pub fn path(plot: &Plot, ratio: f64, size: Size, directory: &Path, name: &str) -> Result<(), ShowError> {
+    save(&plot::path(plot, ratio, size, name)?, directory, name)
+}
+
 /// Writes the mechanism in several positions to `NAME.svg` and `NAME.png` in the directory, which is made if
 /// need be: the first position strong, later ones fainter, both axes in metres and of equal scale.
 ///

@@ -27,31 +27,56 @@ const LONGEST_BROKEN: f64 = 20_000.0;
 pub(super) fn scene(panels: &[Plot], size: Size, name: &str) -> Result<Scene, ShowError> {
     match panels {
         [] => Err(ShowError::empty(name, "no panels")),
-        [plot] => alone(plot, size, name),
+        [plot] => alone(plot, None, size, name),
         _ => stacked(panels, size, name),
     }
 }
 
-fn alone(plot: &Plot, size: Size, name: &str) -> Result<Scene, ShowError> {
+/// Lays out a plot of lengths against a length, both to one scale: `ratio` is the ordinate's unit by the abscissa's.
+pub(super) fn path(plot: &Plot, ratio: f64, size: Size, name: &str) -> Result<Scene, ShowError> {
+    alone(plot, Some(ratio), size, name)
+}
+
+fn alone(plot: &Plot, ratio: Option<f64>, size: Size, name: &str) -> Result<Scene, ShowError> {
     check(plot, name)?;
     let (title, (x_name, y_name)) = (typeset(plot.title), names(plot));
-    let x_range = x_range(std::slice::from_ref(plot), name)?;
+    let rounds = (Round::of(&x_name), Round::of(&y_name));
+    let found = (x_range(std::slice::from_ref(plot), name)?, y_range(plot, name)?);
     let legend = Legend::new(entries(plot), None, size.height - 100.0)?;
     let bottom = size.height - bottom_room();
     // With a note there is a little less room than ticks are chosen for.
-    let y = Axis::fitted(y_range(plot, name)?, bottom - top_room(&title, true), TICKS, Round::of(&y_name));
-    let left = left_room(&y, true)?;
-    let widest = size.width - left - legend.width();
-    let round = Round::of(&x_name);
-    let x = Axis::new(x_range, apart(x_range, widest - 30.0, round)?, round);
-    let right = left + widest - right_room(&x)?;
+    let y_axis = |range: Point| Axis::fitted(range, bottom - top_room(&title, true), TICKS, rounds.1);
+    let mut y = y_axis(found.1);
+    let (mut left, mut right, mut x) = (0.0, 0.0, y.clone());
+    // To one scale both ranges depend on the room that the labels leave.
+    for _ in 0..if ratio.is_some() { 3 } else { 1 } {
+        left = left_room(&y, true)?;
+        let widest = size.width - left - legend.width();
+        let room = (widest - 30.0, bottom - top_room(&title, y.note.is_some()));
+        let ranges = ratio.map_or(found, |ratio| to_one_scale((padded(found.0, PADDING), found.1), ratio, room));
+        x = Axis::new(ranges.0, apart(ranges.0, room.0, rounds.0)?, rounds.0);
+        right = left + widest - right_room(&x)?;
+        y = y_axis(ranges.1);
+    }
     let top = top_room(&title, y.note.is_some());
+    if let Some(ratio) = ratio {
+        let (x_range, y_range) = to_one_scale(((x.low, x.high), (y.low, y.high)), ratio, (right - left, bottom - top));
+        (x.low, x.high) = x_range;
+        (y.low, y.high) = y_range;
+    }
     let mut scene = Scene::new(size.width, size.height + legend.height(size.width));
     let frame = Frame { left, right, top, bottom, x, y, zero: true };
     frame.draw(&mut scene, &Names { title: &title, x: &x_name, y: &y_name, above: false })?;
     draw_curves(&mut scene, &frame, plot);
     legend.draw(&mut scene, &frame)?;
     Ok(scene)
+}
+
+/// The ranges with one of them widened, so that one scale fills the room with both.
+fn to_one_scale((x, y): (Point, Point), ratio: f64, (width, height): (f64, f64)) -> (Point, Point) {
+    let (x_scale, y_scale) = (width / (x.1 - x.0), height / (y.1 - y.0) / ratio);
+    let widened = |range: Point, by: f64| padded(range, (by - 1.0) / 2.0);
+    if x_scale > y_scale { (widened(x, x_scale / y_scale), y) } else { (x, widened(y, y_scale / x_scale)) }
 }
 
 /// Panels that are too low for their ticks or their legends make the figure higher.
