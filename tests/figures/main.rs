@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use sim::show::{Curve, Plot, Pose, Shapes, ShowError, Size, mechanism, path, plot};
+use sim::show::{Curve, Length, Plot, Pose, Positions, Shapes, ShowError, Size, mechanism, path, plot};
 use sim_kernel::Shape;
 
 fn directory(name: &str) -> PathBuf {
@@ -19,6 +19,12 @@ fn svg(directory: &Path, name: &str) -> String {
 
 fn png(directory: &Path, name: &str) -> Vec<u8> {
     fs::read(directory.join(format!("{name}.png"))).unwrap()
+}
+
+/// Draws a mechanism that moves in time, in metres.
+fn drawn(title: &str, shapes: Shapes, poses: &[Pose], directory: &Path, name: &str) -> Result<(), ShowError> {
+    let positions = Positions { title, shapes, unit: Length::METRE, heading: "t [s]", poses };
+    mechanism(&positions, Size::default(), directory, name)
 }
 
 fn times(until: f64) -> Vec<f64> {
@@ -142,13 +148,13 @@ fn nothing_to_show_is_an_error() {
     short.curves[1].values.pop();
     let error = plot(&short, &directory, "short").unwrap_err();
     assert_eq!(error.to_string(), "figure `short`: curve `rocker_speed` has 8192 values for 8193 abscissae");
-    let empty = |shapes: Shapes, poses: &[Pose]| mechanism("", shapes, poses, &directory, "empty");
+    let empty = |shapes: Shapes, poses: &[Pose]| drawn("", shapes, poses, &directory, "empty");
     assert!(matches!(empty(QUICK_RETURN, &[]), Err(ShowError::Empty { .. })));
-    assert!(matches!(empty(plane(&[]), &[Pose { numbers: &[], time: 0.0 }]), Err(ShowError::Empty { .. })));
-    let nan = Pose { numbers: &[f64::NAN; 3], time: 0.0 };
+    assert!(matches!(empty(plane(&[]), &[Pose { numbers: &[], at: 0.0 }]), Err(ShowError::Empty { .. })));
+    let nan = Pose { numbers: &[f64::NAN; 3], at: 0.0 };
     assert!(matches!(empty(plane(&[Shape::Slider]), &[nan]), Err(ShowError::Empty { .. })));
-    let error = empty(plane(&[Shape::Slider]), &[Pose { numbers: &[0.0; 4], time: 1.5 }]).unwrap_err();
-    assert_eq!(error.to_string(), "figure `empty`: the pose at t = 1.5 s has 4 numbers, its shapes take 3");
+    let error = empty(plane(&[Shape::Slider]), &[Pose { numbers: &[0.0; 4], at: 1.5 }]).unwrap_err();
+    assert_eq!(error.to_string(), "figure `empty`: the pose at 1.5 has 4 numbers, its shapes take 3");
     assert!(!directory.exists());
 }
 
@@ -170,12 +176,12 @@ fn a_file_in_the_way_is_an_error() {
 fn a_mechanism_moves() {
     let directory = directory("mechanism");
     let numbers: Vec<_> = (0..6).map(|sixth| quick_return(0.4 + TAU * f64::from(sixth) / 6.0)).collect();
-    let pose = |(numbers, sixth)| Pose { numbers, time: 0.109_89 * f64::from(sixth) };
+    let pose = |(numbers, sixth)| Pose { numbers, at: 0.109_89 * f64::from(sixth) };
     let poses: Vec<Pose> = numbers.iter().map(Vec::as_slice).zip(0..).map(pose).collect();
-    mechanism("Quick-return mechanism", QUICK_RETURN, &poses, &directory, "quick-return").unwrap();
+    drawn("Quick-return mechanism", QUICK_RETURN, &poses, &directory, "quick-return").unwrap();
     let first = svg(&directory, "quick-return");
     assert!(first.contains("0.33") && first.contains("x [m]") && first.contains("t [s]"));
-    mechanism("Quick-return mechanism", QUICK_RETURN, &poses, &directory, "quick-return").unwrap();
+    drawn("Quick-return mechanism", QUICK_RETURN, &poses, &directory, "quick-return").unwrap();
     assert_eq!(svg(&directory, "quick-return"), first);
 }
 
@@ -186,16 +192,14 @@ fn odd_drawings_are_drawn() {
         .map(|step| 0.001 * f64::from(step))
         .map(|x| [0.0, 0.0, x, 0.0, 0.1, 0.0, x, 0.0, 0.0, 0.1, 0.0])
         .collect();
-    let poses: Vec<Pose> =
-        flat.iter().zip(0..).map(|(numbers, step)| Pose { numbers, time: f64::from(step) }).collect();
+    let poses: Vec<Pose> = flat.iter().zip(0..).map(|(numbers, step)| Pose { numbers, at: f64::from(step) }).collect();
     let shapes = [Shape::Line(3), Shape::Slider, Shape::Ground(1)];
-    mechanism("A row of masses", plane(&shapes), &poses, &directory, "flat").unwrap();
-    let point = Pose { numbers: &[1.0, 2.0], time: 0.0 };
-    mechanism("", plane(&[Shape::Points(1)]), &[point], &directory, "point").unwrap();
+    drawn("A row of masses", plane(&shapes), &poses, &directory, "flat").unwrap();
+    let point = Pose { numbers: &[1.0, 2.0], at: 0.0 };
+    drawn("", plane(&[Shape::Points(1)]), &[point], &directory, "point").unwrap();
     let wheel = [0.0, 1.0, 1.0, 0.0, 1.0, f64::NAN, 1.0, 0.7, 1.7, 0.0, 1.0];
-    let wheel = Pose { numbers: &wheel, time: 0.0 };
-    mechanism("Wheel", plane(&[Shape::Circle, Shape::Line(3), Shape::Points(1)]), &[wheel], &directory, "wheel")
-        .unwrap();
+    let wheel = Pose { numbers: &wheel, at: 0.0 };
+    drawn("Wheel", plane(&[Shape::Circle, Shape::Line(3), Shape::Points(1)]), &[wheel], &directory, "wheel").unwrap();
 }
 
 #[test]
@@ -213,9 +217,9 @@ fn what_stands_in_space_has_a_scale_and_its_axes() {
         numbers
     };
     let numbers: Vec<Vec<f64>> = (0..3).map(|turn| pose(f64::from(turn))).collect();
-    let poses: Vec<Pose> = numbers.iter().zip(0..).map(|(numbers, t)| Pose { numbers, time: f64::from(t) }).collect();
+    let poses: Vec<Pose> = numbers.iter().zip(0..).map(|(numbers, t)| Pose { numbers, at: f64::from(t) }).collect();
     let space = Shapes { dimension: 3, shapes: &shapes };
-    mechanism("A wheel on an arm", space, &poses, &directory, "space").unwrap();
+    drawn("A wheel on an arm", space, &poses, &directory, "space").unwrap();
     let drawn = svg(&directory, "space");
     assert!(drawn.contains(">0.1 m<") && [">x<", ">y<", ">z<"].iter().all(|axis| drawn.contains(axis)));
     assert!(!drawn.contains("x [m]"));

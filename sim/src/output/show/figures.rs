@@ -1,6 +1,6 @@
 //! The figures of a run: one for each group of outputs, and the mechanism in several positions.
 
-use super::{Curve, Plot, Pose, ShowError, Size, mechanism_of_size, panels};
+use super::{Curve, Length, Plot, Pose, Positions, Shapes, ShowError, Size, mechanism, panels};
 use crate::output::outcome::{Outcome, Recorded, Row};
 use crate::{Column, Run, Table};
 use sim_kernel::{Description, Figure, Mechanism};
@@ -45,8 +45,10 @@ pub(crate) fn figures_of(
     let description = outcome.description;
     let mut figures = draw_outputs(description, table, ("time [s]", table.times()), directory, size);
     if !description.drawing.is_empty() {
-        let (name, rows) = (name_beside_groups(description, "mechanism"), chosen(run, outcome, table.times()));
-        figures.add(&name, draw_mechanism(description, &rows, directory, &name, size));
+        let rows = chosen(run, outcome, table.times());
+        let poses = rows.iter().map(|row| (row.time, row.drawing.as_slice())).collect();
+        let name = name_beside_groups(description, "mechanism");
+        figures.add(&name, draw_mechanism(description, ("t [s]", poses), directory, &name, size));
     }
     figures
 }
@@ -112,20 +114,22 @@ fn y_label(name: &str, columns: &[&Column], labels: &[&str]) -> String {
     format!("{what} {}", units.join(", "))
 }
 
-/// The mechanism at several samples.
+/// The mechanism at several samples, each by its value under the heading and its drawing.
 pub(super) fn draw_mechanism(
     description: &Description,
-    rows: &[Row],
+    (heading, poses): (&str, Vec<(f64, &[f64])>),
     directory: &Path,
     name: &str,
     size: Size,
 ) -> Result<(), ShowError> {
-    let poses: Vec<Pose> = rows.iter().map(|row| Pose { numbers: &row.drawing, time: row.time }).collect();
+    let poses: Vec<Pose> = poses.into_iter().map(|(at, numbers)| Pose { numbers, at }).collect();
     let title = match poses.len() {
-        1 => description.type_name.to_owned(),
-        n => format!("{} in {n} positions", description.type_name),
+        1 => description.name.to_owned(),
+        n => format!("{} in {n} positions", description.name),
     };
-    mechanism_of_size(&title, super::Shapes::of(description), &poses, size, directory, name)
+    let (shapes, unit) = (Shapes::of(description), Length::of(description));
+    let positions = Positions { title: &title, shapes, unit, heading, poses: &poses };
+    mechanism(&positions, size, directory, name)
 }
 
 /// The samples at equal times through the period, or where positions differ most, in the order of time.

@@ -3,7 +3,8 @@
 use super::font::Font;
 use super::palette::{AXIS, series};
 use super::scene::{Anchor, Label, Mark, Point, Scene};
-use super::{Curve, Plot, Size, plot};
+use super::{Curve, Length, Plot, Pose, Positions, Shapes, Size, mechanism, plot};
+use sim_kernel::Shape;
 
 /// Left, top, right, bottom.
 type Bounds = (f64, f64, f64, f64);
@@ -147,4 +148,17 @@ fn paths_are_to_one_scale() {
             assert_apart(&scene, "path");
         }
     }
+}
+
+/// A link of 0.4 m.
+#[test]
+fn mechanisms_are_drawn_in_their_unit() {
+    let poses = [Pose { numbers: &[0.0, 0.0, 0.4, 0.0], at: 0.0 }];
+    let shapes = Shapes { dimension: 2, shapes: &[Shape::Line(2)] };
+    let unit = Length { name: "mm", metres: 1e-3 };
+    let positions = Positions { title: "link", shapes, unit, heading: "alpha [deg]", poses: &poses };
+    let scene = mechanism::scene(&positions, Size::default(), "link").unwrap();
+    let found: Vec<&str> = labels(&scene).iter().map(|label| label.text.as_str()).collect();
+    assert!(["x [mm]", "y [mm]", "alpha [deg]", "200", "400"].iter().all(|text| found.contains(text)), "{found:?}");
+    assert_apart(&scene, "link");
 }

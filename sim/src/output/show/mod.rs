@@ -14,6 +14,7 @@ mod font;
 mod frame;
 #[cfg(test)]
 mod layout;
+mod length;
 mod mechanism;
 mod names;
 mod palette;
@@ -41,6 +42,7 @@ pub use error::ShowError;
 #[cfg(feature = "cli")]
 pub(crate) use figures::figures_of;
 pub use figures::{Figures, figures};
+pub use length::Length;
 pub use parts::Shapes;
 #[cfg(feature = "cli")]
 pub(crate) use report::report_of;
@@ -96,8 +98,23 @@ impl Default for Size {
 pub struct Pose<'a> {
     /// The numbers of the mechanism's shapes, in the order of its description.
     pub numbers: &'a [f64],
-    /// When it is there, in seconds.
-    pub time: f64,
+    /// What tells it from the others: the time, or the value of what is driven, in the unit of the heading.
+    pub at: f64,
+}
+
+/// A mechanism in several positions.
+#[derive(Clone, Copy, Debug)]
+pub struct Positions<'a> {
+    /// The title; may be empty.
+    pub title: &'a str,
+    /// What is drawn.
+    pub shapes: Shapes<'a>,
+    /// The unit of the axes.
+    pub unit: Length<'a>,
+    /// What poses differ in, with its unit: `t [s]`.
+    pub heading: &'a str,
+    /// The positions, the first of them strong and later ones fainter.
+    pub poses: &'a [Pose<'a>],
 }
 
 /// Writes the plot to `NAME.svg` and `NAME.png` in the directory, which is made if need be.
@@ -129,26 +146,14 @@ pub fn path(plot: &Plot, ratio: f64, size: Size, directory: &Path, name: &str) -
     save(&plot::path(plot, ratio, size, name)?, directory, name)
 }
 
-/// Writes the mechanism in several positions to `NAME.svg` and `NAME.png` in the directory, which is made if
-/// need be: the first position strong, later ones fainter, both axes in metres and of equal scale.
+/// Writes a mechanism in several positions to `NAME.svg` and `NAME.png` in the directory, which is made if need be: on a sheet
+/// of about this size, both axes of equal scale.
 ///
 /// # Errors
 ///
 /// There is nothing to show, a pose has too few or too many numbers, or a file cannot be written.
-pub fn mechanism(title: &str, shapes: Shapes, poses: &[Pose], directory: &Path, name: &str) -> Result<(), ShowError> {
-    mechanism_of_size(title, shapes, poses, Size::default(), directory, name)
-}
-
-/// The same on a sheet of about this size.
-fn mechanism_of_size(
-    title: &str,
-    shapes: Shapes,
-    poses: &[Pose],
-    size: Size,
-    directory: &Path,
-    name: &str,
-) -> Result<(), ShowError> {
-    save(&mechanism::scene(title, shapes, poses, size, name)?, directory, name)
+pub fn mechanism(positions: &Positions, size: Size, directory: &Path, name: &str) -> Result<(), ShowError> {
+    save(&mechanism::scene(positions, size, name)?, directory, name)
 }
 
 /// Writes a scene in both formats.

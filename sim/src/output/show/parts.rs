@@ -5,12 +5,12 @@ use sim_kernel::{Description, Shape};
 use super::palette::{Colour, series};
 use super::scene::Point;
 use super::ticks::shown;
-use super::{Pose, ShowError, view};
+use super::{Positions, ShowError, view};
 
 /// How strong the poses after the first are, from the second to the last.
 const STRENGTH: (f64, f64) = (0.5, 0.2);
 
-/// A shape with its places, in metres and radians.
+/// A shape with its places, in a unit of length and radians.
 pub(super) enum Part {
     Line {
         points: Vec<Point>,
@@ -60,7 +60,8 @@ impl Shapes<'static> {
 }
 
 /// The poses' parts.
-pub(super) fn placed(shapes: Shapes, poses: &[Pose], name: &str) -> Result<Vec<Placed>, ShowError> {
+pub(super) fn placed(positions: &Positions, name: &str) -> Result<Vec<Placed>, ShowError> {
+    let Positions { shapes, unit, poses, .. } = *positions;
     if shapes.shapes.is_empty() {
         return Err(ShowError::empty(name, "no shapes"));
     }
@@ -72,9 +73,10 @@ pub(super) fn placed(shapes: Shapes, poses: &[Pose], name: &str) -> Result<Vec<P
     for (index, pose) in poses.iter().enumerate() {
         if pose.numbers.len() != needed {
             let (figure, numbers) = (name.to_owned(), pose.numbers.len());
-            return Err(ShowError::Pose { figure, time: pose.time, numbers, needed });
+            return Err(ShowError::Pose { figure, at: pose.at, numbers, needed });
         }
-        placed.push(Placed { parts: parts(shapes, pose.numbers), strength: strength(index, poses.len()) });
+        let parts = parts(shapes, unit.metres, pose.numbers);
+        placed.push(Placed { parts, strength: strength(index, poses.len()) });
     }
     Ok(placed)
 }
@@ -87,15 +89,16 @@ fn strength(index: usize, poses: usize) -> f64 {
     }
 }
 
-/// The parts a pose's numbers make; what is not finite is left out.
-fn parts(Shapes { dimension, shapes }: Shapes, mut numbers: &[f64]) -> Vec<Part> {
+/// The parts a pose's numbers make, in a unit of so many metres; what is not finite is left out.
+fn parts(Shapes { dimension, shapes }: Shapes, metres: f64, mut numbers: &[f64]) -> Vec<Part> {
+    let scaled = |point: Point| (point.0 / metres, point.1 / metres);
     let mut colours = 0;
     let mut parts = Vec::new();
     for shape in shapes {
         let (own, rest) = numbers.split_at(shape.numbers(dimension));
         numbers = rest;
         let (points, more) = own.split_at(dimension * shape.points());
-        let points: Vec<Point> = points.chunks_exact(dimension).map(view::seen).collect();
+        let points: Vec<Point> = points.chunks_exact(dimension).map(view::seen).map(scaled).collect();
         match shape {
             Shape::Slider | Shape::Circle if !own.iter().all(|number| shown(*number)) => {}
             Shape::Slider => parts.push(Part::Slider {
@@ -103,8 +106,11 @@ fn parts(Shapes { dimension, shapes }: Shapes, mut numbers: &[f64]) -> Vec<Part>
                 angle: if let [angle] = *more { angle } else { view::angle(more) },
             }),
             Shape::Circle => parts.push(match *more {
-                [radius] => Part::Circle { centre: points[0], radius, colour: series(colours) },
-                _ => Part::Ring { points: view::circle(own, more[0], &more[1..]), colour: series(colours) },
+                [radius] => Part::Circle { centre: points[0], radius: radius / metres, colour: series(colours) },
+                _ => {
+                    let points = view::circle(own, more[0], &more[1..]).into_iter().map(scaled).collect();
+                    Part::Ring { points, colour: series(colours) }
+                }
             }),
             _ => parts.extend(through(*shape, &points, series(colours))),
         }

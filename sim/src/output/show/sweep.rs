@@ -17,18 +17,30 @@ const MOST_PANELS: usize = 5;
 /// index (`transmission`), and the ratios of outputs to what is driven (`ratios`), all against what is driven; and the
 /// mechanism at equal intervals.
 pub fn sweep_figures<M: Mechanism>(found: &Kinematics<M>, table: &Table, directory: &Path, size: Size) -> Figures {
-    let (description, driven) = (const { &M::DESCRIPTION }, found.sweep.driven);
-    let poses = if description.drawing.is_empty() { Vec::new() } else { spread(found) };
-    draw((description, driven, &found.values), &poses, table, directory, size)
+    let drawing = |index: usize| Row::new(&found.mechanism, &found.trajectory.samples[index], 0.0).drawing;
+    let swept = Swept {
+        description: const { &M::DESCRIPTION },
+        driven: found.sweep.driven,
+        values: &found.values,
+        is_cycle: found.is_cycle(),
+        drawing: &drawing,
+    };
+    draw(&swept, table, directory, size)
 }
 
-fn draw(
-    (description, driven, values): (&'static Description, Driven, &[f64]),
-    poses: &[Row],
-    table: &Table,
-    directory: &Path,
-    size: Size,
-) -> Figures {
+/// A sweep without the type of its mechanism.
+struct Swept<'a> {
+    description: &'static Description,
+    driven: Driven,
+    /// Of what is driven, at each sample.
+    values: &'a [f64],
+    is_cycle: bool,
+    /// The numbers of the drawing at a sample.
+    drawing: &'a dyn Fn(usize) -> Vec<f64>,
+}
+
+fn draw(swept: &Swept, table: &Table, directory: &Path, size: Size) -> Figures {
+    let Swept { description, driven, values, .. } = *swept;
     let driven = driven.quantity(description);
     let what = label(driven.docs, driven.name).trim_end_matches('.');
     let x_label = format!("{what} [{}]", driven.unit);
@@ -46,11 +58,23 @@ fn draw(
     add("drive", "What the drive exerts", columns("drive_"));
     add("transmission", "Transmission index", columns("transmission_index"));
     add("ratios", &format!("Ratios of rates to that of {}", driven.name), columns("ratio_"));
-    if !poses.is_empty() {
+    if !description.drawing.is_empty() && !values.is_empty() {
         let name = name_beside_groups(description, "mechanism");
-        figures.add(&name, draw_mechanism(description, poses, directory, &name, size));
+        figures.add(&name, draw_positions(swept, directory, &name, size));
     }
     figures
+}
+
+/// The mechanism at equal intervals.
+fn draw_positions(swept: &Swept, directory: &Path, name: &str, size: Size) -> Result<(), ShowError> {
+    let Swept { description, driven, values, .. } = *swept;
+    let driven = driven.quantity(description);
+    let places = spread(values.len(), swept.is_cycle);
+    let drawn: Vec<Vec<f64>> = places.iter().map(|index| (swept.drawing)(*index)).collect();
+    let at = places.iter().map(|index| values[*index] / driven.factor);
+    let poses = at.zip(drawn.iter().map(Vec::as_slice)).collect();
+    let heading = format!("{} [{}]", driven.name, driven.unit);
+    draw_mechanism(description, (&heading, poses), directory, name, size)
 }
 
 /// Columns in panels below each other.
@@ -75,12 +99,10 @@ fn stacked(
 }
 
 /// Samples at equal intervals, without the last of a whole turn.
-fn spread<M: Mechanism>(found: &Kinematics<M>) -> Vec<Row> {
-    let samples = &found.trajectory.samples;
-    let intervals = if found.is_cycle() { POSES } else { POSES - 1 };
-    let last = samples.len().saturating_sub(1);
+fn spread(samples: usize, is_cycle: bool) -> Vec<usize> {
+    let intervals = if is_cycle { POSES } else { POSES - 1 };
+    let last = samples.saturating_sub(1);
     let mut places: Vec<usize> = (0..POSES).map(|i| last * i / intervals).collect();
     places.dedup();
-    let samples = places.into_iter().filter_map(|i| samples.get(i));
-    samples.map(|sample| Row::new(&found.mechanism, sample, 0.0)).collect()
+    places
 }

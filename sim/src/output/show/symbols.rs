@@ -152,14 +152,14 @@ pub(super) fn axes(scene: &mut Scene, at: Point) {
     }
 }
 
-/// A bar of round length, at most this long on the sheet, from its left end.
-pub(super) fn scale(scene: &mut Scene, at: Point, metre: f64, longest: f64) {
-    let exponent = (longest / metre).log10().floor() as i32;
+/// A bar of round length, at most this long on the sheet, from its left end; the unit of length is so long there.
+pub(super) fn scale(scene: &mut Scene, at: Point, (name, unit): (&str, f64), longest: f64) {
+    let exponent = (longest / unit).log10().floor() as i32;
     let sizes = [5, 2, 1].map(|digit| (digit, f64::from(digit) * 10.0_f64.powi(exponent)));
-    let Some((digit, length)) = sizes.into_iter().find(|(_, length)| length * metre <= longest) else { return };
-    let end = at.0 + length * metre;
+    let Some((digit, length)) = sizes.into_iter().find(|(_, length)| length * unit <= longest) else { return };
+    let end = at.0 + length * unit;
     scene.line(vec![(at.0, at.1 - 6.0), at, (end, at.1), (end, at.1 - 6.0)], 1.2, AXIS);
-    let text = format!("{} m", decimal(i64::from(digit), exponent));
+    let text = format!("{} {name}", decimal(i64::from(digit), exponent));
     scene.text(&text, ((at.0 + end) / 2.0, at.1 - 9.0), 15.0, Anchor::Middle, INK);
 }
 
