@@ -6,7 +6,8 @@ use std::f64::consts::{PI, TAU};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use sim::show::{Curve, Length, Plot, Pose, Positions, Shapes, ShowError, Size, mechanism, path, plot};
+use sim::show::{Curve, Length, Plot, Pose, Positions, Shapes, ShowError, Size, figures, mechanism, path, plot};
+use sim::{Mechanism, Settings, Table, declared_start, run};
 use sim_kernel::Shape;
 
 fn directory(name: &str) -> PathBuf {
@@ -23,7 +24,7 @@ fn png(directory: &Path, name: &str) -> Vec<u8> {
 
 /// Draws a mechanism that moves in time, in metres.
 fn drawn(title: &str, shapes: Shapes, poses: &[Pose], directory: &Path, name: &str) -> Result<(), ShowError> {
-    let positions = Positions { title, shapes, unit: Length::METRE, heading: "t [s]", poses };
+    let positions = Positions { title, shapes, unit: Length::METRE, heading: "t [s]", poses, motion: &[] };
     mechanism(&positions, Size::default(), directory, name)
 }
 
@@ -246,6 +247,33 @@ fn range(points: &[(f64, f64)]) -> (f64, f64) {
         high - low
     };
     (extent(|point| point.0), extent(|point| point.1))
+}
+
+/// The middle of the coupler, by intersecting circles.
+fn coupler_point(machine: &models::FourBar, crank: f64) -> (f64, f64) {
+    let &models::FourBar { a, b, c, d, .. } = machine;
+    let pin = (a * crank.cos(), a * crank.sin());
+    let (x, y) = (d - pin.0, -pin.1);
+    let apart = x.hypot(y);
+    let along = (b * b - c * c + apart * apart) / (2.0 * apart);
+    let across = (b * b - along * along).sqrt();
+    let end = (pin.0 + (along * x - across * y) / apart, pin.1 + (along * y + across * x) / apart);
+    ((pin.0 + end.0) / 2.0, (pin.1 + end.1) / 2.0)
+}
+
+#[test]
+fn the_path_of_a_coupler_point_is_drawn() {
+    let directory = directory("traced");
+    let machine = models::FourBar::defaults();
+    let found = run(machine, &declared_start(&machine), &Settings::new(2.0)).unwrap();
+    let table = Table::of(&found.mechanism, &found.trajectory);
+    let figures = figures(&found, &table, &directory, Size::default());
+    assert!(figures.failures.is_empty(), "{:?}", figures.failures);
+    let drawn = svg(&directory, "mechanism");
+    assert!(drawn.contains(">four-bar in 6 positions<") && drawn.contains(">x [m]<"), "{drawn}");
+    let path: Vec<(f64, f64)> = (0..720).map(|half| coupler_point(&machine, f64::from(half) * PI / 360.0)).collect();
+    let (expected, traced) = (range(&path), extent(&drawn, "1.5"));
+    assert!((traced.0 / traced.1 - expected.0 / expected.1).abs() < 0.01, "{traced:?} {expected:?}");
 }
 
 #[test]

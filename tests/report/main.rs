@@ -205,6 +205,22 @@ fn what_a_reader_does_has_its_effect() {
 
 #[test]
 #[ignore = "needs Chromium; .ci/run installs it and runs this"]
+fn declared_traces_are_shown_until_they_are_switched_off() {
+    let report = made("traced", "four-bar", "1s");
+    let mut browser = Browser::start(&scratch("chromium-traces"));
+    browser.window(1400, 1000, 1.0, false);
+    browser.open(&report, "#t=0.1");
+    assert_eq!(browser.evaluate("[...report.drawing.traced].join()"), "G3");
+    let traced = browser.evaluate(PIXELS);
+    browser.evaluate("document.querySelector('#traces input:checked').click()");
+    browser.settle();
+    assert_eq!(browser.evaluate("report.drawing.traced.size"), 0);
+    assert_ne!(browser.evaluate(PIXELS)[1], traced[1], "no path was drawn");
+    assert!(browser.complaints.is_empty(), "{:?}", browser.complaints);
+}
+
+#[test]
+#[ignore = "needs Chromium; .ci/run installs it and runs this"]
 fn what_stands_in_space_is_turned_by_the_mouse_and_comes_nearer_by_the_wheel() {
     let report = made("space", "top", "2s");
     let mut browser = Browser::start(&scratch("chromium-space"));

@@ -85,7 +85,7 @@ function fillMenus() {
   }
   byId("parts").append(checkbox("names of points", drawing.show.names, (on) => (drawing.show.names = on)));
   for (const [i, point] of drawing.points.entries()) {
-    byId("traces").append(checkbox(point.name, false, among(drawing.traced, point.name), `var(--series-${i % 7})`));
+    byId("traces").append(checkbox(point.name, drawing.traced.has(point.name), among(drawing.traced, point.name), `var(--series-${drawing.colourOfTrace(i) % 7})`));
   }
   byId("traces").append(element("p", {}, "Or click a point in the drawing."));
   if (run.vectors.length === 0) {

@@ -3,7 +3,7 @@
 use super::{Curve, Length, Plot, Pose, Positions, Shapes, ShowError, Size, mechanism, panels};
 use crate::output::outcome::{Outcome, Recorded, Row};
 use crate::{Column, Run, Table};
-use sim_kernel::{Description, Figure, Mechanism};
+use sim_kernel::{Description, Figure, Mechanism, Shape};
 use std::ops::Range;
 use std::path::Path;
 
@@ -11,6 +11,8 @@ use std::path::Path;
 pub(super) const POSES: usize = 6;
 /// Samples among which they are chosen.
 const MOST_CANDIDATES: usize = 2000;
+/// Samples through which a path is drawn.
+const MOST_PLACES: usize = 20_000;
 
 /// What came of drawing.
 #[derive(Debug, Default)]
@@ -47,8 +49,9 @@ pub(crate) fn figures_of(
     if !description.drawing.is_empty() {
         let rows = chosen(run, outcome, table.times());
         let poses = rows.iter().map(|row| (row.time, row.drawing.as_slice())).collect();
+        let motion = motion(description, outcome.samples, |index| run.row(index).drawing);
         let name = name_beside_groups(description, "mechanism");
-        figures.add(&name, draw_mechanism(description, ("t [s]", poses), directory, &name, size));
+        figures.add(&name, draw_mechanism(description, ("t [s]", poses), &motion, directory, &name, size));
     }
     figures
 }
@@ -114,10 +117,11 @@ fn y_label(name: &str, columns: &[&Column], labels: &[&str]) -> String {
     format!("{what} {}", units.join(", "))
 }
 
-/// The mechanism at several samples, each by its value under the heading and its drawing.
+/// The mechanism at several samples, each by its value under the heading and its drawing, and what its traced points do in a motion.
 pub(super) fn draw_mechanism(
     description: &Description,
     (heading, poses): (&str, Vec<(f64, &[f64])>),
+    motion: &[Vec<f64>],
     directory: &Path,
     name: &str,
     size: Size,
@@ -128,8 +132,18 @@ pub(super) fn draw_mechanism(
         n => format!("{} in {n} positions", description.name),
     };
     let (shapes, unit) = (Shapes::of(description), Length::of(description));
-    let positions = Positions { title: &title, shapes, unit, heading, poses: &poses };
+    let positions = Positions { title: &title, shapes, unit, heading, poses: &poses, motion };
     mechanism(&positions, size, directory, name)
+}
+
+/// The drawing at so many samples, of some at equal distances where they are many, with the last; none where nothing is traced.
+pub(super) fn motion(description: &Description, samples: usize, drawing: impl Fn(usize) -> Vec<f64>) -> Vec<Vec<f64>> {
+    if !description.drawing.iter().any(|shape| matches!(shape, Shape::Trace(_))) {
+        return Vec::new();
+    }
+    let stride = samples.div_ceil(MOST_PLACES).max(1);
+    let last = samples.checked_sub(1).filter(|last| last % stride != 0);
+    (0..samples).step_by(stride).chain(last).map(drawing).collect()
 }
 
 /// The samples at equal times through the period, or where positions differ most, in the order of time.

@@ -1,4 +1,4 @@
-//! What every figure has to be: labels apart and on the sheet, a few ticks, units, equal scales.
+//! What every figure has to be: labels apart and on the sheet, a few ticks, units, equal scales, paths.
 
 use super::font::Font;
 use super::palette::{AXIS, series};
@@ -150,15 +150,37 @@ fn paths_are_to_one_scale() {
     }
 }
 
-/// A link of 0.4 m.
+/// A link of 0.4 m that turns about the origin, and its end's path.
 #[test]
-fn mechanisms_are_drawn_in_their_unit() {
-    let poses = [Pose { numbers: &[0.0, 0.0, 0.4, 0.0], at: 0.0 }];
-    let shapes = Shapes { dimension: 2, shapes: &[Shape::Line(2)] };
+fn mechanisms_are_drawn_in_their_unit_with_the_paths_of_traced_points() {
+    let numbers = |turn: f64| vec![0.0, 0.0, 0.4 * turn.cos(), 0.4 * turn.sin(), 0.4 * turn.cos(), 0.4 * turn.sin()];
+    let mut motion: Vec<Vec<f64>> = (0..=360).map(|turn| numbers(f64::from(turn).to_radians())).collect();
+    motion[90][5] = f64::NAN;
+    let first = motion[0].clone();
+    let poses = [Pose { numbers: &first, at: 0.0 }];
+    let shapes = Shapes { dimension: 2, shapes: &[Shape::Line(2), Shape::Trace(1)] };
     let unit = Length { name: "mm", metres: 1e-3 };
-    let positions = Positions { title: "link", shapes, unit, heading: "alpha [deg]", poses: &poses };
+    let positions = Positions { title: "link", shapes, unit, heading: "alpha [deg]", poses: &poses, motion: &motion };
     let scene = mechanism::scene(&positions, Size::default(), "link").unwrap();
     let found: Vec<&str> = labels(&scene).iter().map(|label| label.text.as_str()).collect();
     assert!(["x [mm]", "y [mm]", "alpha [deg]", "200", "400"].iter().all(|text| found.contains(text)), "{found:?}");
     assert_apart(&scene, "link");
+
+    let link = extent(&scene, 4.0).0;
+    let paths: Vec<&Vec<Point>> = scene
+        .marks
+        .iter()
+        .filter_map(|mark| match mark {
+            Mark::Line { points, colour, width } if *colour == series(1) && *width == 1.5 => Some(points),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(paths.len(), 2, "a gap");
+    let centre = (paths[0][0].0 - link, paths[0][0].1);
+    for point in paths.into_iter().flatten() {
+        let radius = (point.0 - centre.0).hypot(point.1 - centre.1);
+        assert!((radius - link).abs() < 0.01 * link, "{radius} {link}");
+    }
+    let bare = Positions { motion: &[], ..positions };
+    assert!(mechanism::scene(&bare, Size::default(), "link").unwrap().height < scene.height, "the path is not framed");
 }

@@ -6,6 +6,7 @@ use super::parts::{Part, Placed, placed};
 use super::scene::{Point, Scene};
 use super::text::{times, typeset};
 use super::ticks::{Axis, FEW, Round};
+use super::trace::{Path, paths};
 use super::{Pose, Positions, ShowError, Size, symbols};
 
 /// The largest data area, as parts of a figure's width and height.
@@ -24,6 +25,7 @@ const FOOT: f64 = 60.0;
 /// What is drawn of a mechanism, in its unit of length.
 struct Drawn {
     placed: Vec<Placed>,
+    paths: Vec<Path>,
     x_range: Point,
     y_range: Point,
     /// The unit of length in logical pixels.
@@ -75,10 +77,11 @@ fn spatial(title: &str, positions: &Positions, drawn: &Drawn) -> Result<Scene, S
     Ok(scene)
 }
 
-/// The poses, the ranges of the axes and the scale.
+/// The poses and paths, the ranges of the axes and the scale.
 fn drawn(positions: &Positions, size: Size, name: &str) -> Result<Drawn, ShowError> {
-    let placed = placed(positions, name)?;
-    let points: Vec<Point> = placed.iter().flat_map(|pose| &pose.parts).flat_map(Part::extent).collect();
+    let (placed, paths) = (placed(positions, name)?, paths(positions));
+    let parts = placed.iter().flat_map(|pose| &pose.parts).flat_map(Part::extent);
+    let points: Vec<Point> = parts.chain(paths.iter().flat_map(|path| path.points.iter().copied())).collect();
     let (x, y) = (extent(points.iter().map(|point| point.0)), extent(points.iter().map(|point| point.1)));
     let fill = |largest: f64, range: Point| (largest - 2.0 * symbols::REACH) / (range.1 - range.0);
     let room = |part: f64, side: f64| (part * side).max(LEAST);
@@ -93,7 +96,7 @@ fn drawn(positions: &Positions, size: Size, name: &str) -> Result<Drawn, ShowErr
         let half = LEAST.max((range.1 - range.0) * scale + 2.0 * symbols::REACH) / scale / 2.0;
         (middle - half, middle + half)
     };
-    Ok(Drawn { placed, x_range: widened(x), y_range: widened(y), scale })
+    Ok(Drawn { placed, paths, x_range: widened(x), y_range: widened(y), scale })
 }
 
 /// What the poses differ in, and their values.
@@ -118,8 +121,8 @@ fn entries(poses: &[Pose], placed: &[Placed]) -> Vec<Entry> {
     indices.into_iter().zip(labels).map(entry).collect()
 }
 
-/// Draws curves, guides and supports, then the poses from the last to the first, each from its guides up to its marked points.
-fn draw(scene: &mut Scene, frame: &Frame, Drawn { placed, scale, .. }: &Drawn) {
+/// Draws curves, guides, supports and paths, then the poses from the last to the first, each from its guides up to its marked points.
+fn draw(scene: &mut Scene, frame: &Frame, Drawn { placed, paths, scale, .. }: &Drawn) {
     let mut supports: Vec<Point> = Vec::new();
     for pose in placed.iter().rev() {
         for part in &pose.parts {
@@ -139,10 +142,28 @@ fn draw(scene: &mut Scene, frame: &Frame, Drawn { placed, scale, .. }: &Drawn) {
     for support in distinct(supports) {
         symbols::ground(scene, support);
     }
+    for Path { points, colour } in paths {
+        symbols::trace(scene, thinned(points.iter().map(|point| frame.place(*point))), *colour);
+    }
     for pose in placed.iter().rev() {
         draw_bodies(scene, frame, *scale, pose);
         draw_marks(scene, frame, pose);
     }
+}
+
+/// A path without places that are less than half a pixel from the one before, but with its end.
+fn thinned(places: impl Iterator<Item = Point>) -> Vec<Point> {
+    let mut thinned: Vec<Point> = Vec::new();
+    let mut end = None;
+    for place in places {
+        let near = thinned.last().is_some_and(|last| (place.0 - last.0).hypot(place.1 - last.1) < 0.5);
+        end = near.then_some(place);
+        if !near {
+            thinned.push(place);
+        }
+    }
+    thinned.extend(end);
+    thinned
 }
 
 /// Places more than half a pixel apart.

@@ -29,6 +29,7 @@ mod sweep;
 mod symbols;
 mod text;
 mod ticks;
+mod trace;
 mod vectors;
 mod view;
 
@@ -115,6 +116,8 @@ pub struct Positions<'a> {
     pub heading: &'a str,
     /// The positions, the first of them strong and later ones fainter.
     pub poses: &'a [Pose<'a>],
+    /// The numbers of the shapes at many samples in their order, through which traced points are drawn; may be empty.
+    pub motion: &'a [Vec<f64>],
 }
 
 /// Writes the plot to `NAME.svg` and `NAME.png` in the directory, which is made if need be.

@@ -114,9 +114,14 @@ fn parts(Shapes { dimension, shapes }: Shapes, metres: f64, mut numbers: &[f64])
             }),
             _ => parts.extend(through(*shape, &points, series(colours))),
         }
-        colours += usize::from(matches!(shape, Shape::Line(_) | Shape::Circle));
+        colours += usize::from(is_coloured(*shape));
     }
     parts
+}
+
+/// Whether a shape has a colour of its own.
+pub(super) fn is_coloured(shape: Shape) -> bool {
+    matches!(shape, Shape::Line(_) | Shape::Circle | Shape::Trace(_))
 }
 
 /// What is drawn through or at points.
@@ -132,7 +137,7 @@ fn through(shape: Shape, points: &[Point], colour: Colour) -> Vec<Part> {
         Shape::Damper => ends().map(Part::Damper).into_iter().collect(),
         Shape::Ground(_) => vec![Part::Ground(all())],
         Shape::Points(_) => vec![Part::Points(all())],
-        Shape::Slider | Shape::Circle => Vec::new(),
+        Shape::Slider | Shape::Circle | Shape::Trace(_) => Vec::new(),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The figures of a sweep: everything against what is driven.
 
-use super::figures::{Figures, POSES, draw_mechanism, draw_outputs, label, name_beside_groups};
+use super::figures::{Figures, POSES, draw_mechanism, draw_outputs, label, motion, name_beside_groups};
 use super::{Curve, Plot, ShowError, Size, panels};
 use crate::output::outcome::Row;
 use crate::{Column, Driven, Kinematics, Table};
@@ -74,7 +74,8 @@ fn draw_positions(swept: &Swept, directory: &Path, name: &str, size: Size) -> Re
     let at = places.iter().map(|index| values[*index] / driven.factor);
     let poses = at.zip(drawn.iter().map(Vec::as_slice)).collect();
     let heading = format!("{} [{}]", driven.name, driven.unit);
-    draw_mechanism(description, (&heading, poses), directory, name, size)
+    let motion = motion(description, values.len(), swept.drawing);
+    draw_mechanism(description, (&heading, poses), &motion, directory, name, size)
 }
 
 /// Columns in panels below each other.

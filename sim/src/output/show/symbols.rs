@@ -14,6 +14,7 @@ pub(super) const REACH: f64 = 62.0;
 
 const LINK: f64 = 4.0;
 const OUTLINE: f64 = 1.8;
+const TRACE: f64 = 1.5;
 const PIN: f64 = 5.0;
 const MASS: f64 = 7.5;
 /// Half the length and half the width of a slider.
@@ -84,6 +85,11 @@ pub(super) fn ground(scene: &mut Scene, at: Point) {
         let x = at.0 - side + 2.0 * side * (f64::from(stroke) + 1.0) / 6.0;
         scene.line(vec![(x, foot), (x - 6.0, foot + 7.0)], 1.2, AXIS);
     }
+}
+
+/// The path of a point.
+pub(super) fn trace(scene: &mut Scene, points: Vec<Point>, colour: Colour) {
+    scene.line(points, TRACE, colour);
 }
 
 /// A circle.
