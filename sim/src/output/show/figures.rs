@@ -8,7 +8,9 @@ use std::ops::Range;
 use std::path::Path;
 
 /// Positions in the picture of the mechanism.
-pub(super) const POSES: usize = 6;
+const POSES: usize = 6;
+/// Where more of them would be a tangle.
+const FEW_POSES: usize = 4;
 /// Samples among which they are chosen.
 const MOST_CANDIDATES: usize = 2000;
 /// Samples through which a path is drawn.
@@ -47,7 +49,7 @@ pub(crate) fn figures_of(
     let description = outcome.description;
     let mut figures = draw_outputs(description, table, ("time [s]", table.times()), directory, size);
     if !description.drawing.is_empty() {
-        let rows = chosen(run, outcome, table.times());
+        let rows = chosen(run, outcome, table.times(), poses(description));
         let poses = rows.iter().map(|row| (row.time, row.drawing.as_slice())).collect();
         let motion = motion(description, outcome.samples, |index| run.row(index).drawing);
         let name = name_beside_groups(description, "mechanism");
@@ -146,21 +148,26 @@ pub(super) fn motion(description: &Description, samples: usize, drawing: impl Fn
     (0..samples).step_by(stride).chain(last).map(drawing).collect()
 }
 
-/// The samples at equal times through the period, or where positions differ most, in the order of time.
-fn chosen(run: &dyn Recorded, outcome: &Outcome, times: &[f64]) -> Vec<Row> {
-    let Some(period) = outcome.period else { return most_different(run, outcome.samples) };
+/// How many positions of a mechanism are drawn.
+pub(super) fn poses(description: &Description) -> usize {
+    if Shapes::of(description).are_crowded() { FEW_POSES } else { POSES }
+}
+
+/// So many samples at equal times through the period, or where positions differ most, in the order of time.
+fn chosen(run: &dyn Recorded, outcome: &Outcome, times: &[f64], poses: usize) -> Vec<Row> {
+    let Some(period) = outcome.period else { return most_different(run, outcome.samples, poses) };
     let nearest = |wanted: f64| {
         let apart = |index: &usize| (times[*index] - wanted).abs();
         (0..times.len()).min_by(|a, b| apart(a).total_cmp(&apart(b)))
     };
-    let mut chosen: Vec<usize> = (0..POSES).filter_map(|i| nearest(period * i as f64 / POSES as f64)).collect();
+    let mut chosen: Vec<usize> = (0..poses).filter_map(|i| nearest(period * i as f64 / poses as f64)).collect();
     chosen.dedup_by(|a, b| times[*a] == times[*b]);
     chosen.into_iter().map(|index| run.row(index)).collect()
 }
 
 /// The first sample, then each time the one whose drawing is farthest from all before: at equal times an oscillation
 /// could look as if it stood still.
-fn most_different(run: &dyn Recorded, samples: usize) -> Vec<Row> {
+fn most_different(run: &dyn Recorded, samples: usize, poses: usize) -> Vec<Row> {
     let stride = samples.div_ceil(MOST_CANDIDATES).max(1);
     let candidates: Vec<Row> = (0..samples).step_by(stride).map(|index| run.row(index)).collect();
     let apart = |a: usize, b: usize| {
@@ -170,7 +177,7 @@ fn most_different(run: &dyn Recorded, samples: usize) -> Vec<Row> {
     let mut nearest = vec![f64::INFINITY; candidates.len()];
     let mut taken: Vec<usize> = Vec::new();
     let mut next = (!candidates.is_empty()).then_some(0);
-    while let Some(index) = next.filter(|_| taken.len() < POSES) {
+    while let Some(index) = next.filter(|_| taken.len() < poses) {
         taken.push(index);
         nearest.iter_mut().enumerate().for_each(|(other, best)| *best = best.min(apart(index, other)));
         let farthest = (0..candidates.len()).max_by(|a, b| nearest[*a].total_cmp(&nearest[*b]).then(b.cmp(a)));

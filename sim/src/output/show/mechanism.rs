@@ -116,7 +116,7 @@ fn entries(poses: &[Pose], placed: &[Placed]) -> Vec<Entry> {
     let labels = times(&indices.iter().map(|index| poses[*index].at).collect::<Vec<_>>());
     let entry = |(index, label): (usize, String)| {
         let colour = INK.on_white(placed[index].strength);
-        Entry { label, colour, width: 4.0, style: Style::Solid }
+        Entry { label, colour, width: if placed[index].plain { 2.0 } else { 4.0 }, style: Style::Solid }
     };
     indices.into_iter().zip(labels).map(entry).collect()
 }
@@ -132,7 +132,8 @@ fn draw(scene: &mut Scene, frame: &Frame, Drawn { placed, paths, scale, .. }: &D
                 }
                 Part::Curve(points) => {
                     let points = points.iter().map(|point| frame.place(*point)).collect();
-                    symbols::curve(scene, points, AXIS.on_white(pose.strength));
+                    let draw = if pose.plain { symbols::plain } else { symbols::curve };
+                    draw(scene, points, AXIS.on_white(pose.strength));
                 }
                 Part::Ground(points) => supports.extend(points.iter().map(|point| frame.place(*point))),
                 _ => {}
@@ -146,8 +147,12 @@ fn draw(scene: &mut Scene, frame: &Frame, Drawn { placed, paths, scale, .. }: &D
         symbols::trace(scene, thinned(points.iter().map(|point| frame.place(*point))), *colour);
     }
     for pose in placed.iter().rev() {
-        draw_bodies(scene, frame, *scale, pose);
-        draw_marks(scene, frame, pose);
+        if pose.plain {
+            draw_plainly(scene, frame, *scale, pose);
+        } else {
+            draw_bodies(scene, frame, *scale, pose);
+            draw_marks(scene, frame, pose);
+        }
     }
 }
 
@@ -200,6 +205,27 @@ fn draw_bodies(scene: &mut Scene, frame: &Frame, scale: f64, pose: &Placed) {
     for part in &pose.parts {
         if let Part::Slider { centre, angle } = part {
             symbols::slider(scene, frame.place(*centre), *angle, pose.strength);
+        }
+    }
+}
+
+/// Draws what tells a position by thin lines.
+fn draw_plainly(scene: &mut Scene, frame: &Frame, scale: f64, pose: &Placed) {
+    let places = |points: &[Point]| points.iter().map(|point| frame.place(*point)).collect();
+    for part in &pose.parts {
+        match part {
+            Part::Line { points, colour } | Part::Ring { points, colour } => {
+                symbols::plain(scene, places(points), colour.on_white(pose.strength));
+            }
+            Part::Circle { centre, radius, colour } => {
+                let outline = symbols::around(frame.place(*centre), radius.abs() * scale);
+                symbols::plain(scene, outline, colour.on_white(pose.strength));
+            }
+            Part::Spring(ends) | Part::Damper(ends) => {
+                symbols::plain(scene, places(ends), INK.on_white(pose.strength));
+            }
+            Part::Slider { centre, angle } => symbols::slider(scene, frame.place(*centre), *angle, pose.strength),
+            Part::Curve(_) | Part::Ground(_) | Part::Points(_) => {}
         }
     }
 }

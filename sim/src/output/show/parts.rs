@@ -7,8 +7,12 @@ use super::scene::Point;
 use super::ticks::shown;
 use super::{Positions, ShowError, view};
 
+/// With more bars than these, later poses are drawn plainly.
+const MOST_BARS: usize = 4;
 /// How strong the poses after the first are, from the second to the last.
 const STRENGTH: (f64, f64) = (0.5, 0.2);
+/// The same of thin lines.
+const STRENGTH_PLAIN: (f64, f64) = (0.7, 0.35);
 
 /// A shape with its places, in a unit of length and radians.
 pub(super) enum Part {
@@ -41,6 +45,8 @@ pub(super) enum Part {
 pub(super) struct Placed {
     pub(super) parts: Vec<Part>,
     pub(super) strength: f64,
+    /// Whether it is drawn by thin lines, without joints and marks.
+    pub(super) plain: bool,
 }
 
 /// Shapes in the plane or in space.
@@ -50,6 +56,20 @@ pub struct Shapes<'a> {
     pub dimension: usize,
     /// The shapes.
     pub shapes: &'a [Shape],
+}
+
+impl Shapes<'_> {
+    /// Whether so much is drawn that several positions of it hide each other.
+    pub(super) fn are_crowded(self) -> bool {
+        let bars = self.shapes.iter().map(|shape| match shape {
+            Shape::Line(points) => points.saturating_sub(1),
+            Shape::Spring | Shape::Damper => 1,
+            // One seen from the side is crossed by others.
+            Shape::Circle => self.dimension - 1,
+            Shape::Curve(_) | Shape::Slider | Shape::Ground(_) | Shape::Points(_) | Shape::Trace(_) => 0,
+        });
+        bars.sum::<usize>() > MOST_BARS
+    }
 }
 
 impl Shapes<'static> {
@@ -76,16 +96,18 @@ pub(super) fn placed(positions: &Positions, name: &str) -> Result<Vec<Placed>, S
             return Err(ShowError::Pose { figure, at: pose.at, numbers, needed });
         }
         let parts = parts(shapes, unit.metres, pose.numbers);
-        placed.push(Placed { parts, strength: strength(index, poses.len()) });
+        let plain = index > 0 && shapes.are_crowded();
+        placed.push(Placed { parts, strength: strength(index, poses.len(), plain), plain });
     }
     Ok(placed)
 }
 
-fn strength(index: usize, poses: usize) -> f64 {
+fn strength(index: usize, poses: usize, plain: bool) -> f64 {
+    let (second, last) = if plain { STRENGTH_PLAIN } else { STRENGTH };
     match index {
         0 => 1.0,
-        1 => STRENGTH.0,
-        _ => STRENGTH.0 + (STRENGTH.1 - STRENGTH.0) * (index - 1) as f64 / (poses - 2) as f64,
+        1 => second,
+        _ => second + (last - second) * (index - 1) as f64 / (poses - 2) as f64,
     }
 }
 

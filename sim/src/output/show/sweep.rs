@@ -1,6 +1,6 @@
 //! The figures of a sweep: everything against what is driven.
 
-use super::figures::{Figures, POSES, draw_mechanism, draw_outputs, label, motion, name_beside_groups};
+use super::figures::{Figures, draw_mechanism, draw_outputs, label, motion, name_beside_groups, poses};
 use super::{Curve, Plot, ShowError, Size, panels};
 use crate::output::outcome::Row;
 use crate::{Column, Driven, Kinematics, Table};
@@ -69,7 +69,7 @@ fn draw(swept: &Swept, table: &Table, directory: &Path, size: Size) -> Figures {
 fn draw_positions(swept: &Swept, directory: &Path, name: &str, size: Size) -> Result<(), ShowError> {
     let Swept { description, driven, values, .. } = *swept;
     let driven = driven.quantity(description);
-    let places = spread(values.len(), swept.is_cycle);
+    let places = spread(values.len(), poses(description), swept.is_cycle);
     let drawn: Vec<Vec<f64>> = places.iter().map(|index| (swept.drawing)(*index)).collect();
     let at = places.iter().map(|index| values[*index] / driven.factor);
     let poses = at.zip(drawn.iter().map(Vec::as_slice)).collect();
@@ -99,11 +99,11 @@ fn stacked(
     panels(&plots, size, directory, name)
 }
 
-/// Samples at equal intervals, without the last of a whole turn.
-fn spread(samples: usize, is_cycle: bool) -> Vec<usize> {
-    let intervals = if is_cycle { POSES } else { POSES - 1 };
+/// So many samples at equal intervals, without the last of a whole turn.
+fn spread(samples: usize, poses: usize, is_cycle: bool) -> Vec<usize> {
+    let intervals = if is_cycle { poses } else { poses - 1 };
     let last = samples.saturating_sub(1);
-    let mut places: Vec<usize> = (0..POSES).map(|i| last * i / intervals).collect();
+    let mut places: Vec<usize> = (0..poses).map(|i| last * i / intervals).collect();
     places.dedup();
     places
 }

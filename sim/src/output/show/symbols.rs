@@ -15,6 +15,8 @@ pub(super) const REACH: f64 = 62.0;
 const LINK: f64 = 4.0;
 const OUTLINE: f64 = 1.8;
 const TRACE: f64 = 1.5;
+/// Whatever is drawn plainly.
+const PLAIN: f64 = 1.6;
 const PIN: f64 = 5.0;
 const MASS: f64 = 7.5;
 /// Half the length and half the width of a slider.
@@ -33,6 +35,11 @@ const GROUND: (f64, f64) = (14.0, 21.0);
 /// A link.
 pub(super) fn link(scene: &mut Scene, points: Vec<Point>, colour: Colour) {
     scene.line(points, LINK, colour);
+}
+
+/// A link, a spring, a circle without more than its line.
+pub(super) fn plain(scene: &mut Scene, points: Vec<Point>, colour: Colour) {
+    scene.line(points, PLAIN, colour);
 }
 
 /// A joint.
@@ -94,11 +101,14 @@ pub(super) fn trace(scene: &mut Scene, points: Vec<Point>, colour: Colour) {
 
 /// A circle.
 pub(super) fn circle(scene: &mut Scene, at: Point, radius: f64, colour: Colour) {
+    ring(scene, around(at, radius), colour);
+}
+
+/// The outline of a circle.
+pub(super) fn around(at: Point, radius: f64) -> Vec<Point> {
     let mut outline = arc(at, radius, 0.0, TAU, 180);
-    if let Some(first) = outline.first().copied() {
-        outline.push(first);
-    }
-    ring(scene, outline, colour);
+    outline.extend(outline.first().copied());
+    outline
 }
 
 /// A circle's outline, seen from anywhere.
