@@ -75,6 +75,10 @@ const SCRUB: &str = "(() => {
 const CURSOR: &str = "[document.querySelector('.now').style.transform,
     [...document.querySelectorAll('.legend .value')].map((value) => value.textContent).join()]";
 
+/// What is wider than the room it has.
+const WIDER: &str = "[...document.querySelectorAll('.card, .scroll, .equations .row, pre')]
+    .filter((part) => part.scrollWidth > part.clientWidth + 1).map((part) => part.className || part.tagName).join()";
+
 #[test]
 #[ignore = "needs Chromium; .ci/run installs it and runs this"]
 fn every_report_moves_in_a_browser() {
@@ -200,6 +204,12 @@ fn what_a_reader_does_has_its_effect() {
     browser.screenshot(&pictures().join("equations.png"));
     let pdf = browser.printed();
     assert!(pdf > 20_000, "{pdf}");
+    // A4 between its margins.
+    browser.window(688, 1000, 1.0, false);
+    browser.call("Emulation.setEmulatedMedia", serde_json::json!({ "media": "print" }));
+    browser.evaluate("dispatchEvent(new Event('beforeprint'))");
+    browser.settle();
+    assert_eq!(browser.evaluate(WIDER), "", "paper does not scroll");
     assert!(browser.complaints.is_empty(), "{:?}", browser.complaints);
 }
 
