@@ -119,5 +119,6 @@ mechanism! {
         ground O2, O4;
         line O2, A, B, O4;
         point G2, G3, G4;
+        trace G3;
     }
 }

@@ -45,5 +45,6 @@ mechanism! {
         ground [0, 0, 0];
         line [0, 0, 0], P;
         point P;
+        trace P;
     }
 }

@@ -6,7 +6,8 @@ use std::f64::consts::{PI, TAU};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use sim::show::{Curve, Plot, Pose, Shapes, ShowError, mechanism, plot};
+use sim::show::{Curve, Length, Plot, Pose, Positions, Shapes, ShowError, Size, figures, mechanism, path, plot};
+use sim::{Mechanism, Settings, Table, declared_start, run};
 use sim_kernel::Shape;
 
 fn directory(name: &str) -> PathBuf {
@@ -19,6 +20,12 @@ fn svg(directory: &Path, name: &str) -> String {
 
 fn png(directory: &Path, name: &str) -> Vec<u8> {
     fs::read(directory.join(format!("{name}.png"))).unwrap()
+}
+
+/// Draws a mechanism that moves in time, in metres.
+fn drawn(title: &str, shapes: Shapes, poses: &[Pose], directory: &Path, name: &str) -> Result<(), ShowError> {
+    let positions = Positions { title, shapes, unit: Length::METRE, heading: "t [s]", poses, motion: &[] };
+    mechanism(&positions, Size::default(), directory, name)
 }
 
 fn times(until: f64) -> Vec<f64> {
@@ -142,13 +149,13 @@ fn nothing_to_show_is_an_error() {
     short.curves[1].values.pop();
     let error = plot(&short, &directory, "short").unwrap_err();
     assert_eq!(error.to_string(), "figure `short`: curve `rocker_speed` has 8192 values for 8193 abscissae");
-    let empty = |shapes: Shapes, poses: &[Pose]| mechanism("", shapes, poses, &directory, "empty");
+    let empty = |shapes: Shapes, poses: &[Pose]| drawn("", shapes, poses, &directory, "empty");
     assert!(matches!(empty(QUICK_RETURN, &[]), Err(ShowError::Empty { .. })));
-    assert!(matches!(empty(plane(&[]), &[Pose { numbers: &[], time: 0.0 }]), Err(ShowError::Empty { .. })));
-    let nan = Pose { numbers: &[f64::NAN; 3], time: 0.0 };
+    assert!(matches!(empty(plane(&[]), &[Pose { numbers: &[], at: 0.0 }]), Err(ShowError::Empty { .. })));
+    let nan = Pose { numbers: &[f64::NAN; 3], at: 0.0 };
     assert!(matches!(empty(plane(&[Shape::Slider]), &[nan]), Err(ShowError::Empty { .. })));
-    let error = empty(plane(&[Shape::Slider]), &[Pose { numbers: &[0.0; 4], time: 1.5 }]).unwrap_err();
-    assert_eq!(error.to_string(), "figure `empty`: the pose at t = 1.5 s has 4 numbers, its shapes take 3");
+    let error = empty(plane(&[Shape::Slider]), &[Pose { numbers: &[0.0; 4], at: 1.5 }]).unwrap_err();
+    assert_eq!(error.to_string(), "figure `empty`: the pose at 1.5 has 4 numbers, its shapes take 3");
     assert!(!directory.exists());
 }
 
@@ -170,12 +177,12 @@ fn a_file_in_the_way_is_an_error() {
 fn a_mechanism_moves() {
     let directory = directory("mechanism");
     let numbers: Vec<_> = (0..6).map(|sixth| quick_return(0.4 + TAU * f64::from(sixth) / 6.0)).collect();
-    let pose = |(numbers, sixth)| Pose { numbers, time: 0.109_89 * f64::from(sixth) };
+    let pose = |(numbers, sixth)| Pose { numbers, at: 0.109_89 * f64::from(sixth) };
     let poses: Vec<Pose> = numbers.iter().map(Vec::as_slice).zip(0..).map(pose).collect();
-    mechanism("Quick-return mechanism", QUICK_RETURN, &poses, &directory, "quick-return").unwrap();
+    drawn("Quick-return mechanism", QUICK_RETURN, &poses, &directory, "quick-return").unwrap();
     let first = svg(&directory, "quick-return");
     assert!(first.contains("0.33") && first.contains("x [m]") && first.contains("t [s]"));
-    mechanism("Quick-return mechanism", QUICK_RETURN, &poses, &directory, "quick-return").unwrap();
+    drawn("Quick-return mechanism", QUICK_RETURN, &poses, &directory, "quick-return").unwrap();
     assert_eq!(svg(&directory, "quick-return"), first);
 }
 
@@ -186,16 +193,14 @@ fn odd_drawings_are_drawn() {
         .map(|step| 0.001 * f64::from(step))
         .map(|x| [0.0, 0.0, x, 0.0, 0.1, 0.0, x, 0.0, 0.0, 0.1, 0.0])
         .collect();
-    let poses: Vec<Pose> =
-        flat.iter().zip(0..).map(|(numbers, step)| Pose { numbers, time: f64::from(step) }).collect();
+    let poses: Vec<Pose> = flat.iter().zip(0..).map(|(numbers, step)| Pose { numbers, at: f64::from(step) }).collect();
     let shapes = [Shape::Line(3), Shape::Slider, Shape::Ground(1)];
-    mechanism("A row of masses", plane(&shapes), &poses, &directory, "flat").unwrap();
-    let point = Pose { numbers: &[1.0, 2.0], time: 0.0 };
-    mechanism("", plane(&[Shape::Points(1)]), &[point], &directory, "point").unwrap();
+    drawn("A row of masses", plane(&shapes), &poses, &directory, "flat").unwrap();
+    let point = Pose { numbers: &[1.0, 2.0], at: 0.0 };
+    drawn("", plane(&[Shape::Points(1)]), &[point], &directory, "point").unwrap();
     let wheel = [0.0, 1.0, 1.0, 0.0, 1.0, f64::NAN, 1.0, 0.7, 1.7, 0.0, 1.0];
-    let wheel = Pose { numbers: &wheel, time: 0.0 };
-    mechanism("Wheel", plane(&[Shape::Circle, Shape::Line(3), Shape::Points(1)]), &[wheel], &directory, "wheel")
-        .unwrap();
+    let wheel = Pose { numbers: &wheel, at: 0.0 };
+    drawn("Wheel", plane(&[Shape::Circle, Shape::Line(3), Shape::Points(1)]), &[wheel], &directory, "wheel").unwrap();
 }
 
 #[test]
@@ -213,10 +218,72 @@ fn what_stands_in_space_has_a_scale_and_its_axes() {
         numbers
     };
     let numbers: Vec<Vec<f64>> = (0..3).map(|turn| pose(f64::from(turn))).collect();
-    let poses: Vec<Pose> = numbers.iter().zip(0..).map(|(numbers, t)| Pose { numbers, time: f64::from(t) }).collect();
+    let poses: Vec<Pose> = numbers.iter().zip(0..).map(|(numbers, t)| Pose { numbers, at: f64::from(t) }).collect();
     let space = Shapes { dimension: 3, shapes: &shapes };
-    mechanism("A wheel on an arm", space, &poses, &directory, "space").unwrap();
+    drawn("A wheel on an arm", space, &poses, &directory, "space").unwrap();
     let drawn = svg(&directory, "space");
     assert!(drawn.contains(">0.1 m<") && [">x<", ">y<", ">z<"].iter().all(|axis| drawn.contains(axis)));
     assert!(!drawn.contains("x [m]"));
+}
+
+/// Width and height of the lines that are so wide, on the sheet.
+fn extent(svg: &str, stroke: &str) -> (f64, f64) {
+    let lines = svg.lines().filter(|line| line.contains(&format!("stroke-width=\"{stroke}\"")));
+    let places = lines.filter_map(|line| line.split('"').nth(1)).flat_map(|points| points.split(' '));
+    let points: Vec<(f64, f64)> = places
+        .map(|place| place.split_once(',').unwrap())
+        .map(|(x, y)| (x.parse().unwrap(), y.parse().unwrap()))
+        .collect();
+    range(&points)
+}
+
+/// Width and height of points.
+fn range(points: &[(f64, f64)]) -> (f64, f64) {
+    let extent = |part: fn(&(f64, f64)) -> f64| {
+        let (low, high) = points
+            .iter()
+            .map(part)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+        high - low
+    };
+    (extent(|point| point.0), extent(|point| point.1))
+}
+
+/// The middle of the coupler, by intersecting circles.
+fn coupler_point(machine: &models::FourBar, crank: f64) -> (f64, f64) {
+    let &models::FourBar { a, b, c, d, .. } = machine;
+    let pin = (a * crank.cos(), a * crank.sin());
+    let (x, y) = (d - pin.0, -pin.1);
+    let apart = x.hypot(y);
+    let along = (b * b - c * c + apart * apart) / (2.0 * apart);
+    let across = (b * b - along * along).sqrt();
+    let end = (pin.0 + (along * x - across * y) / apart, pin.1 + (along * y + across * x) / apart);
+    ((pin.0 + end.0) / 2.0, (pin.1 + end.1) / 2.0)
+}
+
+#[test]
+fn the_path_of_a_coupler_point_is_drawn() {
+    let directory = directory("traced");
+    let machine = models::FourBar::defaults();
+    let found = run(machine, &declared_start(&machine), &Settings::new(2.0)).unwrap();
+    let table = Table::of(&found.mechanism, &found.trajectory);
+    let figures = figures(&found, &table, &directory, Size::default());
+    assert!(figures.failures.is_empty(), "{:?}", figures.failures);
+    let drawn = svg(&directory, "mechanism");
+    assert!(drawn.contains(">four-bar in 6 positions<") && drawn.contains(">x [m]<"), "{drawn}");
+    let path: Vec<(f64, f64)> = (0..720).map(|half| coupler_point(&machine, f64::from(half) * PI / 360.0)).collect();
+    let (expected, traced) = (range(&path), extent(&drawn, "1.5"));
+    assert!((traced.0 / traced.1 - expected.0 / expected.1).abs() < 0.01, "{traced:?} {expected:?}");
+}
+
+#[test]
+fn a_path_is_drawn_to_one_scale() {
+    let directory = directory("path");
+    let turns: Vec<f64> = (0..=360).map(|turn| f64::from(turn) * PI / 180.0).collect();
+    let x: Vec<f64> = turns.iter().map(|turn| turn.cos()).collect();
+    let curves = vec![curve("y [mm]", &turns, |turn| 1000.0 * turn.sin())];
+    let circle = Plot { title: "", x_label: "x [m]", y_label: "y [mm]", x: &x, curves };
+    path(&circle, 1e-3, Size::default(), &directory, "circle").unwrap();
+    let (width, height) = extent(&svg(&directory, "circle"), "2");
+    assert!((width - height).abs() < 1.0 && height > 300.0, "{width} {height}");
 }

@@ -75,6 +75,10 @@ const SCRUB: &str = "(() => {
 const CURSOR: &str = "[document.querySelector('.now').style.transform,
     [...document.querySelectorAll('.legend .value')].map((value) => value.textContent).join()]";
 
+/// What is wider than the room it has.
+const WIDER: &str = "[...document.querySelectorAll('.card, .scroll, .equations .row, pre')]
+    .filter((part) => part.scrollWidth > part.clientWidth + 1).map((part) => part.className || part.tagName).join()";
+
 #[test]
 #[ignore = "needs Chromium; .ci/run installs it and runs this"]
 fn every_report_moves_in_a_browser() {
@@ -200,6 +204,28 @@ fn what_a_reader_does_has_its_effect() {
     browser.screenshot(&pictures().join("equations.png"));
     let pdf = browser.printed();
     assert!(pdf > 20_000, "{pdf}");
+    // A4 between its margins.
+    browser.window(688, 1000, 1.0, false);
+    browser.call("Emulation.setEmulatedMedia", serde_json::json!({ "media": "print" }));
+    browser.evaluate("dispatchEvent(new Event('beforeprint'))");
+    browser.settle();
+    assert_eq!(browser.evaluate(WIDER), "", "paper does not scroll");
+    assert!(browser.complaints.is_empty(), "{:?}", browser.complaints);
+}
+
+#[test]
+#[ignore = "needs Chromium; .ci/run installs it and runs this"]
+fn declared_traces_are_shown_until_they_are_switched_off() {
+    let report = made("traced", "four-bar", "1s");
+    let mut browser = Browser::start(&scratch("chromium-traces"));
+    browser.window(1400, 1000, 1.0, false);
+    browser.open(&report, "#t=0.1");
+    assert_eq!(browser.evaluate("[...report.drawing.traced].join()"), "G3");
+    let traced = browser.evaluate(PIXELS);
+    browser.evaluate("document.querySelector('#traces input:checked').click()");
+    browser.settle();
+    assert_eq!(browser.evaluate("report.drawing.traced.size"), 0);
+    assert_ne!(browser.evaluate(PIXELS)[1], traced[1], "no path was drawn");
     assert!(browser.complaints.is_empty(), "{:?}", browser.complaints);
 }
 

@@ -120,6 +120,7 @@ fn drawing(model: &Model, path: &TokenStream) -> Vec<TokenStream> {
             Shape::Points(Mark::Damper, _) => quote! { Damper },
             Shape::Points(Mark::Ground, points) => counted("Ground", points.len()),
             Shape::Points(Mark::Point, points) => counted("Points", points.len()),
+            Shape::Points(Mark::Trace, points) => counted("Trace", points.len()),
             Shape::Slider(..) => quote! { Slider },
             Shape::Circle(..) => quote! { Circle },
         };

@@ -19,7 +19,7 @@ fn whole_blocks() {
         "line [0, 0], P;",
         "lime [0, 0], P;",
         &[
-            "9:11 `lime` is not known here; expected one of `line`, `slider`, `ground`, `point`, `circle`, `curve`, `spring`, `damper`",
+            "9:11 `lime` is not known here; expected one of `line`, `slider`, `ground`, `point`, `circle`, `curve`, `spring`, `damper`, `trace`",
         ],
     );
     check(
@@ -28,6 +28,17 @@ fn whole_blocks() {
         &["9:24 a scalar stands where a vector belongs; a vector is written `[x, y]`"],
     );
     check("line [0, 0], P;", "spring [0, 0], P, P;", &["9:11 a drawn spring has two ends: `spring A, B;`"]);
+    check("line [0, 0], P;", "line [0, 0], P; trace P; trace P, l*[1, 0];", &[]);
+    check(
+        "line [0, 0], P;",
+        "trace;",
+        &["9:16 an expression is missing here: a number, a name, a vector `[x, y]` or `(..)`"],
+    );
+    check(
+        "line [0, 0], P;",
+        "trace P, P.x;",
+        &["9:20 a scalar stands where a vector belongs; a vector is written `[x, y]`"],
+    );
     check("line [0, 0], P;", "slider P;", &["9:19 expected `along`: `slider A along beta;`"]);
     check("pub Pendulum;", "pub Pendulum", &["2:1 a declaration starts with the mechanism's name: `pub QuickReturn;`"]);
     check(

@@ -238,6 +238,11 @@ fn drawing() {
     );
     check(
         "line [0, 0], P",
+        "trace [0, 1]",
+        &["9:21 a drawn point is in [m], and `[0, 1]` is a pure number; write `1 [m]`"],
+    );
+    check(
+        "line [0, 0], P",
         "slider P along P.x",
         &[
             "9:26 the angle of a slider is in [rad] or [deg] or a pure number, and `P.x` is in [m]",

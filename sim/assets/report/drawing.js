@@ -28,7 +28,7 @@ class Drawing {
     this.points = pointsOf(run.drawing.shapes);
     this.show = { joints: true, supports: true, guides: true, masses: true, names: run.drawing.named };
     this.hidden = new Set();
-    this.traced = new Set();
+    this.traced = new Set(run.drawing.shapes.filter((shape) => shape.kind === "trace").flatMap((shape) => shape.points));
     this.vectors = new Set();
     this.vectorScale = 1;
     this.extent = this.findExtent();
@@ -310,6 +310,13 @@ class Drawing {
     }
   }
 
+  /** A declared trace has a colour of its own, as in the figures; others have that of their point's number. */
+  colourOfTrace(index) {
+    const { name } = this.points[index];
+    const declared = run.drawing.shapes.find((shape) => shape.kind === "trace" && shape.points.includes(name));
+    return declared ? declared.colour : index;
+  }
+
   /** The whole way of a point, and a dot where it is. */
   trace(name, row) {
     const index = this.points.findIndex((point) => point.name === name);
@@ -327,12 +334,13 @@ class Drawing {
       this.paths.set(name, path);
     }
     const c = this.context;
-    c.strokeStyle = series(index);
+    const colour = series(this.colourOfTrace(index));
+    c.strokeStyle = colour;
     c.lineWidth = 1.6;
     c.globalAlpha = 0.75;
     c.stroke(this.paths.get(name));
     c.globalAlpha = 1;
-    this.disc(this.pointAt(row, at), 3.5, series(index));
+    this.disc(this.pointAt(row, at), 3.5, colour);
   }
 
   /** An arrow from the point that a force acts at. */

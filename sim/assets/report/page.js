@@ -85,7 +85,7 @@ function fillMenus() {
   }
   byId("parts").append(checkbox("names of points", drawing.show.names, (on) => (drawing.show.names = on)));
   for (const [i, point] of drawing.points.entries()) {
-    byId("traces").append(checkbox(point.name, false, among(drawing.traced, point.name), `var(--series-${i % 7})`));
+    byId("traces").append(checkbox(point.name, drawing.traced.has(point.name), among(drawing.traced, point.name), `var(--series-${drawing.colourOfTrace(i) % 7})`));
   }
   byId("traces").append(element("p", {}, "Or click a point in the drawing."));
   if (run.vectors.length === 0) {
@@ -151,15 +151,27 @@ byId("print-button").addEventListener("click", () => print());
 /** The width of plots on A4 or letter paper, in CSS pixels. */
 const PRINTED = 640;
 let darkBeforePrint = false;
+
+/** Makes equations that are wider than paper smaller, down to what can just be read. */
+function fitEquations(width) {
+  for (const row of document.querySelectorAll(".equations .row")) {
+    row.style.width = width ? `${width}px` : "";
+    row.style.removeProperty("--math-size");
+    if (width && row.scrollWidth > width) row.style.setProperty("--math-size", `${Math.max(6, Math.floor((170 * width) / row.scrollWidth) / 10)}px`);
+  }
+}
+
 addEventListener("beforeprint", () => {
   darkBeforePrint = isDark();
   setTheme(false);
   for (const plot of plots) if (plot.chart) plot.chart.setSize({ width: PRINTED, height: HEIGHT });
+  fitEquations(PRINTED);
   player.render();
 });
 addEventListener("afterprint", () => {
   setTheme(darkBeforePrint);
   for (const plot of plots) plot.fit();
+  fitEquations(null);
 });
 
 // Turning what stands in space.

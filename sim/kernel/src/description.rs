@@ -136,6 +136,8 @@ pub enum Shape {
     Ground(usize),
     /// This many marked points.
     Points(usize),
+    /// This many points whose paths are drawn.
+    Trace(usize),
     /// A circle: its centre and its radius, and in space the normal of its plane.
     Circle,
 }
@@ -144,7 +146,8 @@ impl Shape {
     /// The number of its points.
     pub const fn points(self) -> usize {
         match self {
-            Shape::Line(points) | Shape::Curve(points) | Shape::Ground(points) | Shape::Points(points) => points,
+            Shape::Line(points) | Shape::Curve(points) | Shape::Ground(points) => points,
+            Shape::Points(points) | Shape::Trace(points) => points,
             Shape::Spring | Shape::Damper => 2,
             Shape::Slider | Shape::Circle => 1,
         }

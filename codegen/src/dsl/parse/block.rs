@@ -174,7 +174,7 @@ fn output_after_name(input: ParseStream, docs: String, name: Ident) -> Result<Ou
 
 pub(super) fn shape(input: ParseStream) -> Result<Shape> {
     docs(input)?;
-    let word = keyword(input, &["line", "slider", "ground", "point", "circle", "curve", "spring", "damper"])?;
+    let word = keyword(input, &["line", "slider", "ground", "point", "circle", "curve", "spring", "damper", "trace"])?;
     let first = expression(input)?;
     match word.to_string().as_str() {
         "slider" => {
@@ -208,6 +208,7 @@ fn mark(name: &str) -> Mark {
         "spring" => Mark::Spring,
         "damper" => Mark::Damper,
         "ground" => Mark::Ground,
+        "trace" => Mark::Trace,
         _ => Mark::Point,
     }
 }

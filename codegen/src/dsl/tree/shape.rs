@@ -44,4 +44,6 @@ pub enum Mark {
     Ground,
     /// `point`: a mark at each point.
     Point,
+    /// `trace`: the path of each point.
+    Trace,
 }

@@ -85,7 +85,7 @@ pub(super) struct PlotArguments {
     #[arg(required = true, value_name = "NAME")]
     pub(super) quantities: Vec<String>,
 
-    /// The quantity along the abscissa, instead of time.
+    /// The quantity along the abscissa, instead of time; lengths against a length are drawn to one scale, as a path.
     #[arg(long, value_name = "NAME", default_value = "t")]
     pub(super) against: String,
 

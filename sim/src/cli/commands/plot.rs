@@ -4,8 +4,9 @@ use crate::cli::arguments::{PlotArguments, Voice};
 use crate::cli::files::stored::{Stored, StoredColumn, make, place, provenance_of};
 use crate::cli::{Stop, print};
 use crate::output::show::{self, Curve, Plot};
+use codegen::model::{Dimension, Unit};
 
-/// Draws quantities of a run over time or another quantity, those of one unit in one panel.
+/// Draws quantities of a run over time or another quantity, those of one unit in one panel; lengths against a length to one scale.
 pub(in crate::cli) fn plot(arguments: &PlotArguments, voice: Voice) -> Result<(), Stop> {
     let run = Stored::read(&arguments.run)?;
     let across = run.column(&arguments.against)?;
@@ -40,8 +41,12 @@ pub(in crate::cli) fn plot(arguments: &PlotArguments, voice: Voice) -> Result<()
     };
     let (directory, name) = place(&arguments.out.clone().unwrap_or_else(default));
     make(&directory)?;
-    let provenance = provenance_of(std::slice::from_ref(&run));
-    show::panels_with(&plots, arguments.size.show(), &directory, &name, &provenance)?;
+    let (provenance, size) = (provenance_of(std::slice::from_ref(&run)), arguments.size.show());
+    let ratio = groups.first().and_then(|group| ratio_of_lengths(&group[0].unit, &across.unit));
+    match (plots.as_slice(), ratio) {
+        ([plot], Some(ratio)) => show::path_with(plot, ratio, size, &directory, &name, &provenance)?,
+        (plots, _) => show::panels_with(plots, size, &directory, &name, &provenance)?,
+    }
     let written = directory.join(name);
     match voice.quiet {
         true => Ok(()),
@@ -51,4 +56,13 @@ pub(in crate::cli) fn plot(arguments: &PlotArguments, voice: Voice) -> Result<()
         }
         false => print(&format!("written      {0}.svg, {0}.png\n", written.display())),
     }
+}
+
+/// The size of one unit by that of another, if both are units of length.
+fn ratio_of_lengths(one: &str, other: &str) -> Option<f64> {
+    let metres = |unit: &str| {
+        let unit = Unit::parse(unit).ok()?;
+        (*unit.dimension() == Dimension::length()).then(|| unit.factor())
+    };
+    Some(metres(one)? / metres(other)?)
 }

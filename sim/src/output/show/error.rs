@@ -28,12 +28,12 @@ pub enum ShowError {
         abscissae: usize,
     },
     /// A pose does not fit the shapes.
-    #[error("figure `{figure}`: the pose at t = {time} s has {numbers} numbers, its shapes take {needed}")]
+    #[error("figure `{figure}`: the pose at {at} has {numbers} numbers, its shapes take {needed}")]
     Pose {
         /// The figure's name.
         figure: String,
-        /// The pose's time.
-        time: f64,
+        /// The pose's time, or the value of what is driven.
+        at: f64,
         /// The number of its numbers.
         numbers: usize,
         /// The number that the shapes need.

@@ -1,17 +1,21 @@
 //! The figures of a run: one for each group of outputs, and the mechanism in several positions.
 
-use super::{Curve, Plot, Pose, ShowError, Size, mechanism_of_size, panels_with};
+use super::{Curve, Length, Plot, Pose, Positions, Shapes, ShowError, Size, mechanism_with, panels_with};
 use crate::output::outcome::{Outcome, Recorded, Row};
 use crate::state::provenance::Provenance;
 use crate::{Column, Run, Table};
-use sim_kernel::{Description, Figure, Mechanism};
+use sim_kernel::{Description, Figure, Mechanism, Shape};
 use std::ops::Range;
 use std::path::Path;
 
 /// Positions in the picture of the mechanism.
-pub(super) const POSES: usize = 6;
+const POSES: usize = 6;
+/// Where more of them would be a tangle.
+const FEW_POSES: usize = 4;
 /// Samples among which they are chosen.
 const MOST_CANDIDATES: usize = 2000;
+/// Samples through which a path is drawn.
+const MOST_PLACES: usize = 20_000;
 
 /// The outcome of drawing.
 #[derive(Debug, Default)]
@@ -46,8 +50,12 @@ pub(crate) fn figures_of(
     let description = outcome.description;
     let mut figures = draw_outputs(description, table, ("time [s]", table.times()), directory, size);
     if !description.drawing.is_empty() {
-        let (name, rows) = (name_beside_groups(description, "mechanism"), chosen(run, outcome, table.times()));
-        figures.add(&name, draw_mechanism(description, &rows, directory, &name, size, &table.provenance));
+        let rows = chosen(run, outcome, table.times(), poses(description));
+        let poses = rows.iter().map(|row| (row.time, row.drawing.as_slice())).collect();
+        let motion = motion(description, outcome.samples, |index| run.row(index).drawing);
+        let name = name_beside_groups(description, "mechanism");
+        let sheet = Sheet { directory, name: &name, size, provenance: &table.provenance };
+        figures.add(&name, draw_mechanism(description, ("t [s]", poses), &motion, &sheet));
     }
     figures
 }
@@ -113,38 +121,61 @@ fn y_label(name: &str, columns: &[&Column], labels: &[&str]) -> String {
     format!("{what} {}", units.join(", "))
 }
 
-/// The mechanism at several samples.
-pub(super) fn draw_mechanism(
-    description: &Description,
-    rows: &[Row],
-    directory: &Path,
-    name: &str,
-    size: Size,
-    provenance: &Provenance,
-) -> Result<(), ShowError> {
-    let poses: Vec<Pose> = rows.iter().map(|row| Pose { numbers: &row.drawing, time: row.time }).collect();
-    let title = match poses.len() {
-        1 => description.type_name.to_owned(),
-        n => format!("{} in {n} positions", description.type_name),
-    };
-    mechanism_of_size(&title, super::Shapes::of(description), &poses, size, directory, name, provenance)
+/// The file of a figure.
+pub(super) struct Sheet<'a> {
+    pub(super) directory: &'a Path,
+    pub(super) name: &'a str,
+    pub(super) size: Size,
+    pub(super) provenance: &'a Provenance,
 }
 
-/// The samples at equal times through the period, or where positions differ most, in the order of time.
-fn chosen(run: &dyn Recorded, outcome: &Outcome, times: &[f64]) -> Vec<Row> {
-    let Some(period) = outcome.period else { return most_different(run, outcome.samples) };
+/// The mechanism at several samples, each by its value under the heading and its drawing, and what its traced points do in a motion.
+pub(super) fn draw_mechanism(
+    description: &Description,
+    (heading, poses): (&str, Vec<(f64, &[f64])>),
+    motion: &[Vec<f64>],
+    sheet: &Sheet,
+) -> Result<(), ShowError> {
+    let poses: Vec<Pose> = poses.into_iter().map(|(at, numbers)| Pose { numbers, at }).collect();
+    let title = match poses.len() {
+        1 => description.name.to_owned(),
+        n => format!("{} in {n} positions", description.name),
+    };
+    let (shapes, unit) = (Shapes::of(description), Length::of(description));
+    let positions = Positions { title: &title, shapes, unit, heading, poses: &poses, motion };
+    mechanism_with(&positions, sheet.size, sheet.directory, sheet.name, sheet.provenance)
+}
+
+/// The drawing at so many samples, of some at equal distances where they are many, with the last; none where nothing is traced.
+pub(super) fn motion(description: &Description, samples: usize, drawing: impl Fn(usize) -> Vec<f64>) -> Vec<Vec<f64>> {
+    if !description.drawing.iter().any(|shape| matches!(shape, Shape::Trace(_))) {
+        return Vec::new();
+    }
+    let stride = samples.div_ceil(MOST_PLACES).max(1);
+    let last = samples.checked_sub(1).filter(|last| last % stride != 0);
+    (0..samples).step_by(stride).chain(last).map(drawing).collect()
+}
+
+/// How many positions of a mechanism are drawn.
+pub(super) fn poses(description: &Description) -> usize {
+    if Shapes::of(description).are_crowded() { FEW_POSES } else { POSES }
+}
+
+/// So many samples at equal times through the period, or where positions differ most, in the order of time.
+fn chosen(run: &dyn Recorded, outcome: &Outcome, times: &[f64], poses: usize) -> Vec<Row> {
+    let Some(period) = outcome.period else { return most_different(run, outcome.samples, poses) };
     let nearest = |wanted: f64| {
         let apart = |index: &usize| (times[*index] - wanted).abs();
         (0..times.len()).min_by(|a, b| apart(a).total_cmp(&apart(b)))
     };
-    let mut chosen: Vec<usize> = (0..POSES).filter_map(|i| nearest(period * i as f64 / POSES as f64)).collect();
+    let mut chosen: Vec<usize> = (0..poses).filter_map(|i| nearest(period * i as f64 / poses as f64)).collect();
     chosen.dedup_by(|a, b| times[*a] == times[*b]);
     chosen.into_iter().map(|index| run.row(index)).collect()
 }
 
 /// The first sample, then repeatedly the one whose drawing differs most from all before: at equal times an oscillation
 /// could seem to stand still.
-fn most_different(run: &dyn Recorded, samples: usize) -> Vec<Row> {
+fn most_different(run: &dyn Recorded, samples: usize, poses: usize) -> Vec<Row> {
     let stride = samples.div_ceil(MOST_CANDIDATES).max(1);
     let candidates: Vec<Row> = (0..samples).step_by(stride).map(|index| run.row(index)).collect();
     let apart = |a: usize, b: usize| {
@@ -154,7 +185,7 @@ fn most_different(run: &dyn Recorded, samples: usize) -> Vec<Row> {
     let mut nearest = vec![f64::INFINITY; candidates.len()];
     let mut taken: Vec<usize> = Vec::new();
     let mut next = (!candidates.is_empty()).then_some(0);
-    while let Some(index) = next.filter(|_| taken.len() < POSES) {
+    while let Some(index) = next.filter(|_| taken.len() < poses) {
         taken.push(index);
         nearest.iter_mut().enumerate().for_each(|(other, best)| *best = best.min(apart(index, other)));
         let farthest = (0..candidates.len()).max_by(|a, b| nearest[*a].total_cmp(&nearest[*b]).then(b.cmp(a)));

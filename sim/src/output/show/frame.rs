@@ -4,7 +4,7 @@ use super::ShowError;
 use super::dash::dashes;
 use super::palette::{AXIS, Colour, GRID, INK, ZERO};
 use super::scene::{Anchor, Label, Point, Scene, fit, most_room, room};
-use super::ticks::Axis;
+use super::ticks::{Axis, FEW, Round};
 
 const TITLE: f64 = 20.0;
 const NAME: f64 = 17.0;
@@ -21,6 +21,8 @@ const SAMPLE: f64 = 30.0;
 const ROW: f64 = 25.0;
 /// The distance from a legend to its figure, and between columns.
 const APART: f64 = 22.0;
+/// The height of a line of text above the data.
+pub(super) const LINE: f64 = NAME + 6.0;
 /// The widest legend beside the data.
 const WIDEST: f64 = 300.0;
 
@@ -41,6 +43,8 @@ pub(super) struct Names<'a> {
     pub(super) title: &'a str,
     pub(super) x: &'a str,
     pub(super) y: &'a str,
+    /// Whether the ordinate's name stands level above the data area, and not upright beside it.
+    pub(super) above: bool,
 }
 
 /// An entry of a legend.
@@ -73,15 +77,15 @@ impl Style {
 /// Entries, and where they are.
 pub(super) struct Legend {
     entries: Vec<Entry>,
-    heading: Option<&'static str>,
+    heading: Option<String>,
     column: f64,
     beside: bool,
 }
 
 impl Legend {
     /// A legend beside the data if it fits there, otherwise below.
-    pub(super) fn new(entries: Vec<Entry>, heading: Option<&'static str>, height: f64) -> Result<Self, ShowError> {
-        let labels = most_room(entries.iter().map(|entry| entry.label.as_str()).chain(heading), LEGEND)?;
+    pub(super) fn new(entries: Vec<Entry>, heading: Option<String>, height: f64) -> Result<Self, ShowError> {
+        let labels = most_room(entries.iter().map(|entry| entry.label.as_str()).chain(heading.as_deref()), LEGEND)?;
         let column = SAMPLE + 8.0 + labels;
         let rows = entries.len() + usize::from(heading.is_some());
         let beside = column <= WIDEST && rows as f64 * ROW <= height;
@@ -97,6 +101,11 @@ impl Legend {
     /// The width it takes beside the data.
     pub(super) fn width(&self) -> f64 {
         if self.beside && !self.entries.is_empty() { APART + self.column } else { 0.0 }
+    }
+
+    /// The height of its entries beside the data.
+    pub(super) fn rows(&self) -> f64 {
+        ROW * self.places() as f64
     }
 
     /// The height it takes below, on a sheet of this width.
@@ -130,7 +139,7 @@ impl Legend {
             let (row, column) = (index / columns, index % columns);
             (corner.0 + column as f64 * (self.column + APART), corner.1 + (row as f64 + 0.5) * ROW)
         };
-        if let Some(heading) = self.heading {
+        if let Some(heading) = &self.heading {
             let at = place(0);
             scene.text(heading, (at.0, at.1 + 0.35 * LEGEND), LEGEND, Anchor::Start, INK);
         }
@@ -147,23 +156,33 @@ impl Legend {
     }
 }
 
-/// The least distance of ticks, in numbers, on a level axis of this range and width: their labels do not touch.
-pub(super) fn apart(range: (f64, f64), width: f64) -> Result<f64, ShowError> {
+/// The least distance of ticks, in numbers, on a level axis of this range and width: their labels do not touch, and they are a
+/// few, if there is room for them.
+pub(super) fn apart(range: (f64, f64), width: f64, round: Round) -> Result<f64, ShowError> {
     let unit = (range.1 - range.0) / width;
-    for least in [60.0, 80.0, 110.0, 150.0, 200.0] {
-        let axis = Axis::new(range, least * unit);
-        let labels = most_room(axis.ticks.iter().map(|tick| tick.label.as_str()), NUMBER)?;
-        if axis.ticks.windows(2).all(|pair| pair[1].at - pair[0].at >= (labels + 14.0) * unit) {
+    // The usual distances, wider ones for long labels, nearer ones on short axes.
+    let mut most: Option<(usize, f64)> = None;
+    for least in [60.0, 80.0, 110.0, 150.0, 200.0, 50.0, 40.0, 30.0] {
+        let ticks = Axis::new(range, least * unit, round).ticks;
+        let labels = most_room(ticks.iter().map(|tick| tick.label.as_str()), NUMBER)?;
+        if ticks.windows(2).any(|pair| pair[1].at - pair[0].at < (labels + 14.0) * unit) {
+            continue;
+        }
+        if ticks.len() >= FEW {
             return Ok(least * unit);
         }
+        if most.is_none_or(|(count, _)| ticks.len() > count) {
+            most = Some((ticks.len(), least));
+        }
     }
-    Ok(300.0 * unit)
+    Ok(most.map_or(300.0, |(_, least)| least) * unit)
 }
 
-/// The room left of the data area.
-pub(super) fn left_room(y: &Axis) -> Result<f64, ShowError> {
+/// The room left of the data area, with or without the ordinate's name.
+pub(super) fn left_room(y: &Axis, named: bool) -> Result<f64, ShowError> {
     let numbers = most_room(y.ticks.iter().map(|tick| tick.label.as_str()), NUMBER)?;
-    Ok(MARGIN + NAME + 12.0 + numbers.max(20.0) + TICK + 5.0)
+    let name = if named { NAME + 12.0 } else { 0.0 };
+    Ok(MARGIN + name + numbers.max(20.0) + TICK + 5.0)
 }
 
 /// The room right of the data area, without the legend.
@@ -172,11 +191,11 @@ pub(super) fn right_room(x: &Axis) -> Result<f64, ShowError> {
     Ok(MARGIN.max(number / 2.0) + 4.0)
 }
 
-/// The room above the data area.
-pub(super) fn top_room(title: &str, y: &Axis) -> f64 {
+/// The room above the data area, with or without a line of text next to it: a note or the ordinate's name.
+pub(super) fn top_room(title: &str, line: bool) -> f64 {
     let title = if title.is_empty() { 0.0 } else { TITLE + 14.0 };
-    let note = if y.note.is_some() { NAME + 6.0 } else { 0.0 };
-    MARGIN + title + note
+    let line = if line { LINE } else { 0.0 };
+    MARGIN + title + line
 }
 
 /// The room below the data area, without the legend.
@@ -240,9 +259,16 @@ impl Frame {
 
     fn draw_names(&self, scene: &mut Scene, names: &Names) -> Result<(), ShowError> {
         self.draw_title(scene, names.title)?;
-        let (middle, height) = ((self.left + self.right) / 2.0, self.bottom - self.top);
-        if let Some(note) = &self.y.note {
-            scene.text(note, (self.left - TICK, self.top - 8.0), NAME, Anchor::Start, INK);
+        let middle = (self.left + self.right) / 2.0;
+        let note = self.y.note.as_deref().unwrap_or("");
+        match names.above {
+            true => self.draw_line_above(scene, names.y, note)?,
+            false => {
+                scene.text(note, (self.left - TICK, self.top - 8.0), NAME, Anchor::Start, INK);
+                let at = (MARGIN + 0.8 * NAME, (self.top + self.bottom) / 2.0);
+                let (text, size) = fit(names.y, NAME, self.bottom - self.top + 40.0)?;
+                scene.label(Label { text, at, size, anchor: Anchor::Middle, upwards: true, colour: INK });
+            }
         }
 
         let below = self.bottom + TICK + 4.0 + NUMBER + 10.0 + 0.7 * NAME;
@@ -251,10 +277,16 @@ impl Frame {
         let space = self.right - self.left - 2.0 * room(note, NAME)?;
         let (name, size) = fit(names.x, NAME, space)?;
         scene.text(&name, (middle, below), size, Anchor::Middle, INK);
+        Ok(())
+    }
 
-        let beside = (MARGIN + 0.8 * NAME, (self.top + self.bottom) / 2.0);
-        let (text, size) = fit(names.y, NAME, height + 40.0)?;
-        scene.label(Label { text, at: beside, size, anchor: Anchor::Middle, upwards: true, colour: INK });
+    /// The ordinate's name, and after it what its labels are to be multiplied with.
+    fn draw_line_above(&self, scene: &mut Scene, name: &str, note: &str) -> Result<(), ShowError> {
+        let taken = if note.is_empty() { 0.0 } else { room(note, NAME)? + APART };
+        let (name, size) = fit(name, NAME, self.right - self.left - taken)?;
+        let base = self.top - 8.0;
+        scene.text(&name, (self.left, base), size, Anchor::Start, INK);
+        scene.text(note, (self.left + room(&name, size)? + APART, base), NAME, Anchor::Start, INK);
         Ok(())
     }
 }

@@ -13,6 +13,9 @@ mod error;
 mod figures;
 mod font;
 mod frame;
+#[cfg(test)]
+mod layout;
+mod length;
 mod mechanism;
 mod names;
 mod palette;
@@ -27,6 +30,7 @@ mod sweep;
 mod symbols;
 mod text;
 mod ticks;
+mod trace;
 mod vectors;
 mod view;
 
@@ -41,6 +45,7 @@ pub use error::ShowError;
 #[cfg(feature = "cli")]
 pub(crate) use figures::figures_of;
 pub use figures::{Figures, figures};
+pub use length::Length;
 pub use parts::Shapes;
 #[cfg(feature = "cli")]
 pub(crate) use report::report_of;
@@ -95,8 +100,25 @@ impl Default for Size {
 pub struct Pose<'a> {
     /// The numbers of the mechanism's shapes, in the order of its description.
     pub numbers: &'a [f64],
-    /// Its time, in seconds.
-    pub time: f64,
+    /// What tells it from the others: the time, or the value of what is driven, in the unit of the heading.
+    pub at: f64,
+}
+
+/// A mechanism in several positions.
+#[derive(Clone, Copy, Debug)]
+pub struct Positions<'a> {
+    /// The title; may be empty.
+    pub title: &'a str,
+    /// What is drawn.
+    pub shapes: Shapes<'a>,
+    /// The unit of the axes.
+    pub unit: Length<'a>,
+    /// What poses differ in, with its unit: `t [s]`.
+    pub heading: &'a str,
+    /// The positions, the first of them strong and later ones fainter.
+    pub poses: &'a [Pose<'a>],
+    /// The numbers of the shapes at many samples in their order, through which traced points are drawn; may be empty.
+    pub motion: &'a [Vec<f64>],
 }
 
 /// Writes the plot to `NAME.svg` and `NAME.png` in the directory, which is created if necessary.
@@ -108,17 +130,17 @@ pub fn plot(plot: &Plot, directory: &Path, name: &str) -> Result<(), ShowError> 
     panels(std::slice::from_ref(plot), Size::default(), directory, name)
 }
 
-/// Writes plots below each other, over one abscissa, to `NAME.svg` and `NAME.png` in the directory, which is created if
-/// necessary. The abscissa is named as the last plot says.
+/// Writes plots below each other, over one abscissa, to `NAME.svg` and `NAME.png` in the directory, which is made if
+/// need be. The abscissa is named as the last plot says. Where so many need it, the figure is higher than its size says.
 ///
 /// # Errors
 ///
-/// As [`plot`], and if there is no room for so many.
+/// As [`plot`].
 pub fn panels(plots: &[Plot], size: Size, directory: &Path, name: &str) -> Result<(), ShowError> {
     panels_with(plots, size, directory, name, &Provenance::default())
 }
 
-/// The same of which more is known than the program.
+/// The same with more of its origin than the program.
 pub(crate) fn panels_with(
     plots: &[Plot],
     size: Size,
@@ -129,27 +151,47 @@ pub(crate) fn panels_with(
     save(&plot::scene(plots, size, name)?, directory, name, provenance)
 }
 
-/// Writes the mechanism in several positions to `NAME.svg` and `NAME.png` in the directory, which is created if
-/// necessary: the first position strong, later ones fainter, both axes in metres and of equal scale.
+/// Writes a plot of lengths against a length with equal scales, as the path of a point is drawn, to `NAME.svg` and `NAME.png`
+/// in the directory, which is created if necessary. `ratio` is the size of the ordinate's unit in that of the abscissa.
 ///
 /// # Errors
 ///
-/// There is nothing to show, a pose has too few or too many numbers, or a file cannot be written.
-pub fn mechanism(title: &str, shapes: Shapes, poses: &[Pose], directory: &Path, name: &str) -> Result<(), ShowError> {
-    mechanism_of_size(title, shapes, poses, Size::default(), directory, name, &Provenance::default())
+/// As [`plot`].
+pub fn path(plot: &Plot, ratio: f64, size: Size, directory: &Path, name: &str) -> Result<(), ShowError> {
+    path_with(plot, ratio, size, directory, name, &Provenance::default())
 }
 
-/// The same on a sheet of about this size, of which more is known than the program.
-fn mechanism_of_size(
-    title: &str,
-    shapes: Shapes,
-    poses: &[Pose],
+/// The same with more of its origin than the program.
+pub(crate) fn path_with(
+    plot: &Plot,
+    ratio: f64,
     size: Size,
     directory: &Path,
     name: &str,
     provenance: &Provenance,
 ) -> Result<(), ShowError> {
-    save(&mechanism::scene(title, shapes, poses, size, name)?, directory, name, provenance)
+    save(&plot::path(plot, ratio, size, name)?, directory, name, provenance)
+}
+
+/// Writes a mechanism in several positions to `NAME.svg` and `NAME.png` in the directory, which is created if necessary, on a
+/// sheet of about this size, with equal scales.
+///
+/// # Errors
+///
+/// There is nothing to show, a pose has too few or too many numbers, or a file cannot be written.
+pub fn mechanism(positions: &Positions, size: Size, directory: &Path, name: &str) -> Result<(), ShowError> {
+    mechanism_with(positions, size, directory, name, &Provenance::default())
+}
+
+/// The same with more of its origin than the program.
+pub(crate) fn mechanism_with(
+    positions: &Positions,
+    size: Size,
+    directory: &Path,
+    name: &str,
+    provenance: &Provenance,
+) -> Result<(), ShowError> {
+    save(&mechanism::scene(positions, size, name)?, directory, name, provenance)
 }
 
 /// Writes a scene in both formats.

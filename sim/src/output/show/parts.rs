@@ -5,12 +5,16 @@ use sim_kernel::{Description, Shape};
 use super::palette::{Colour, series};
 use super::scene::Point;
 use super::ticks::shown;
-use super::{Pose, ShowError, view};
+use super::{Positions, ShowError, view};
 
+/// With more bars than these, later poses are drawn plainly.
+const MOST_BARS: usize = 4;
 /// The opacity of the poses after the first, from the second to the last.
 const STRENGTH: (f64, f64) = (0.5, 0.2);
+/// The same of thin lines.
+const STRENGTH_PLAIN: (f64, f64) = (0.7, 0.35);
 
-/// A shape with its places, in metres and radians.
+/// A shape with its places, in a unit of length and radians.
 pub(super) enum Part {
     Line {
         points: Vec<Point>,
@@ -41,6 +45,8 @@ pub(super) enum Part {
 pub(super) struct Placed {
     pub(super) parts: Vec<Part>,
     pub(super) strength: f64,
+    /// Whether it is drawn by thin lines, without joints and marks.
+    pub(super) plain: bool,
 }
 
 /// Shapes in the plane or in space.
@@ -52,6 +58,20 @@ pub struct Shapes<'a> {
     pub shapes: &'a [Shape],
 }
 
+impl Shapes<'_> {
+    /// Whether so much is drawn that several positions of it hide each other.
+    pub(super) fn are_crowded(self) -> bool {
+        let bars = self.shapes.iter().map(|shape| match shape {
+            Shape::Line(points) => points.saturating_sub(1),
+            Shape::Spring | Shape::Damper => 1,
+            // One seen from the side is crossed by others.
+            Shape::Circle => self.dimension - 1,
+            Shape::Curve(_) | Shape::Slider | Shape::Ground(_) | Shape::Points(_) | Shape::Trace(_) => 0,
+        });
+        bars.sum::<usize>() > MOST_BARS
+    }
+}
+
 impl Shapes<'static> {
     /// The drawn parts of a mechanism.
     pub fn of(description: &Description) -> Self {
@@ -60,7 +80,8 @@ impl Shapes<'static> {
 }
 
 /// The poses' parts.
-pub(super) fn placed(shapes: Shapes, poses: &[Pose], name: &str) -> Result<Vec<Placed>, ShowError> {
+pub(super) fn placed(positions: &Positions, name: &str) -> Result<Vec<Placed>, ShowError> {
+    let Positions { shapes, unit, poses, .. } = *positions;
     if shapes.shapes.is_empty() {
         return Err(ShowError::empty(name, "no shapes"));
     }
@@ -72,30 +93,34 @@ pub(super) fn placed(shapes: Shapes, poses: &[Pose], name: &str) -> Result<Vec<P
     for (index, pose) in poses.iter().enumerate() {
         if pose.numbers.len() != needed {
             let (figure, numbers) = (name.to_owned(), pose.numbers.len());
-            return Err(ShowError::Pose { figure, time: pose.time, numbers, needed });
+            return Err(ShowError::Pose { figure, at: pose.at, numbers, needed });
         }
-        placed.push(Placed { parts: parts(shapes, pose.numbers), strength: strength(index, poses.len()) });
+        let parts = parts(shapes, unit.metres, pose.numbers);
+        let plain = index > 0 && shapes.are_crowded();
+        placed.push(Placed { parts, strength: strength(index, poses.len(), plain), plain });
     }
     Ok(placed)
 }
 
-fn strength(index: usize, poses: usize) -> f64 {
+fn strength(index: usize, poses: usize, plain: bool) -> f64 {
+    let (second, last) = if plain { STRENGTH_PLAIN } else { STRENGTH };
     match index {
         0 => 1.0,
-        1 => STRENGTH.0,
-        _ => STRENGTH.0 + (STRENGTH.1 - STRENGTH.0) * (index - 1) as f64 / (poses - 2) as f64,
+        1 => second,
+        _ => second + (last - second) * (index - 1) as f64 / (poses - 2) as f64,
     }
 }
 
-/// The parts from a pose's numbers, without those that are not finite.
-fn parts(Shapes { dimension, shapes }: Shapes, mut numbers: &[f64]) -> Vec<Part> {
+/// The parts a pose's numbers make, in a unit of so many metres; what is not finite is left out.
+fn parts(Shapes { dimension, shapes }: Shapes, metres: f64, mut numbers: &[f64]) -> Vec<Part> {
+    let scaled = |point: Point| (point.0 / metres, point.1 / metres);
     let mut colours = 0;
     let mut parts = Vec::new();
     for shape in shapes {
         let (own, rest) = numbers.split_at(shape.numbers(dimension));
         numbers = rest;
         let (points, more) = own.split_at(dimension * shape.points());
-        let points: Vec<Point> = points.chunks_exact(dimension).map(view::seen).collect();
+        let points: Vec<Point> = points.chunks_exact(dimension).map(view::seen).map(scaled).collect();
         match shape {
             Shape::Slider | Shape::Circle if !own.iter().all(|number| shown(*number)) => {}
             Shape::Slider => parts.push(Part::Slider {
@@ -103,14 +128,22 @@ fn parts(Shapes { dimension, shapes }: Shapes, mut numbers: &[f64]) -> Vec<Part>
                 angle: if let [angle] = *more { angle } else { view::angle(more) },
             }),
             Shape::Circle => parts.push(match *more {
-                [radius] => Part::Circle { centre: points[0], radius, colour: series(colours) },
-                _ => Part::Ring { points: view::circle(own, more[0], &more[1..]), colour: series(colours) },
+                [radius] => Part::Circle { centre: points[0], radius: radius / metres, colour: series(colours) },
+                _ => {
+                    let points = view::circle(own, more[0], &more[1..]).into_iter().map(scaled).collect();
+                    Part::Ring { points, colour: series(colours) }
+                }
             }),
             _ => parts.extend(through(*shape, &points, series(colours))),
         }
-        colours += usize::from(matches!(shape, Shape::Line(_) | Shape::Circle));
+        colours += usize::from(is_coloured(*shape));
     }
     parts
+}
+
+/// Whether a shape has a colour of its own.
+pub(super) fn is_coloured(shape: Shape) -> bool {
+    matches!(shape, Shape::Line(_) | Shape::Circle | Shape::Trace(_))
 }
 
 /// Shapes drawn through or at points.
@@ -126,7 +159,7 @@ fn through(shape: Shape, points: &[Point], colour: Colour) -> Vec<Part> {
         Shape::Damper => ends().map(Part::Damper).into_iter().collect(),
         Shape::Ground(_) => vec![Part::Ground(all())],
         Shape::Points(_) => vec![Part::Points(all())],
-        Shape::Slider | Shape::Circle => Vec::new(),
+        Shape::Slider | Shape::Circle | Shape::Trace(_) => Vec::new(),
     }
 }
 

@@ -100,20 +100,32 @@ pub(super) fn most_room<'a>(texts: impl IntoIterator<Item = &'a str>, size: f64)
     texts.into_iter().try_fold(0.0_f64, |most, text| Ok(most.max(room(text, size)?)))
 }
 
-/// The text and the size, at most the given one and at least 14, at which it fits; if it does not, its end is cut off.
+/// The text and the size, at most the given one and at least 14, at which it fits. Where it does not, its end is cut off, or,
+/// where a unit stands there, what is before the unit.
 pub(super) fn fit(text: &str, size: f64, space: f64) -> Result<(String, f64), ShowError> {
     let needed = room(text, size)?;
     if needed <= space {
         return Ok((text.to_owned(), size));
     }
     let size = (size * space / needed).max(14.0_f64.min(size));
+    let unit = text.rfind(" [").filter(|start| *start > 0 && text.ends_with(']')).unwrap_or(text.len());
+    let (fitted, fits) = cut(&text[..unit], &text[unit..], size, space)?;
+    Ok((if fits { fitted } else { cut(text, "", size, space)?.0 }, size))
+}
+
+/// The text cut so that it fits with its unit, and whether it does.
+fn cut(text: &str, unit: &str, size: f64, space: f64) -> Result<(String, bool), ShowError> {
     let mut fitted = text.to_owned();
-    while room(&fitted, size)? > space + 1e-6 && fitted.chars().count() > 1 {
+    loop {
+        let whole = fitted.clone() + unit;
+        let fits = room(&whole, size)? <= space + 1e-6;
+        if fits || fitted.chars().count() <= 1 {
+            return Ok((whole, fits));
+        }
         let end = fitted.trim_end_matches('…').char_indices().next_back().map_or(0, |(end, _)| end);
         fitted.truncate(end);
         fitted.push('…');
     }
-    Ok((fitted, size))
 }
 
 #[cfg(test)]
@@ -131,5 +143,14 @@ mod tests {
         assert!(cut.starts_with("angul") && cut.ends_with('…') && size == 14.0);
         assert!(room(&cut, size).unwrap() <= 0.3 * needed);
         assert_eq!(fit(text, 20.0, 0.0).unwrap().0, "…");
+    }
+
+    #[test]
+    fn units_are_kept() {
+        let text = "angular speed of the rocker [rad/s]";
+        let (cut, _) = fit(text, 20.0, 0.4 * room(text, 20.0).unwrap()).unwrap();
+        assert!(cut.starts_with("angul") && cut.ends_with("… [rad/s]"), "{cut}");
+        assert!(fit(text, 20.0, 30.0).unwrap().0.ends_with('…'));
+        assert_eq!(fit("[rad/s]", 20.0, 0.0).unwrap().0, "…");
     }
 }

@@ -1,6 +1,6 @@
 //! The figures of a sweep: all quantities against the driven one.
 
-use super::figures::{Figures, POSES, draw_mechanism, draw_outputs, label, name_beside_groups};
+use super::figures::{Figures, Sheet, draw_mechanism, draw_outputs, label, motion, name_beside_groups, poses};
 use super::{Curve, Plot, ShowError, Size, panels_with};
 use crate::output::outcome::Row;
 use crate::state::provenance::Provenance;
@@ -18,18 +18,30 @@ const MOST_PANELS: usize = 5;
 /// transmission index (`transmission`), and the ratios of outputs to the driven quantity (`ratios`), all against the
 /// driven quantity; and the mechanism at equal intervals.
 pub fn sweep_figures<M: Mechanism>(found: &Kinematics<M>, table: &Table, directory: &Path, size: Size) -> Figures {
-    let (description, driven) = (const { &M::DESCRIPTION }, found.sweep.driven);
-    let poses = if description.drawing.is_empty() { Vec::new() } else { spread(found) };
-    draw((description, driven, &found.values), &poses, table, directory, size)
+    let drawing = |index: usize| Row::new(&found.mechanism, &found.trajectory.samples[index], 0.0).drawing;
+    let swept = Swept {
+        description: const { &M::DESCRIPTION },
+        driven: found.sweep.driven,
+        values: &found.values,
+        is_cycle: found.is_cycle(),
+        drawing: &drawing,
+    };
+    draw(&swept, table, directory, size)
 }
 
-fn draw(
-    (description, driven, values): (&'static Description, Driven, &[f64]),
-    poses: &[Row],
-    table: &Table,
-    directory: &Path,
-    size: Size,
-) -> Figures {
+/// A sweep without the type of its mechanism.
+struct Swept<'a> {
+    description: &'static Description,
+    driven: Driven,
+    /// Of what is driven, at each sample.
+    values: &'a [f64],
+    is_cycle: bool,
+    /// The numbers of the drawing at a sample.
+    drawing: &'a dyn Fn(usize) -> Vec<f64>,
+}
+
+fn draw(swept: &Swept, table: &Table, directory: &Path, size: Size) -> Figures {
+    let Swept { description, driven, values, .. } = *swept;
     let driven = driven.quantity(description);
     let what = label(driven.docs, driven.name).trim_end_matches('.');
     let x_label = format!("{what} [{}]", driven.unit);
@@ -47,11 +59,25 @@ fn draw(
     add("drive", "What the drive exerts", columns("drive_"));
     add("transmission", "Transmission index", columns("transmission_index"));
     add("ratios", &format!("Ratios of rates to that of {}", driven.name), columns("ratio_"));
-    if !poses.is_empty() {
+    if !description.drawing.is_empty() && !values.is_empty() {
         let name = name_beside_groups(description, "mechanism");
-        figures.add(&name, draw_mechanism(description, poses, directory, &name, size, &table.provenance));
+        let sheet = Sheet { directory, name: &name, size, provenance: &table.provenance };
+        figures.add(&name, draw_positions(swept, &sheet));
     }
     figures
+}
+
+/// The mechanism at equal intervals.
+fn draw_positions(swept: &Swept, sheet: &Sheet) -> Result<(), ShowError> {
+    let Swept { description, driven, values, .. } = *swept;
+    let driven = driven.quantity(description);
+    let places = spread(values.len(), poses(description), swept.is_cycle);
+    let drawn: Vec<Vec<f64>> = places.iter().map(|index| (swept.drawing)(*index)).collect();
+    let at = places.iter().map(|index| values[*index] / driven.factor);
+    let poses = at.zip(drawn.iter().map(Vec::as_slice)).collect();
+    let heading = format!("{} [{}]", driven.name, driven.unit);
+    let motion = motion(description, values.len(), swept.drawing);
+    draw_mechanism(description, (&heading, poses), &motion, sheet)
 }
 
 /// Columns in panels below each other.
@@ -76,13 +102,11 @@ fn stacked(
     panels_with(&plots, size, directory, name, provenance)
 }
 
-/// Samples at equal intervals, without the last of a whole turn.
-fn spread<M: Mechanism>(found: &Kinematics<M>) -> Vec<Row> {
-    let samples = &found.trajectory.samples;
-    let intervals = if found.is_cycle() { POSES } else { POSES - 1 };
-    let last = samples.len().saturating_sub(1);
-    let mut places: Vec<usize> = (0..POSES).map(|i| last * i / intervals).collect();
+/// So many samples at equal intervals, without the last of a whole turn.
+fn spread(samples: usize, poses: usize, is_cycle: bool) -> Vec<usize> {
+    let intervals = if is_cycle { poses } else { poses - 1 };
+    let last = samples.saturating_sub(1);
+    let mut places: Vec<usize> = (0..poses).map(|i| last * i / intervals).collect();
     places.dedup();
-    let samples = places.into_iter().filter_map(|i| samples.get(i));
-    samples.map(|sample| Row::new(&found.mechanism, sample, 0.0)).collect()
+    places
 }

@@ -14,6 +14,9 @@ pub(super) const REACH: f64 = 62.0;
 
 const LINK: f64 = 4.0;
 const OUTLINE: f64 = 1.8;
+const TRACE: f64 = 1.5;
+/// Whatever is drawn plainly.
+const PLAIN: f64 = 1.6;
 const PIN: f64 = 5.0;
 const MASS: f64 = 7.5;
 /// Half the length and half the width of a slider.
@@ -32,6 +35,11 @@ const GROUND: (f64, f64) = (14.0, 21.0);
 /// A link.
 pub(super) fn link(scene: &mut Scene, points: Vec<Point>, colour: Colour) {
     scene.line(points, LINK, colour);
+}
+
+/// A link, a spring, a circle without more than its line.
+pub(super) fn plain(scene: &mut Scene, points: Vec<Point>, colour: Colour) {
+    scene.line(points, PLAIN, colour);
 }
 
 /// A joint.
@@ -86,13 +94,21 @@ pub(super) fn ground(scene: &mut Scene, at: Point) {
     }
 }
 
+/// The path of a point.
+pub(super) fn trace(scene: &mut Scene, points: Vec<Point>, colour: Colour) {
+    scene.line(points, TRACE, colour);
+}
+
 /// A circle.
 pub(super) fn circle(scene: &mut Scene, at: Point, radius: f64, colour: Colour) {
+    ring(scene, around(at, radius), colour);
+}
+
+/// The outline of a circle.
+pub(super) fn around(at: Point, radius: f64) -> Vec<Point> {
     let mut outline = arc(at, radius, 0.0, TAU, 180);
-    if let Some(first) = outline.first().copied() {
-        outline.push(first);
-    }
-    ring(scene, outline, colour);
+    outline.extend(outline.first().copied());
+    outline
 }
 
 /// A circle's outline, seen from anywhere.
@@ -152,14 +168,14 @@ pub(super) fn axes(scene: &mut Scene, at: Point) {
     }
 }
 
-/// A scale bar of round length, at most this long on the sheet, from its left end.
-pub(super) fn scale(scene: &mut Scene, at: Point, metre: f64, longest: f64) {
-    let exponent = (longest / metre).log10().floor() as i32;
+/// A bar of round length, at most this long on the sheet, from its left end; the unit of length is so long there.
+pub(super) fn scale(scene: &mut Scene, at: Point, (name, unit): (&str, f64), longest: f64) {
+    let exponent = (longest / unit).log10().floor() as i32;
     let sizes = [5, 2, 1].map(|digit| (digit, f64::from(digit) * 10.0_f64.powi(exponent)));
-    let Some((digit, length)) = sizes.into_iter().find(|(_, length)| length * metre <= longest) else { return };
-    let end = at.0 + length * metre;
+    let Some((digit, length)) = sizes.into_iter().find(|(_, length)| length * unit <= longest) else { return };
+    let end = at.0 + length * unit;
     scene.line(vec![(at.0, at.1 - 6.0), at, (end, at.1), (end, at.1 - 6.0)], 1.2, AXIS);
-    let text = format!("{} m", decimal(i64::from(digit), exponent));
+    let text = format!("{} {name}", decimal(i64::from(digit), exponent));
     scene.text(&text, ((at.0 + end) / 2.0, at.1 - 9.0), 15.0, Anchor::Middle, INK);
 }
 

@@ -5,8 +5,30 @@ use super::text::{decimal, power_of_ten};
 /// Values from here on count as infinite.
 const HUGE: f64 = 1e300;
 
+/// Degrees.
+const TURN: i64 = 360;
+
 /// Below this share of the values, their differences are rounding.
 const ROUNDING: f64 = 1e-12;
+
+/// Axes have so many ticks at least, if there is room for them.
+pub(super) const FEW: usize = 3;
+
+/// What steps of ticks are round in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Round {
+    /// 1, 2, 5 and 10.
+    Decimals,
+    /// The same up to ten degrees, then parts and multiples of a turn.
+    Degrees,
+}
+
+impl Round {
+    /// What suits an axis with this label: `angle [deg]`.
+    pub(super) fn of(label: &str) -> Round {
+        if label.ends_with("[deg]") && label.matches('[').count() == 1 { Round::Degrees } else { Round::Decimals }
+    }
+}
 
 /// A range and its ticks.
 #[derive(Clone, Debug)]
@@ -31,11 +53,6 @@ impl Axis {
     pub(super) fn without_labels(&self) -> Axis {
         let ticks = self.ticks.iter().map(|tick| Tick { at: tick.at, label: String::new() }).collect();
         Axis { ticks, note: None, ..*self }
-    }
-
-    /// The same ticks with labels without a factor.
-    pub(super) fn without_note(&self) -> Axis {
-        Axis { note: None, ..self.clone() }
     }
 }
 
@@ -77,8 +94,8 @@ pub(super) fn padded((low, high): (f64, f64), share: f64) -> (f64, f64) {
 
 impl Axis {
     /// An axis over a range, with ticks at least this far apart.
-    pub(super) fn new((low, high): (f64, f64), apart: f64) -> Self {
-        let (unit, exponent) = step(apart);
+    pub(super) fn new((low, high): (f64, f64), apart: f64, round: Round) -> Self {
+        let (unit, exponent) = step(apart, round);
         let step = unit as f64 * ten_to(exponent);
         let first = (low / step - 1e-6).ceil() as i64;
         let last = (high / step + 1e-6).floor() as i64;
@@ -92,14 +109,45 @@ impl Axis {
         Axis { low, high, ticks: ticks.collect(), note: note(factor, base, exponent) }
     }
 
+    /// An axis that is so long on the sheet, with ticks so far apart there. Where they would be few, they are nearer to each
+    /// other, but no nearer than the last distance.
+    pub(super) fn fitted(range: (f64, f64), length: f64, (wanted, least): (f64, f64), round: Round) -> Self {
+        let unit = (range.1 - range.0) / length;
+        let mut apart = wanted;
+        loop {
+            let axis = Axis::new(range, apart * unit, round);
+            if axis.ticks.len() >= FEW || apart <= least {
+                return axis;
+            }
+            apart = (apart - 1.0).max(least);
+        }
+    }
+
     /// The position of a value between its ends, 0 and 1.
     pub(super) fn share(&self, value: f64) -> f64 {
         (value - self.low) / (self.high - self.low)
     }
 }
 
+/// The least round step that is no less than a distance: a number, and the power of ten to multiply it with.
+fn step(apart: f64, round: Round) -> (i64, i32) {
+    const DEGREES: [i64; 6] = [15, 30, 45, 90, 180, TURN];
+    let decimals = decimal_step(apart);
+    if round == Round::Decimals || scaled(decimals.0, decimals.1) <= 10.0 {
+        return decimals;
+    }
+    let part = DEGREES.into_iter().find(|step| *step as f64 >= apart * (1.0 - 1e-9));
+    part.map_or_else(
+        || {
+            let (turns, exponent) = decimal_step(apart / TURN as f64);
+            (TURN * turns, exponent)
+        },
+        |step| (step, 0),
+    )
+}
+
 /// The least of 1, 2, 5 and 10 times a power of ten that is no less than a distance.
-fn step(apart: f64) -> (i64, i32) {
+fn decimal_step(apart: f64) -> (i64, i32) {
     let exponent = apart.log10().floor() as i32;
     let unit = [1, 2, 5].into_iter().find(|unit| *unit as f64 * ten_to(exponent) >= apart * (1.0 - 1e-9));
     unit.map_or((1, exponent + 1), |unit| (unit, exponent))
@@ -156,12 +204,12 @@ mod tests {
     use super::*;
 
     fn labels(low: f64, high: f64, most: f64) -> Vec<String> {
-        let axis = Axis::new((low, high), (high - low) / most);
+        let axis = Axis::new((low, high), (high - low) / most, Round::Decimals);
         axis.ticks.into_iter().map(|tick| tick.label).collect()
     }
 
     fn note(low: f64, high: f64) -> Option<String> {
-        Axis::new((low, high), (high - low) / 6.0).note
+        Axis::new((low, high), (high - low) / 6.0, Round::Decimals).note
     }
 
     #[test]
@@ -169,7 +217,7 @@ mod tests {
         assert_eq!(labels(0.0, 0.5, 5.0), ["0.0", "0.1", "0.2", "0.3", "0.4", "0.5"]);
         assert_eq!(labels(-1.04, 1.04, 6.0), ["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
         assert_eq!(labels(0.0, 24_000.0, 6.0), ["0", "5000", "10\u{2009}000", "15\u{2009}000", "20\u{2009}000"]);
-        let axis = Axis::new((0.0, 1.0), 0.1);
+        let axis = Axis::new((0.0, 1.0), 0.1, Round::Decimals);
         assert_eq!(axis.ticks[3].at, 0.3);
     }
 
@@ -204,12 +252,51 @@ mod tests {
             let middle = (random() - 0.5) * 10_f64.powf(600.0 * random() - 300.0);
             let half = middle.abs() * 10_f64.powf(-11.5 * random());
             let Some((low, high)) = range([middle - half, middle + half].into_iter()) else { continue };
-            let axis = Axis::new((low, high), (high - low) / 6.0);
-            assert!((2..=8).contains(&axis.ticks.len()), "{low:e} {high:e} {axis:?}");
-            for pair in axis.ticks.windows(2) {
-                assert!(pair[0].label != pair[1].label && pair[0].at < pair[1].at, "{low:e} {high:e} {axis:?}");
+            for round in [Round::Decimals, Round::Degrees] {
+                let axis = Axis::new((low, high), (high - low) / 6.0, round);
+                assert!((2..=8).contains(&axis.ticks.len()), "{low:e} {high:e} {axis:?}");
+                for pair in axis.ticks.windows(2) {
+                    assert!(pair[0].label != pair[1].label && pair[0].at < pair[1].at, "{low:e} {high:e} {axis:?}");
+                }
+                assert!(axis.ticks.iter().all(|tick| tick.label.chars().count() <= 12), "{low:e} {high:e} {axis:?}");
             }
-            assert!(axis.ticks.iter().all(|tick| tick.label.chars().count() <= 12), "{low:e} {high:e} {axis:?}");
+        }
+    }
+
+    /// Ticks as many as there are places for, over a range that begins at 0.
+    fn degrees(high: f64, most: f64) -> Vec<String> {
+        Axis::new((0.0, high), high / most, Round::Degrees).ticks.into_iter().map(|tick| tick.label).collect()
+    }
+
+    #[test]
+    fn ticks_of_angles_are_parts_of_a_turn() {
+        assert_eq!(degrees(360.0, 8.0), ["0", "45", "90", "135", "180", "225", "270", "315", "360"]);
+        assert_eq!(degrees(360.0, 5.0), ["0", "90", "180", "270", "360"]);
+        assert_eq!(degrees(360.0, 2.0), ["0", "180", "360"]);
+        assert_eq!(degrees(130.0, 5.0), ["0", "30", "60", "90", "120"]);
+        assert_eq!(degrees(60.0, 5.0), ["0", "15", "30", "45", "60"]);
+        assert_eq!(degrees(40.0, 5.0), ["0", "10", "20", "30", "40"]);
+        assert_eq!(degrees(8.0, 5.0), ["0", "2", "4", "6", "8"]);
+        assert_eq!(degrees(0.4, 5.0), ["0.0", "0.1", "0.2", "0.3", "0.4"]);
+        assert_eq!(degrees(3600.0, 6.0), ["0", "720", "1440", "2160", "2880", "3600"]);
+        assert_eq!([Round::of("angle [deg]"), Round::of("[deg]")], [Round::Degrees; 2]);
+        assert_eq!([Round::of("speed [deg/s]"), Round::of("both [m], [deg]"), Round::of("")], [Round::Decimals; 3]);
+    }
+
+    /// The next step may be two and a half times as far: of three ticks two are certain in a hundred pixels.
+    #[test]
+    fn every_panel_has_ticks() {
+        for round in [Round::Decimals, Round::Degrees] {
+            for size in (0..4000).map(|step| 10_f64.powf(f64::from(step) / 500.0 - 4.0)) {
+                for (from, length, least) in [(-0.3, 101.0, 2), (0.0, 101.0, 2), (0.37, 151.0, FEW), (-1.0, 600.0, FEW)]
+                {
+                    let axis = Axis::fitted((from * size, (from + 1.0) * size), length, (42.0, 20.0), round);
+                    assert!(axis.ticks.len() >= least, "{size} {length}: {axis:?}");
+                    let pixels = |tick: &Tick| length * axis.share(tick.at);
+                    let apart = axis.ticks.windows(2).map(|pair| pixels(&pair[1]) - pixels(&pair[0]));
+                    assert!(apart.fold(f64::INFINITY, f64::min) >= 19.99, "{size} {length}: {axis:?}");
+                }
+            }
         }
     }
 

@@ -3,6 +3,7 @@
 use super::rows::{chosen, doubles, floats};
 use crate::output::outcome::{Outcome, Recorded};
 use crate::output::show::figures::{groups, label};
+use crate::output::show::parts::is_coloured;
 use crate::output::show::typeset;
 use crate::{Column, Table};
 use serde_json::{Value, json};
@@ -174,7 +175,7 @@ fn drawing(run: &dyn Recorded, description: &Description, rows: &[usize]) -> Val
             json!({ "kind": kind, "index": index, "first": first, "points": points, "colour": colour, "label": label }),
         );
         first += shape.numbers(description.dimension);
-        colour += usize::from(matches!(shape, Shape::Line(_) | Shape::Circle));
+        colour += usize::from(is_coloured(*shape));
     }
     let numbers = rows.iter().flat_map(|row| run.row(*row).drawing);
     let named =
@@ -192,5 +193,6 @@ fn kind(shape: Shape) -> &'static str {
         Shape::Ground(_) => "ground",
         Shape::Points(_) => "points",
         Shape::Circle => "circle",
+        Shape::Trace(_) => "trace",
     }
 }
