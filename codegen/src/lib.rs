@@ -8,6 +8,7 @@ pub mod dsl;
 pub mod dynamics;
 pub mod emit;
 pub mod joints;
+pub mod kernel_id;
 pub mod mistakes;
 pub mod model;
 pub mod nearest;

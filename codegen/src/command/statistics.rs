@@ -41,7 +41,7 @@ fn row(kernel: &Kernel) -> String {
     let o = &kernel.operations;
     format!(
         "{:<29} {:>6} {:>6} {:>4} {:>6} {:>5} {:>4} {:>5} {:>6} {:>9} {:>11}\n",
-        kernel.name,
+        kernel.id.name(),
         o.additions,
         o.multiplications,
         o.divisions,

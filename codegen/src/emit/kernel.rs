@@ -1,21 +1,23 @@
 //! Each program as a function of the mechanism.
 
+use super::concrete::{Concrete, vector};
 use super::names::{output_rates_name, outputs_name, prepared_name};
 use super::record::record_type;
 use super::{ident, size, table};
+use crate::kernel_id::{Argument, Arguments, Associated, KernelId, Receiver, Record, Type};
 use crate::model::Model;
-use crate::program::{Arguments, Kernel, LookUp, Name, Piece, Program, Receiver, Record, Results, Statement, Tree};
+use crate::program::{Kernel, LookUp, Name, Piece, Program, Results, Statement, Tree};
 use proc_macro2::{Delimiter, Group, Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 /// All kernels, as methods of the mechanism and of what is prepared from its parameters.
-pub(super) fn kernels(model: &Model, program: &Program, path: &TokenStream) -> TokenStream {
+pub(super) fn kernels(model: &Model, program: &Program, concrete: &Concrete, path: &TokenStream) -> TokenStream {
     let (name, prepared) = (ident(&model.name), prepared_name(model));
-    let of = |receiver: Receiver| program.kernels.iter().filter(move |kernel| kernel.receiver == receiver);
-    let functions = of(Receiver::Mechanism).map(|kernel| function(model, kernel, path));
-    let prepared_functions = of(Receiver::Prepared).map(|kernel| function(model, kernel, path));
+    let of = |receiver| program.kernels.iter().filter(move |kernel| kernel.id.signature().receiver == receiver);
+    let functions = of(Receiver::Mechanism).map(|kernel| function(model, kernel, concrete, path));
+    let prepared_functions = of(Receiver::Prepared).map(|kernel| function(model, kernel, concrete, path));
     let tables = table::tables(model, path);
-    let shortcuts = of(Receiver::Prepared).map(|kernel| shortcut(model, kernel, path));
+    let shortcuts = of(Receiver::Prepared).map(|kernel| shortcut(model, kernel, concrete));
     let constants = (!model.graph.tables().is_empty()).then(|| quote! { non_upper_case_globals, });
     let allowed =
         quote! { #[allow(non_snake_case, #constants unused_variables, unused_parens, clippy::all, clippy::pedantic)] };
@@ -28,17 +30,17 @@ pub(super) fn kernels(model: &Model, program: &Program, path: &TokenStream) -> T
     }
 }
 
-fn function(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
-    let name = format_ident!("{}", kernel.name);
+fn function(model: &Model, kernel: &Kernel, concrete: &Concrete, path: &TokenStream) -> TokenStream {
+    let name = ident(kernel.id.name());
     let docs = format!("{}\n\nOperations: {}.", kernel.docs, kernel.operations);
     let docs = docs.lines().map(|line| format!(" {line}"));
-    let arguments = arguments(model, kernel.arguments);
-    let returns = returns(model, kernel, path);
+    let arguments = concrete.arguments(kernel.id.signature().arguments);
+    let returns = returns(model, kernel, concrete);
     let statements = kernel.statements.iter().map(|each| statement(model, each));
     let body = [entries(kernel), calls(kernel)].into_iter().chain(statements).chain([results(model, kernel, path)]);
     let body = braces(body);
     let inline = inline(kernel);
-    let pieces = kernel.pieces.iter().enumerate().map(|(i, piece)| piece_function(model, kernel, i, piece));
+    let pieces = kernel.pieces.iter().enumerate().map(|(i, piece)| piece_function(model, kernel, i, piece, concrete));
     quote! {
         #(#pieces)*
 
@@ -54,13 +56,13 @@ fn braces(words: impl Iterator<Item = TokenStream>) -> Group {
 }
 
 fn piece_name(kernel: &Kernel, i: usize) -> Ident {
-    format_ident!("{}_part_{}", kernel.name, i + 1)
+    format_ident!("{}_part_{}", kernel.id.name(), i + 1)
 }
 
 /// A part of a long kernel: what the parts before have found, to what the parts after need.
-fn piece_function(model: &Model, kernel: &Kernel, i: usize, piece: &Piece) -> TokenStream {
+fn piece_function(model: &Model, kernel: &Kernel, i: usize, piece: &Piece, concrete: &Concrete) -> TokenStream {
     let name = piece_name(kernel, i);
-    let mut arguments = arguments(model, kernel.arguments);
+    let mut arguments = concrete.arguments(kernel.id.signature().arguments);
     let mut unpacked = None;
     if !piece.given.is_empty() {
         let (len, names) = (size(piece.given.len()), piece.given.iter().map(|name| ident(name)));
@@ -83,7 +85,7 @@ fn calls(kernel: &Kernel) -> TokenStream {
     for (i, piece) in kernel.pieces.iter().enumerate() {
         let name = piece_name(kernel, i);
         let mut arguments: Vec<TokenStream> =
-            argument_names(kernel.arguments).iter().map(ToTokens::to_token_stream).collect();
+            argument_names(kernel.id.signature().arguments).iter().map(ToTokens::to_token_stream).collect();
         if !piece.given.is_empty() {
             arguments.push(quote! { &found });
         }
@@ -98,7 +100,7 @@ fn calls(kernel: &Kernel) -> TokenStream {
 
 /// The kernel of batches, unless it is long, is compiled for the vector instructions of the function that it is inlined into.
 fn inline(kernel: &Kernel) -> TokenStream {
-    if kernel.name == "dynamics" && kernel.pieces.is_empty() {
+    if kernel.id == KernelId::Dynamics && kernel.pieces.is_empty() {
         quote! { #[inline(always)] }
     } else {
         quote! { #[inline] }
@@ -106,11 +108,11 @@ fn inline(kernel: &Kernel) -> TokenStream {
 }
 
 /// A kernel of what is prepared, for one call with given parameters.
-fn shortcut(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
-    let name = format_ident!("{}", kernel.name);
-    let list = arguments(model, kernel.arguments);
-    let names = argument_names(kernel.arguments);
-    let returns = returns(model, kernel, path);
+fn shortcut(model: &Model, kernel: &Kernel, concrete: &Concrete) -> TokenStream {
+    let name = ident(kernel.id.name());
+    let arguments = kernel.id.signature().arguments;
+    let (list, names) = (concrete.arguments(arguments), argument_names(arguments));
+    let returns = returns(model, kernel, concrete);
     let prepared = prepared_name(model);
     let docs =
         format!(" [`{prepared}::{name}`] once; for many calls with the same parameters [`Self::prepare`] first.");
@@ -125,50 +127,25 @@ fn shortcut(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
 
 /// `t, q, ..`
 pub(super) fn argument_names(arguments: Arguments) -> Vec<Ident> {
-    names(arguments).iter().map(|name| ident(name)).collect()
-}
-
-fn names(arguments: Arguments) -> &'static [&'static str] {
-    match arguments {
-        Arguments::Parameters => &[],
-        Arguments::Positions => &["t", "q"],
-        Arguments::Speeds => &["t", "q", "qd"],
-        Arguments::Accelerations => &["t", "q", "qd", "qdd"],
-        Arguments::Multipliers => &["t", "q", "qd", "qdd", "lambda"],
-        Arguments::GeneralizedSpeeds => &["t", "q", "u"],
-    }
-}
-
-/// `t: S, q: &[S; n], ..`
-pub(super) fn arguments(model: &Model, arguments: Arguments) -> Vec<TokenStream> {
-    let argument = |name: &&str| {
-        let len = match *name {
-            "t" => return quote! { t: S },
-            "lambda" => model.constraints.len(),
-            "u" => model.speeds.len(),
-            _ => model.coordinates.len(),
-        };
-        let (name, len) = (ident(name), size(len));
-        quote! { #name: &[S; #len] }
-    };
-    names(arguments).iter().map(argument).collect()
+    arguments.list().iter().map(|argument| ident(argument.name())).collect()
 }
 
 /// Names for the entries of the arguments.
 fn entries(kernel: &Kernel) -> TokenStream {
     let e = &kernel.entries;
     let levels = [
-        ("q", &e.positions),
-        ("qd", &e.speeds),
-        ("qdd", &e.accelerations),
-        ("lambda", &e.multipliers),
-        ("u", &e.generalized_speeds),
+        (Argument::Positions, &e.positions),
+        (Argument::Speeds, &e.speeds),
+        (Argument::Accelerations, &e.accelerations),
+        (Argument::Multipliers, &e.multipliers),
+        (Argument::GeneralizedSpeeds, &e.generalized_speeds),
     ];
-    let bindings = levels.into_iter().filter(|(_, names)| names.iter().any(Option::is_some)).map(|(array, names)| {
-        let array = ident(array);
-        let names = names.iter().map(pattern);
-        quote! { let [#(#names),*] = *#array; }
-    });
+    let bindings =
+        levels.into_iter().filter(|(_, names)| names.iter().any(Option::is_some)).map(|(argument, names)| {
+            let array = ident(argument.name());
+            let names = names.iter().map(pattern);
+            quote! { let [#(#names),*] = *#array; }
+        });
     quote! { #(#bindings)* }
 }
 
@@ -198,12 +175,12 @@ fn statement(model: &Model, statement: &Statement) -> TokenStream {
     }
 }
 
-fn vector(entries: &[Tree]) -> TokenStream {
+fn row(entries: &[Tree]) -> TokenStream {
     quote! { [#(#entries),*] }
 }
 
 fn matrix(rows: &[Vec<Tree>]) -> TokenStream {
-    let rows = rows.iter().map(|row| vector(row));
+    let rows = rows.iter().map(|entries| row(entries));
     quote! { [#(#rows),*] }
 }
 
@@ -230,73 +207,28 @@ fn sparse(shape: [usize; 2], entries: &[([usize; 2], Tree)]) -> TokenStream {
     }
 }
 
-/// What a kernel returns: a struct with named fields where there is one.
-fn returns(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
-    match (record_of(model, kernel), &kernel.results) {
+/// What a kernel returns: a struct with named fields where there is one, and numbers for inputs.
+fn returns(model: &Model, kernel: &Kernel, concrete: &Concrete) -> TokenStream {
+    match (record_of(model, kernel.id), &kernel.results) {
         (Some(record), Results::Vector(entries)) => record_type(&record, entries.len()),
-        _ => returned_array(model, kernel, path),
-    }
-}
-
-/// What the trait's function of that name returns.
-pub(super) fn returned_array(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
-    let [n, m, p] = [model.coordinates.len(), model.constraints.len(), model.parameters.len()].map(size);
-    match &kernel.results {
-        Results::Scalar(_) => quote! { S },
-        Results::Vector(entries) => {
-            let len = size(entries.len());
-            quote! { [S; #len] }
-        }
-        Results::Matrix(columns, rows) => {
-            let (columns, rows) = (size(*columns), size(rows.len()));
-            quote! { [[S; #columns]; #rows] }
-        }
-        Results::Record(record, fields) => match record {
-            Record::Initial => quote! { #path::Initial<[S; #n]> },
-            Record::ConstraintLinearization => {
-                let jacobian = match fields.iter().find(|(name, _)| name == "jacobian") {
-                    Some((_, Results::Vector(entries))) => {
-                        let len = size(entries.len());
-                        quote! { [S; #len] }
-                    }
-                    _ => quote! { [[S; #n]; #m] },
-                };
-                quote! { #path::ConstraintLinearization<[S; #m], #jacobian> }
-            }
-            Record::Dynamics => quote! { #path::Dynamics<S, [S; #n], [S; #m]> },
-            Record::DynamicsJacobian => quote! { #path::DynamicsJacobian<S, [[S; #n]; #n], [[S; #n]; #m]> },
-            Record::DynamicsSensitivity => quote! { #path::DynamicsSensitivity<S, [[S; #p]; #n], [[S; #p]; #m]> },
-            Record::Kinematics => quote! { #path::Kinematics<S, [S; #n]> },
-            Record::SpeedDynamics => {
-                let [k, r] = [model.speeds.len(), model.constraints.len() - model.satisfied_rows().len()].map(size);
-                quote! { #path::SpeedDynamics<S, [S; #k], [S; #r]> }
-            }
-            Record::Prepared => {
-                let prepared = prepared_name(model);
-                quote! { #prepared<S> }
-            }
-        },
-        Results::Sparse(size, _) => {
-            let [rows, columns] = size.map(super::size);
-            quote! { [[S; #columns]; #rows] }
-        }
-        Results::Refused(_) => quote! { S::Mask },
+        (None, Results::Vector(entries)) => vector(entries.len()),
+        _ => concrete.of_type(&kernel.id.signature().result),
     }
 }
 
 /// The struct that a kernel returns instead of an array.
-pub(super) fn record_of(model: &Model, kernel: &Kernel) -> Option<Ident> {
-    match kernel.name {
-        "outputs" => Some(outputs_name(model)),
-        "output_rates" => Some(output_rates_name(model)),
-        _ => None,
+pub(super) fn record_of(model: &Model, kernel: KernelId) -> Option<Ident> {
+    match kernel.signature().result {
+        Type::Associated(Associated::Outputs) => Some(outputs_name(model)),
+        Type::Associated(Associated::OutputRates) => Some(output_rates_name(model)),
+        Type::Scalar | Type::Associated(_) | Type::Record(..) => None,
     }
 }
 
 fn results(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     let returned = returned(model, &kernel.results, path);
     match &kernel.results {
-        Results::Vector(entries) if record_of(model, kernel).is_some() && !entries.is_empty() => {
+        Results::Vector(entries) if record_of(model, kernel.id).is_some() && !entries.is_empty() => {
             quote! { #returned.into() }
         }
         _ => returned,
@@ -306,7 +238,7 @@ fn results(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
 fn returned(model: &Model, results: &Results<Tree>, path: &TokenStream) -> TokenStream {
     match results {
         Results::Scalar(value) => value.to_token_stream(),
-        Results::Vector(entries) => vector(entries),
+        Results::Vector(entries) => row(entries),
         Results::Matrix(_, rows) => matrix(rows),
         Results::Sparse(size, entries) => sparse(*size, entries),
         Results::Refused(pivots) => refused(pivots.as_deref(), path),

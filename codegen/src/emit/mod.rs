@@ -1,6 +1,7 @@
 //! Stage 6: programs to Rust tokens. Nothing about numbers is decided here, so that another language could print
 //! the same programs.
 
+mod concrete;
 mod description;
 mod documentation;
 mod equations;
@@ -23,6 +24,7 @@ pub use stub::stub;
 use crate::dsl::Head;
 use crate::dynamics::EquationsOfMotion;
 use crate::program::Program;
+use concrete::Concrete;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 
 /// Everything a mechanism is made of in Rust: its type with its parameters, named coordinates and outputs, its
@@ -35,9 +37,10 @@ pub fn emit(
     path: &TokenStream,
 ) -> TokenStream {
     let types = types::types(head, equations, program, path);
-    let kernels = kernel::kernels(&equations.model, program, path);
-    let mechanism = implementation::implementation(equations, program, declaration, path);
-    let speeds = speeds::speeds(head, equations, program, path);
+    let concrete = Concrete::of(equations, program, path);
+    let kernels = kernel::kernels(&equations.model, program, &concrete, path);
+    let mechanism = implementation::implementation(equations, program, declaration, &concrete, path);
+    let speeds = speeds::speeds(head, equations, program, &concrete, path);
     [types, kernels, mechanism].into_iter().chain(speeds).collect()
 }
 

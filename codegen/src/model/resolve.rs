@@ -18,8 +18,8 @@ use super::start::resolve_initial;
 use super::tables::resolve_tables;
 use super::value::Value;
 use super::{Auxiliary, Coordinate, Input, Model, Parameter, time_derivative};
-use crate::dsl::OptionalKernel::{DynamicsJacobian, DynamicsSensitivity, InverseDynamics};
 use crate::dsl::{Declaration, Region};
+use crate::kernel_id::KernelId;
 use crate::symbolic::{Graph, Symbol};
 
 /// Resolves a declaration.
@@ -92,9 +92,12 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         drawing,
         auxiliaries,
         displaced: None,
-        wants_jacobian: declaration.kernels.as_ref().map(|kernels| kernels.contains(&DynamicsJacobian)),
-        wants_inverse: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&InverseDynamics)),
-        wants_sensitivity: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&DynamicsSensitivity)),
+        wants_jacobian: declaration.kernels.as_ref().map(|kernels| kernels.contains(&KernelId::DynamicsJacobian)),
+        wants_inverse: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&KernelId::InverseDynamics)),
+        wants_sensitivity: declaration
+            .kernels
+            .as_ref()
+            .is_some_and(|kernels| kernels.contains(&KernelId::DynamicsSensitivity)),
     })
 }
 

@@ -6,6 +6,7 @@ use super::sharing::{LINE, names};
 use super::translate::Translation;
 use super::width::set_width;
 use crate::dynamics::EquationsOfMotion;
+use crate::kernel_id::KernelId;
 use crate::model::Constraint;
 use crate::symbolic::Expr;
 use std::rc::Rc;
@@ -38,7 +39,7 @@ pub(super) enum Block {
 
 /// A vector or matrix of the equations of motion.
 struct Term<'a> {
-    part: &'static str,
+    kernel: KernelId,
     title: &'static str,
     symbol: Rc<Name>,
     rows: Vec<&'a [Expr]>,
@@ -59,7 +60,7 @@ pub(super) fn parts(equations: &EquationsOfMotion) -> Vec<Part> {
             right: Block::Matrix(term.entries(&translation)),
         }];
         equations.extend(long.into_iter().map(|expr| definition(&translation, expr)));
-        parts.push(Part { name: term.part, title: term.title, equations });
+        parts.push(Part { name: term.kernel.name(), title: term.title, equations });
     }
     let equations: Vec<Equation> = defined.into_iter().map(|expr| definition(&translation, expr)).collect();
     if !equations.is_empty() {
@@ -72,31 +73,31 @@ pub(super) fn parts(equations: &EquationsOfMotion) -> Vec<Part> {
 fn terms(equations: &EquationsOfMotion) -> [Term<'_>; 6] {
     let EquationsOfMotion { tmt, constraints, .. } = equations;
     [
-        Term::matrix("mass_matrix", "Mass matrix", ("M", &[]), &tmt.mass_matrix),
-        Term::vector("convective_forces", "Convective forces", "h", &tmt.convective_forces),
-        Term::vector("generalized_forces", "Generalised forces", "Q", &tmt.generalized_forces),
-        Term::vector("constraints", "Constraints", "C", &constraints.values),
-        Term::matrix("constraint_jacobian", "Constraint Jacobian", ("C", &["q"]), &constraints.jacobian),
-        Term::vector("constraint_convective", "Constraint convective terms", "c", &constraints.convective),
+        Term::matrix(KernelId::MassMatrix, "Mass matrix", ("M", &[]), &tmt.mass_matrix),
+        Term::vector(KernelId::ConvectiveForces, "Convective forces", "h", &tmt.convective_forces),
+        Term::vector(KernelId::GeneralizedForces, "Generalised forces", "Q", &tmt.generalized_forces),
+        Term::vector(KernelId::Constraints, "Constraints", "C", &constraints.values),
+        Term::matrix(KernelId::ConstraintJacobian, "Constraint Jacobian", ("C", &["q"]), &constraints.jacobian),
+        Term::vector(KernelId::ConstraintConvective, "Constraint convective terms", "c", &constraints.convective),
     ]
 }
 
 impl<'a> Term<'a> {
     fn matrix(
-        part: &'static str,
+        kernel: KernelId,
         title: &'static str,
         (letter, indices): (&str, &[&str]),
         rows: &'a [Vec<Expr>],
     ) -> Term<'a> {
         let rows = rows.iter().map(Vec::as_slice).collect();
-        Term { part, title, symbol: Name::bold(part, letter, indices).into(), rows, is_matrix: true }
+        Term { kernel, title, symbol: Name::bold(kernel.name(), letter, indices).into(), rows, is_matrix: true }
     }
 
-    fn vector(part: &'static str, title: &'static str, letter: &str, entries: &'a [Expr]) -> Term<'a> {
+    fn vector(kernel: KernelId, title: &'static str, letter: &str, entries: &'a [Expr]) -> Term<'a> {
         Term {
-            part,
+            kernel,
             title,
-            symbol: Name::bold(part, letter, &[]).into(),
+            symbol: Name::bold(kernel.name(), letter, &[]).into(),
             rows: entries.chunks(1).collect(),
             is_matrix: false,
         }

@@ -4,11 +4,12 @@ use super::lower::Lowering;
 use super::planner::Planner;
 use super::prepared::prepared_kernels;
 use super::reduced;
-use super::results::{Record, Results};
+use super::results::Results;
 use super::separate::separate_kernels;
 use super::sparsity::Sparsity;
-use super::{Arguments, Kernel, Program};
+use super::{Kernel, Program};
 use crate::dynamics::EquationsOfMotion;
+use crate::kernel_id::{KernelId, Record};
 use crate::model::{EventStep, Model};
 use crate::symbolic::Expr;
 use rustc_hash::FxHashMap;
@@ -57,12 +58,7 @@ fn expansions(equations: &mut EquationsOfMotion) -> FxHashMap<Expr, Expr> {
 /// The constraints linearised, with C_q by its entries.
 fn sparse_linearization_kernel(planner: &Planner, sparsity: &Sparsity) -> Kernel {
     let e = planner.equations;
-    let (m, entries) = (e.model.constraints.len(), sparsity.rows.iter().map(|row| row.columns.len()).sum::<usize>());
-    let docs = format!(
-        "`C` ({m}), the {entries} entries of `C_q` that need not be 0, row after row in the order of elimination, and `C_t` \
-         ({m}) together, in SI units, for projection."
-    );
-    planner.kernel("sparse_linearization", Arguments::Positions, docs, |lowering| {
+    let kernel = planner.kernel(KernelId::SparseLinearization, |lowering| {
         Results::record(
             Record::ConstraintLinearization,
             [
@@ -71,37 +67,31 @@ fn sparse_linearization_kernel(planner: &Planner, sparsity: &Sparsity) -> Kernel
                 ("time_derivative", reduced::constraint_time_derivative(e, lowering)),
             ],
         )
-    })
+    });
+    let entries = sparsity.rows.iter().map(|row| row.columns.len()).sum::<usize>();
+    Kernel { docs: planner.documentation(kernel.id, 0, &[("entries", entries.to_string())]), ..kernel }
 }
 
 /// The generalised speeds at a state, if there are any.
 fn generalized_speeds_kernel(planner: &Planner) -> Option<Kernel> {
     let speeds: Vec<Expr> = planner.equations.model.speeds.iter().map(|speed| speed.value).collect();
-    let docs =
-        format!("The generalised speeds `u = W q' + w`, {}, in SI units, in the order of declaration.", speeds.len());
     let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(&speeds));
-    (!speeds.is_empty()).then(|| planner.kernel("generalized_speeds", Arguments::Speeds, docs, kernel))
+    (!speeds.is_empty()).then(|| planner.kernel(KernelId::GeneralizedSpeeds, kernel))
 }
 
 /// What events set, if any does.
 fn event_values_kernel(planner: &Planner) -> Option<Kernel> {
     let values = event_values(&planner.equations.model);
-    let docs = format!(
-        "What the actions of events set, and the coefficients of restitution of impacts, {}, in SI units, in the order of \
-         declaration.",
-        values.len()
-    );
     let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(&values));
-    (!values.is_empty()).then(|| planner.kernel("event_values", Arguments::Speeds, docs, kernel))
+    (!values.is_empty()).then(|| planner.kernel(KernelId::EventValues, kernel))
 }
 
 /// What inputs are, if there are any.
 fn input_values_kernel(planner: &Planner) -> Option<Kernel> {
     let model = &planner.equations.model;
     let inputs: Vec<Expr> = model.inputs.iter().filter_map(|input| model.graph.existing(input.symbol)).collect();
-    let docs = format!("The inputs, {}, in SI units: what each is held at, or its declared course.", inputs.len());
     let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(&inputs));
-    (!inputs.is_empty()).then(|| planner.kernel("input_values", Arguments::Positions, docs, kernel))
+    (!inputs.is_empty()).then(|| planner.kernel(KernelId::InputValues, kernel))
 }
 
 /// What the actions of events set, and the coefficients of restitution of impacts, in order.

@@ -4,11 +4,12 @@ use super::eliminate::{Factors, System, Unknown, factorise};
 use super::lower::Lowering;
 use super::notes::Notes;
 use super::planner::variable_names;
-use super::results::{Record, Results};
+use super::results::Results;
 use super::turns::{derivatives_turned_back, turned_back};
 use super::values::Value;
 use crate::dynamics::order::Multipliers;
 use crate::dynamics::{Column, EquationsOfMotion, Form, Intermediate};
+use crate::kernel_id::Record;
 use crate::symbolic::{Expr, Graph};
 
 /// The equations of motion solved at one state.

@@ -9,18 +9,11 @@ use super::results::Results;
 use super::schedule::{Schedule, Wishes};
 use super::shared_products::{Moved, share_products};
 use super::values::{Input, Leaves, Operation, Value, Values};
-use super::{Arguments, Entries, Kernel, Operations, Receiver, Tree};
+use super::{Entries, Kernel, Operations, Tree};
 use crate::dynamics::EquationsOfMotion;
+use crate::kernel_id::{Argument, Arguments, KernelId};
 use crate::symbolic::{Expr, Symbol};
 use rustc_hash::FxHashMap;
-
-/// What a kernel is called and said to do.
-pub(super) struct Head {
-    pub(super) name: &'static str,
-    pub(super) docs: String,
-    pub(super) receiver: Receiver,
-    pub(super) arguments: Arguments,
-}
 
 /// What a kernel is written from.
 struct Task<'a> {
@@ -110,23 +103,32 @@ impl<'a> Planner<'a> {
     }
 
     /// A kernel of its own, of the mechanism.
-    pub(super) fn kernel(
-        &self,
-        name: &'static str,
-        arguments: Arguments,
-        docs: String,
-        wanted: impl FnOnce(&mut Lowering) -> Results<Value>,
-    ) -> Kernel {
+    pub(super) fn kernel(&self, id: KernelId, wanted: impl FnOnce(&mut Lowering) -> Results<Value>) -> Kernel {
         let mut lowering = self.lowering();
         let results = wanted(&mut lowering);
-        let head = Head { name, docs, receiver: Receiver::Mechanism, arguments };
-        self.finish(head, &lowering, &results, &Notes::default(), Leaves::default())
+        self.finish(id, &lowering, &results, &Notes::default(), Leaves::default())
+    }
+
+    /// What a kernel computes, with the sizes of this mechanism; `more` is said of this kernel alone.
+    pub(super) fn documentation(&self, kernel: KernelId, len: usize, more: &[(&str, String)]) -> String {
+        let model = &self.equations.model;
+        let rows_left = self.equations.speeds.as_ref().map_or(0, |speeds| speeds.rows.len());
+        let sizes = [
+            ("n", model.coordinates.len()),
+            ("m", model.constraints.len()),
+            ("p", model.parameters.len()),
+            ("k", model.speeds.len()),
+            ("r", rows_left),
+            ("len", len),
+        ];
+        let sizes = sizes.map(|(word, size)| (word, size.to_string()));
+        kernel.documentation(&[sizes.as_slice(), more].concat())
     }
 
     /// The kernel that returns `results`; `leaves` are known beside the inputs.
     pub(super) fn finish(
         &self,
-        head: Head,
+        id: KernelId,
         lowering: &Lowering,
         results: &Results<Value>,
         notes: &Notes,
@@ -138,31 +140,31 @@ impl<'a> Planner<'a> {
             None => {
                 let task =
                     Task { results: results.map(&mut |value| *value), first: notes.order().collect(), wishes, leaves };
-                self.write(head, &lowering.values, task)
+                self.write(id, &lowering.values, task)
             }
             Some(shared) => {
                 let task = Task::moved(&shared.moved, results, notes, wishes, leaves);
-                self.write(head, &shared.values, task)
+                self.write(id, &shared.values, task)
             }
         }
     }
 
     /// The kernel as statements.
-    fn write(&self, head: Head, values: &Values, task: Task) -> Kernel {
+    fn write(&self, id: KernelId, values: &Values, task: Task) -> Kernel {
         let Task { results, first, wishes, mut leaves } = task;
         let roots: Vec<Value> = results.entries().into_iter().copied().collect();
         let mut names = Names::new();
-        if head.arguments == Arguments::GeneralizedSpeeds {
-            names.unique("u");
+        if id.signature().arguments == Arguments::GeneralizedSpeeds {
+            names.unique(Argument::GeneralizedSpeeds.name());
         }
         let entries = self.name_inputs(values, &roots, &mut names, &mut leaves);
         let schedule = Schedule::new(values, &first, &roots, &wishes, &leaves, names);
         let results = results.map(&mut |value| schedule.tree(*value));
         let statements = schedule.statements;
         let operations = Operations::of(&statements, &results);
-        let Head { name, docs, receiver, arguments } = head;
+        let docs = self.documentation(id, results.vector_len(), &[]);
         let (pieces, statements) = split(shorten_lifetimes(statements, &results), &results);
-        Kernel { name, docs, receiver, arguments, entries, pieces, statements, results, operations }
+        Kernel { id, docs, entries, pieces, statements, results, operations }
     }
 
     /// Names for values: what the user named, then what the method names. The first wish for a value wins.

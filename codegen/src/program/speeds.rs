@@ -4,22 +4,23 @@ use super::eliminate::{Factors, System, Unknown, factorise};
 use super::lower::Lowering;
 use super::motion::{entries, right_hand_side};
 use super::notes::Notes;
-use super::results::{REFUSED, Record, Results};
+use super::results::Results;
 use super::values::Value;
 use crate::dynamics::order::Multipliers;
 use crate::dynamics::{Block, Solution, SpeedEquations};
+use crate::kernel_id::{KernelId, Record};
 use crate::model::Model;
 
 /// Pivots, each with what cancellation in it is measured by; without an elimination none.
 type Pivots = Option<Vec<(Value, Value)>>;
 
-/// `kinematics` and `speed_dynamics`, each with its name and documentation.
+/// `kinematics` and `speed_dynamics`.
 pub(super) fn kernels(
     model: &Model,
     equations: &SpeedEquations,
     lowering: &mut Lowering,
     notes: &mut Notes,
-) -> [(&'static str, String, Results<Value>); 2] {
+) -> [(KernelId, Results<Value>); 2] {
     let pivots = solve_blocks(model, &equations.kinematics.blocks, lowering, notes);
     let rates = lowering.lower_all(&equations.kinematics.rates);
     let kinematics = Results::record(
@@ -27,7 +28,7 @@ pub(super) fn kernels(
         [("rates", Results::Vector(rates)), ("refused", Results::Refused(pivots.clone()))],
     );
     let dynamics = dynamics(model, equations, pivots, lowering, notes);
-    [("kinematics", kinematics_docs(model), kinematics), ("speed_dynamics", dynamics_docs(model, equations), dynamics)]
+    [(KernelId::Kinematics, kinematics), (KernelId::SpeedDynamics, dynamics)]
 }
 
 /// Gives those rates that are solved for at run time, and their derivatives, their values.
@@ -128,23 +129,4 @@ fn needs_blocks(model: &Model, equations: &SpeedEquations) -> bool {
     let used = model.graph.symbols_of(&matrices.flatten().copied().collect::<Vec<_>>());
     let mut solutions = kinematics.blocks.iter().flat_map(Block::solutions);
     solutions.any(|solution| solution.symbols.iter().any(|symbol| used.binary_search(symbol).is_ok()))
-}
-
-fn kinematics_docs(model: &Model) -> String {
-    let (n, k) = (model.coordinates.len(), model.speeds.len());
-    format!(
-        "The kinematic differential equations `q' = N u + n`: speeds ({n}) of generalised speeds `u` ({k}), from `u = W q' + w` \
-         and what they satisfy by construction. {REFUSED}: no generalised speeds determine the speeds there."
-    )
-}
-
-fn dynamics_docs(model: &Model, equations: &SpeedEquations) -> String {
-    let (k, r) = (model.speeds.len(), equations.rows.len());
-    format!(
-        "The rates of the generalised speeds ({k}) and the multipliers of those constraints that they do not satisfy by \
-         construction ({r}), from Kane's equations\n\n```text\n\
-         [ N' M N  N' C_q' ] [ u'     ]   [ N' (Q - h - M c)                       ]\n\
-         [ C_q N   0       ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t - C_q c  ]\n```\n\n\
-         with `M = T_q' M T_q`, `h = T_q' M g`, `Q = T_q' F`, and `c` the accelerations where `u' = 0`. {REFUSED}."
-    )
 }

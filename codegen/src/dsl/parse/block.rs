@@ -6,9 +6,10 @@ use super::unit::declared_unit;
 use super::words::{accept_word, colon, docs, equals, expect_word, keyword, name};
 use crate::dsl::region::here;
 use crate::dsl::{
-    Auxiliary, Body, Coordinate, GeneralizedSpeed, Initial, InitialKind, Let, Mark, OptionalKernel, Output,
-    OutputGroup, Parameter, Region, Shape,
+    Auxiliary, Body, Coordinate, GeneralizedSpeed, Initial, InitialKind, Let, Mark, Output, OutputGroup, Parameter,
+    Region, Shape,
 };
+use crate::kernel_id::KernelId;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 use syn::{Ident, LitStr, Token};
@@ -209,11 +210,9 @@ fn mark(name: &str) -> Mark {
     }
 }
 
-pub(super) fn kernel(input: ParseStream) -> Result<OptionalKernel> {
-    let name = keyword(input, &["dynamics_jacobian", "dynamics_sensitivity", "inverse_dynamics"])?;
-    Ok(match name.to_string().as_str() {
-        "dynamics_jacobian" => OptionalKernel::DynamicsJacobian,
-        "dynamics_sensitivity" => OptionalKernel::DynamicsSensitivity,
-        _ => OptionalKernel::InverseDynamics,
-    })
+pub(super) fn kernel(input: ParseStream) -> Result<KernelId> {
+    let names: Vec<&str> = KernelId::optional().map(KernelId::name).collect();
+    let word = keyword(input, &names)?;
+    let kernel = KernelId::optional().find(|kernel| word == kernel.name());
+    kernel.ok_or_else(|| syn::Error::new(word.span(), format!("`{word}` is no kernel")))
 }
