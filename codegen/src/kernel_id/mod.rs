@@ -15,11 +15,6 @@ impl KernelId {
         self.signature().name
     }
 
-    /// The kernel of that name.
-    pub fn named(name: &str) -> Option<KernelId> {
-        KernelId::ALL.iter().copied().find(|kernel| kernel.name() == name)
-    }
-
     /// Those that are made where the block `kernels` names them.
     pub fn optional() -> impl Iterator<Item = KernelId> {
         KernelId::ALL.iter().copied().filter(|kernel| kernel.signature().is_optional)
