@@ -27,7 +27,7 @@ pub(super) fn implementation(
     let name = ident(&model.name);
     let (types, other) = (concrete.definitions(Trait::Mechanism), other_scalar(&model.name));
     let description = description(equations, program, declaration, path);
-    let parameters = parameters(model, path);
+    let parameters = parameters(equations, path);
     let inputs = inputs(model, path);
     let switched = switched(model);
     let velocity_variables = speeds::velocity_variables(equations, path);
@@ -54,7 +54,8 @@ pub(super) fn implementation(
 }
 
 /// How parameters are read and changed, and what they are with another scalar.
-fn parameters(model: &Model, path: &TokenStream) -> TokenStream {
+fn parameters(equations: &EquationsOfMotion, path: &TokenStream) -> TokenStream {
+    let EquationsOfMotion { model, graph, .. } = equations;
     let (name, other) = (ident(&model.name), other_scalar(&model.name));
     let p = size(model.parameters.len());
     let fields: Vec<_> = model.parameters.iter().map(|p| ident(&p.name)).collect();
@@ -67,7 +68,7 @@ fn parameters(model: &Model, path: &TokenStream) -> TokenStream {
     });
     let marker = has_no_fields(model).then(|| quote! { scalar: ::core::marker::PhantomData });
     let defaults: Vec<Expr> = model.parameters.iter().map(|p| p.default).collect();
-    let defaults = evaluate(&model.graph, &defaults, |_| f64::NAN);
+    let defaults = evaluate(graph, &defaults, |_| f64::NAN);
     quote! {
         fn defaults() -> Self {
             Self { #(#fields: S::from_f64(#defaults),)* #(#inputs: #path::Input::Declared,)* #(#activities: #starts,)* #marker }

@@ -4,6 +4,7 @@ use super::concrete::{Concrete, vector};
 use super::names::{output_rates_name, outputs_name, prepared_name};
 use super::record::record_type;
 use super::{ident, size, table};
+use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::{Argument, Arguments, Associated, KernelId, Receiver, Record, Type};
 use crate::model::Model;
 use crate::program::{Kernel, LookUp, Name, Piece, Program, Results, Statement, Tree};
@@ -11,14 +12,20 @@ use proc_macro2::{Delimiter, Group, Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 /// All kernels, as methods of the mechanism and of what is prepared from its parameters.
-pub(super) fn kernels(model: &Model, program: &Program, concrete: &Concrete, path: &TokenStream) -> TokenStream {
+pub(super) fn kernels(
+    equations: &EquationsOfMotion,
+    program: &Program,
+    concrete: &Concrete,
+    path: &TokenStream,
+) -> TokenStream {
+    let EquationsOfMotion { model, graph, .. } = equations;
     let (name, prepared) = (ident(&model.name), prepared_name(model));
     let of = |receiver| program.kernels.iter().filter(move |kernel| kernel.id.signature().receiver == receiver);
-    let functions = of(Receiver::Mechanism).map(|kernel| function(model, kernel, concrete, path));
-    let prepared_functions = of(Receiver::Prepared).map(|kernel| function(model, kernel, concrete, path));
-    let tables = table::tables(model, path);
+    let functions = of(Receiver::Mechanism).map(|kernel| function(equations, kernel, concrete, path));
+    let prepared_functions = of(Receiver::Prepared).map(|kernel| function(equations, kernel, concrete, path));
+    let tables = table::tables(graph, path);
     let shortcuts = of(Receiver::Prepared).map(|kernel| shortcut(model, kernel, concrete));
-    let constants = (!model.graph.tables().is_empty()).then(|| quote! { non_upper_case_globals, });
+    let constants = (!graph.tables().is_empty()).then(|| quote! { non_upper_case_globals, });
     let allowed =
         quote! { #[allow(non_snake_case, #constants unused_variables, unused_parens, clippy::all, clippy::pedantic)] };
     quote! {
@@ -30,17 +37,19 @@ pub(super) fn kernels(model: &Model, program: &Program, concrete: &Concrete, pat
     }
 }
 
-fn function(model: &Model, kernel: &Kernel, concrete: &Concrete, path: &TokenStream) -> TokenStream {
+fn function(equations: &EquationsOfMotion, kernel: &Kernel, concrete: &Concrete, path: &TokenStream) -> TokenStream {
+    let model = &equations.model;
     let name = ident(kernel.id.name());
     let docs = format!("{}\n\nOperations: {}.", kernel.docs, kernel.operations);
     let docs = docs.lines().map(|line| format!(" {line}"));
     let arguments = concrete.arguments(kernel.id.signature().arguments);
     let returns = returns(model, kernel, concrete);
-    let statements = kernel.statements.iter().map(|each| statement(model, each));
+    let statements = kernel.statements.iter().map(|each| statement(equations, each));
     let body = [entries(kernel), calls(kernel)].into_iter().chain(statements).chain([results(model, kernel, path)]);
     let body = braces(body);
     let inline = inline(kernel);
-    let pieces = kernel.pieces.iter().enumerate().map(|(i, piece)| piece_function(model, kernel, i, piece, concrete));
+    let pieces =
+        kernel.pieces.iter().enumerate().map(|(i, piece)| piece_function(equations, kernel, i, piece, concrete));
     quote! {
         #(#pieces)*
 
@@ -60,7 +69,13 @@ fn piece_name(kernel: &Kernel, i: usize) -> Ident {
 }
 
 /// A part of a long kernel: what the parts before have found, to what the parts after need.
-fn piece_function(model: &Model, kernel: &Kernel, i: usize, piece: &Piece, concrete: &Concrete) -> TokenStream {
+fn piece_function(
+    equations: &EquationsOfMotion,
+    kernel: &Kernel,
+    i: usize,
+    piece: &Piece,
+    concrete: &Concrete,
+) -> TokenStream {
     let name = piece_name(kernel, i);
     let mut arguments = concrete.arguments(kernel.id.signature().arguments);
     let mut unpacked = None;
@@ -69,7 +84,7 @@ fn piece_function(model: &Model, kernel: &Kernel, i: usize, piece: &Piece, concr
         arguments.push(quote! { found: &[S; #len] });
         unpacked = Some(quote! { let [#(#names),*] = *found; });
     }
-    let statements = piece.statements.iter().map(|each| statement(model, each));
+    let statements = piece.statements.iter().map(|each| statement(equations, each));
     let (len, handed_on) = (size(piece.handed_on.len()), piece.handed_on.iter().map(|name| ident(name)));
     let handed_on = quote! { [#(#handed_on),*] };
     let body = braces([entries(kernel)].into_iter().chain(unpacked).chain(statements).chain([handed_on]));
@@ -154,7 +169,7 @@ fn pattern(name: &Option<Name>) -> Ident {
     ident(name.as_deref().unwrap_or("_"))
 }
 
-fn statement(model: &Model, statement: &Statement) -> TokenStream {
+fn statement(equations: &EquationsOfMotion, statement: &Statement) -> TokenStream {
     match statement {
         Statement::Let { name, value } => {
             let name = ident(name);
@@ -168,8 +183,8 @@ fn statement(model: &Model, statement: &Statement) -> TokenStream {
         }
         Statement::Table(LookUp { table, names, argument }) => {
             let names = names.iter().map(pattern);
-            let mechanism = ident(&model.name);
-            let table = table::constant(&model.graph.table(*table).name);
+            let mechanism = ident(&equations.model.name);
+            let table = table::constant(&equations.graph.table(*table).name);
             quote! { let [#(#names),*] = #mechanism::<S>::#table.at(#argument); }
         }
     }

@@ -38,7 +38,7 @@ pub fn emit(
 ) -> TokenStream {
     let types = types::types(head, equations, program, path);
     let concrete = Concrete::of(equations, program, path);
-    let kernels = kernel::kernels(&equations.model, program, &concrete, path);
+    let kernels = kernel::kernels(equations, program, &concrete, path);
     let mechanism = implementation::implementation(equations, program, declaration, &concrete, path);
     let speeds = speeds::speeds(head, equations, program, &concrete, path);
     [types, kernels, mechanism].into_iter().chain(speeds).collect()

@@ -50,9 +50,9 @@ struct Term<'a> {
 pub(super) fn parts(equations: &EquationsOfMotion) -> Vec<Part> {
     let terms = terms(equations);
     let roots: Vec<Expr> = terms.iter().flat_map(|term| term.rows.concat()).collect();
-    let (mut names, defined) = names(&equations.model, &roots);
+    let (mut names, defined) = names(equations, &roots);
     let long = name_long_entries(equations, &terms, &mut names);
-    let translation = Translation { graph: &equations.model.graph, names: &names };
+    let translation = Translation { graph: &equations.graph, names: &names };
     let mut parts = vec![system(equations, &terms, &translation)];
     for (term, long) in terms.iter().zip(long).filter(|(term, _)| !term.rows.is_empty()) {
         let mut equations = vec![Equation {
@@ -122,7 +122,7 @@ fn name_long_entries(equations: &EquationsOfMotion, terms: &[Term], names: &mut 
         let mut long = Vec::new();
         for (i, row) in term.rows.iter().enumerate() {
             for (j, expr) in row.iter().enumerate() {
-                let formula = Translation { graph: &equations.model.graph, names }.formula(*expr);
+                let formula = Translation { graph: &equations.graph, names }.formula(*expr);
                 if set_width(&formula) > widest {
                     names.name_entry(*expr, term.entry(i, j));
                     long.push(*expr);
@@ -144,7 +144,10 @@ fn system(equations: &EquationsOfMotion, terms: &[Term; 6], translation: &Transl
     let model = &equations.model;
     let (n, m) = (model.coordinates.len(), model.constraints.len());
     let symbols = |symbols: Vec<_>| -> Vec<Vec<Formula>> {
-        symbols.into_iter().map(|symbol| vec![Formula::Name(translation.names.symbol(&model.graph, symbol))]).collect()
+        symbols
+            .into_iter()
+            .map(|symbol| vec![Formula::Name(translation.names.symbol(&equations.graph, symbol))])
+            .collect()
     };
     let coordinates = symbols(model.coordinates.iter().map(|c| c.position).collect());
     let accelerations = symbols(model.coordinates.iter().map(|c| c.acceleration).collect());

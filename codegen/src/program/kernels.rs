@@ -10,7 +10,6 @@ use super::sparsity::Sparsity;
 use super::{Kernel, Program};
 use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::{KernelId, Record};
-use crate::model::{EventStep, Model};
 use crate::symbolic::Expr;
 use rustc_hash::FxHashMap;
 
@@ -19,7 +18,7 @@ const LONGEST_EXPANSION: usize = 64;
 
 /// Plans every kernel. `equations` is changed only by start values and other forms of expressions entering its graph.
 pub fn plan(equations: &mut EquationsOfMotion) -> Program {
-    let zero = equations.model.graph.zero();
+    let zero = equations.graph.zero();
     let alternatives = expansions(equations);
     let planner = Planner::new(equations, &alternatives);
     let mut kernels = prepared_kernels(&planner);
@@ -35,7 +34,7 @@ pub fn plan(equations: &mut EquationsOfMotion) -> Program {
 
 /// Expressions with products of sums multiplied out, where that lets terms cancel; the power by forces along coordinates.
 fn expansions(equations: &mut EquationsOfMotion) -> FxHashMap<Expr, Expr> {
-    let EquationsOfMotion { model, tmt, constraints, speeds, energy, .. } = equations;
+    let EquationsOfMotion { graph, tmt, constraints, speeds, energy, .. } = equations;
     let matrices = tmt.mass_matrix.iter().chain(&constraints.jacobian).flatten();
     let in_speeds = speeds.iter().flat_map(|speeds| {
         let matrices = speeds.tmt.mass_matrix.iter().chain(&speeds.jacobian);
@@ -48,10 +47,10 @@ fn expansions(equations: &mut EquationsOfMotion) -> FxHashMap<Expr, Expr> {
         &constraints.convective,
         &constraints.time_derivative,
     ];
-    let zero = model.graph.zero();
+    let zero = graph.zero();
     let exprs = matrices.chain(vectors.into_iter().flatten()).chain(in_speeds).copied();
     let exprs: Vec<Expr> = exprs.filter(|expr| *expr != zero).collect();
-    let expanded = exprs.into_iter().filter_map(|expr| Some((expr, model.graph.expand(expr, LONGEST_EXPANSION)?)));
+    let expanded = exprs.into_iter().filter_map(|expr| Some((expr, graph.expand(expr, LONGEST_EXPANSION)?)));
     expanded.chain(energy.power_along_variables.map(|other| (energy.power, other))).collect()
 }
 
@@ -81,26 +80,15 @@ fn generalized_speeds_kernel(planner: &Planner) -> Option<Kernel> {
 
 /// What events set, if any does.
 fn event_values_kernel(planner: &Planner) -> Option<Kernel> {
-    let values = event_values(&planner.equations.model);
-    let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(&values));
+    let values = &planner.equations.events.settings;
+    let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(values));
     (!values.is_empty()).then(|| planner.kernel(KernelId::EventValues, kernel))
 }
 
 /// What inputs are, if there are any.
 fn input_values_kernel(planner: &Planner) -> Option<Kernel> {
-    let model = &planner.equations.model;
-    let inputs: Vec<Expr> = model.inputs.iter().filter_map(|input| model.graph.existing(input.symbol)).collect();
+    let EquationsOfMotion { model, graph, .. } = planner.equations;
+    let inputs: Vec<Expr> = model.inputs.iter().filter_map(|input| graph.existing(input.symbol)).collect();
     let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(&inputs));
     (!inputs.is_empty()).then(|| planner.kernel(KernelId::InputValues, kernel))
-}
-
-/// What the actions of events set, and the coefficients of restitution of impacts, in order.
-fn event_values(model: &Model) -> Vec<Expr> {
-    let steps = model.events.iter().flat_map(|event| &event.steps);
-    let values = steps.flat_map(|step| match step {
-        EventStep::Set(sets) => sets.iter().map(|(_, value)| *value).collect(),
-        EventStep::Impact(hits) => hits.iter().map(|(_, coefficient)| *coefficient).collect(),
-        EventStep::Stop(_) | EventStep::Switch(_) => vec![],
-    });
-    values.collect()
 }

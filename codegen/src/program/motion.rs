@@ -149,7 +149,7 @@ fn unknown_count(equations: &EquationsOfMotion) -> usize {
 pub(super) fn system(equations: &EquationsOfMotion, form: &Form, lowering: &mut Lowering) -> System {
     let EquationsOfMotion { model, intermediates, tmt, .. } = equations;
     let activities = model.constraints.iter().map(|constraint| constraint.activity);
-    let entries = entries(lowering, &model.graph, &tmt.mass_matrix, &form.jacobian, activities);
+    let entries = entries(lowering, &equations.graph, &tmt.mass_matrix, &form.jacobian, activities);
     let mut unknowns: Vec<Unknown> = model.coordinates.iter().map(|_| Unknown::Coordinate).collect();
     for y in intermediates {
         unknowns.push(Unknown::Intermediate(definition(equations, lowering, y)));
@@ -202,7 +202,7 @@ pub(super) fn definition(
     intermediate: &Intermediate,
 ) -> Vec<(usize, Value)> {
     let entries = intermediate.definition.jacobian.iter().copied().enumerate();
-    let entries = entries.filter(|(_, expr)| !equations.model.graph.is_zero(*expr));
+    let entries = entries.filter(|(_, expr)| !equations.graph.is_zero(*expr));
     entries.map(|(j, expr)| (j, lowering.lower(expr))).collect()
 }
 

@@ -99,7 +99,7 @@ impl<'a> Planner<'a> {
     }
 
     pub(super) fn lowering(&self) -> Lowering<'_> {
-        Lowering::new(&self.equations.model.graph, &self.inputs, &self.definitions, self.alternatives, &self.divisors)
+        Lowering::new(&self.equations.graph, &self.inputs, &self.definitions, self.alternatives, &self.divisors)
     }
 
     /// A kernel of its own, of the mechanism.
@@ -234,7 +234,7 @@ fn labels(equations: &EquationsOfMotion) -> Vec<(Expr, String)> {
     let model = &equations.model;
     let mut labels: Vec<(Expr, String)> = model.named.iter().map(|(name, expr)| (*expr, name.clone())).collect();
     labels.extend(
-        model.inputs.iter().filter_map(|input| Some((model.graph.existing(input.symbol)?, input.name.clone()))),
+        model.inputs.iter().filter_map(|input| Some((equations.graph.existing(input.symbol)?, input.name.clone()))),
     );
     for y in &equations.intermediates {
         let rates = [y.definition.position, y.definition.velocity, y.definition.convective];
@@ -248,9 +248,9 @@ fn labels(equations: &EquationsOfMotion) -> Vec<(Expr, String)> {
     for (row, constraint) in equations.constraints.jacobian.iter().zip(&model.constraints) {
         labels.extend(row.iter().enumerate().map(|(j, expr)| (*expr, format!("{}_by_{}", constraint.name, names[j]))));
     }
-    labels.extend(model.graph.look_ups().into_iter().map(|(expr, table, order)| {
+    labels.extend(equations.graph.look_ups().into_iter().map(|(expr, table, order)| {
         let derivative = ["", "_slope", "_curvature", "_third"][usize::from(order).min(3)];
-        (expr, format!("{}{derivative}", model.graph.table(table).name))
+        (expr, format!("{}{derivative}", equations.graph.table(table).name))
     }));
     labels
 }

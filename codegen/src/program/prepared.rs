@@ -29,7 +29,13 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     }
     let mut notes = std::mem::take(&mut motion.notes);
     if let Some(speeds) = &planner.equations.speeds {
-        planned.extend(speeds::kernels(&planner.equations.model, speeds, &mut lowering, &mut notes));
+        planned.extend(speeds::kernels(
+            &planner.equations.graph,
+            &planner.equations.model,
+            speeds,
+            &mut lowering,
+            &mut notes,
+        ));
     }
     let roots: Vec<Value> = planned.iter().flat_map(|(_, results)| results.entries()).copied().collect();
     let fields = fields(planner, &lowering, &notes, &roots);

@@ -71,13 +71,12 @@ fn energies(planner: &Planner) -> [Kernel; 2] {
 
 /// What is observed of a motion: outputs, events and the drawing.
 fn observations(planner: &Planner) -> [Kernel; 4] {
-    let EquationsOfMotion { model, outputs, .. } = planner.equations;
+    let EquationsOfMotion { model, outputs, events, .. } = planner.equations;
     let rates: Vec<Expr> = outputs.rates.iter().flatten().copied().collect();
-    let events: Vec<Expr> = model.events.iter().map(|event| event.value).collect();
     [
         vector(planner, KernelId::Outputs, &outputs.values),
         vector(planner, KernelId::OutputRates, &rates),
-        vector(planner, KernelId::Events, &events),
+        vector(planner, KernelId::Events, &events.conditions),
         vector(planner, KernelId::Drawing, &drawing(model)),
     ]
 }
