@@ -8,6 +8,7 @@ pub mod dsl;
 pub mod dynamics;
 pub mod emit;
 pub mod joints;
+pub mod kernel_id;
 pub mod mistakes;
 pub mod model;
 pub mod nearest;
@@ -26,8 +27,8 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// All mistakes of the first stage that finds any, each at the user's own word.
 pub fn generate(tokens: TokenStream, path: &TokenStream) -> syn::Result<TokenStream> {
-    let (declaration, model) = resolved(tokens.clone())?;
-    let mut equations = dynamics::derive_cheapest(model);
+    let (declaration, resolved) = resolved(tokens.clone())?;
+    let mut equations = dynamics::derive_cheapest(resolved);
     let program = program::plan(&mut equations);
     let source = dsl::Source::of(tokens);
     Ok(emit::emit(&declaration.head, &source, &equations, &program, path))
@@ -93,11 +94,11 @@ pub fn parse(tokens: TokenStream) -> syn::Result<dsl::Declaration> {
 }
 
 /// The first three stages.
-fn resolved(tokens: TokenStream) -> syn::Result<(dsl::Declaration, model::Model)> {
+fn resolved(tokens: TokenStream) -> syn::Result<(dsl::Declaration, model::Resolved)> {
     dsl::attributed(tokens, |tokens| {
         let declaration = parse(tokens)?;
-        let model = model::resolve(&declaration)?;
-        Ok((declaration, model))
+        let resolved = model::resolve(&declaration)?;
+        Ok((declaration, resolved))
     })
 }
 

@@ -8,18 +8,6 @@ pub fn suggestion<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>)
     }
 }
 
-/// As [`suggestion`], for the blocks of a declaration, which have common other names.
-pub fn block(word: &str, blocks: &[&str]) -> String {
-    let usual = match word {
-        "body" => "bodies",
-        "forces" | "force" | "load" => "loads",
-        "variables" | "states" => "coordinates",
-        "joint" => "joints",
-        _ => return suggestion(word, blocks.iter().copied()),
-    };
-    format!(" (did you mean `{usual}`?)")
-}
-
 /// The candidate that a typing mistake turns into `word`: at most one edit in three letters, letter case apart. Names
 /// of one or two letters are too similar for more than that.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {

@@ -54,7 +54,7 @@ fn upright(joint: &str) -> [[f64; 3]; 3] {
     let matrix = equations.model.bodies[0].attitude.as_ref().unwrap().matrix;
     let parameter = |symbol| equations.model.parameters.iter().any(|p| p.symbol == symbol);
     matrix.map(|row| {
-        let values = evaluate(&equations.model.graph, &row, |symbol| if parameter(symbol) { 0.3 } else { 0.0 });
+        let values = evaluate(&equations.graph, &row, |symbol| if parameter(symbol) { 0.3 } else { 0.0 });
         [values[0], values[1], values[2]]
     })
 }

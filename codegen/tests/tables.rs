@@ -10,7 +10,7 @@ type Law = fn(f64) -> f64;
 /// The table with these words and rows.
 fn table(words: &str, rows: &[(f64, f64)]) -> Table {
     let equations = codegen::equations(declaration(words, rows).parse().unwrap()).unwrap();
-    equations.model.graph.tables()[0].clone()
+    equations.graph.tables()[0].clone()
 }
 
 fn declaration(words: &str, rows: &[(f64, f64)]) -> String {
@@ -208,10 +208,10 @@ const FRAGMENT: &str = "pub Followers; const n = 4;
 /// A table of a fragment belongs to the instance; one of the mechanism can be an argument.
 #[test]
 fn fragments_have_tables() {
-    let model = codegen::equations(FRAGMENT.parse().unwrap()).unwrap().model;
-    let names: Vec<&str> = model.graph.tables().iter().map(|table| table.name.as_str()).collect();
+    let graph = codegen::equations(FRAGMENT.parse().unwrap()).unwrap().graph;
+    let names: Vec<&str> = graph.tables().iter().map(|table| table.name.as_str()).collect();
     assert_eq!(names, ["tall", "left_press", "right_press"]);
-    let spring = &model.graph.tables()[1];
+    let spring = &graph.tables()[1];
     assert_eq!(
         (spring.knots[3], spring.derivative(0, 0.02), spring.docs.as_str()),
         (0.03, 4.0, "How hard it presses.")

@@ -20,7 +20,7 @@ fn cardan(first_at: &str, second_at: &str, cross: &str) -> String {
 /// Of each row whether it is 0, and whether a coordinate moves it.
 fn rows(text: &str) -> Vec<(bool, bool)> {
     let equations = codegen::equations(text.parse().unwrap()).unwrap();
-    let (graph, constraints) = (&equations.model.graph, &equations.constraints);
+    let (graph, constraints) = (&equations.graph, &equations.constraints);
     let rows = constraints.values.iter().zip(&constraints.jacobian);
     rows.map(|(value, by)| (graph.is_zero(*value), by.iter().any(|entry| !graph.is_zero(*entry)))).collect()
 }

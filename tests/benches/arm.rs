@@ -1,5 +1,6 @@
 //! The six-axis arm: operations and times of its kernels, beside published counts of other generators.
 
+use codegen::kernel_id::KernelId;
 use models::RobotArm;
 use sim::{Mechanism, accelerate};
 use std::hint::black_box;
@@ -33,10 +34,13 @@ fn main() {
         shortest(200, || states.iter().for_each(&mut *f)).as_secs_f64() / STATES as f64 * 1e9
     };
     let times = [
-        ("inverse_dynamics", time(&mut |[q, qd, qdd]| _ = black_box(prepared.inverse_dynamics(0.0, q, qd, qdd)))),
-        ("mass_matrix", time(&mut |[q, ..]| _ = black_box(Mechanism::mass_matrix(&arm, 0.0, q)))),
         (
-            "dynamics",
+            KernelId::InverseDynamics,
+            time(&mut |[q, qd, qdd]| _ = black_box(prepared.inverse_dynamics(0.0, q, qd, qdd))),
+        ),
+        (KernelId::MassMatrix, time(&mut |[q, ..]| _ = black_box(Mechanism::mass_matrix(&arm, 0.0, q)))),
+        (
+            KernelId::Dynamics,
             time(&mut |[q, qd, _]| {
                 _ = black_box(<RobotArm as Mechanism>::prepared_dynamics(&prepared, 0.0, q, qd));
             }),
@@ -47,13 +51,13 @@ fn main() {
         println!("the arm has no accelerations");
     }
     println!("{:<36} {:<18} additions + multiplications, time", "generator", "kernel");
-    for (name, time) in times {
-        let Some(kernel) = program.kernels.iter().find(|kernel| kernel.name == name) else { continue };
+    for (id, time) in times {
+        let Some(kernel) = program.kernels.iter().find(|kernel| kernel.id == id) else { continue };
         let counted = kernel.operations;
         println!(
             "{:<36} {:<18} {} + {} (and {} divisions, {} sine-cosine pairs), {time:.0} ns",
             "Linkwright, six axes, spherical wrist",
-            name,
+            id.name(),
             counted.additions,
             counted.multiplications,
             counted.divisions,

@@ -8,6 +8,7 @@
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
+use codegen::kernel_id::KernelId;
 use codegen::{dynamics, emit, model, program};
 use quote::quote;
 use sim_kernel::Mechanism;
@@ -213,7 +214,7 @@ fn making(name: &str, declaration: &str) -> Making {
     });
     let derivation = derivation.min().unwrap();
     let (program, rust) = derive();
-    let kernel = program.kernels.iter().find(|kernel| kernel.name == "dynamics").unwrap();
+    let kernel = program.kernels.iter().find(|kernel| kernel.id == KernelId::Dynamics).unwrap();
     let statements = kernel.statements.len() + kernel.pieces.iter().map(|piece| piece.statements.len()).sum::<usize>();
     Making {
         derivation,

@@ -27,7 +27,7 @@ fn check<M: Mechanism>() {
             M::defaults().with_parameters(M::Parameters::from_fn(|i| defaults[i] * random.between(0.8, 1.2)));
         let values = values::<M>(&equations, &mechanism, t, [&q, &qd, &qdd]);
         let agree = |kernel: &str, found: &[f64], exprs: &[Expr]| {
-            let expected = evaluate(&equations.model.graph, exprs, |symbol| values[&symbol]);
+            let expected = evaluate(&equations.graph, exprs, |symbol| values[&symbol]);
             assert_eq!(found.len(), expected.len(), "{kernel}");
             // Both round the same few operations; the largest entry stands for the size of what cancels.
             let size = expected.iter().filter(|x| x.is_finite()).fold(1.0f64, |size, x| size.max(x.abs()));
@@ -64,7 +64,7 @@ fn values<M: Mechanism>(
         values.extend([(c.position, q[i]), (c.speed, qd[i]), (c.acceleration, qdd[i])]);
     }
     for input in &model.inputs {
-        let course = evaluate(&model.graph, &[input.course], |symbol| values[&symbol])[0];
+        let course = evaluate(&equations.graph, &[input.course], |symbol| values[&symbol])[0];
         values.insert(input.symbol, course);
     }
     values

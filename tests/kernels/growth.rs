@@ -2,6 +2,7 @@
 //! long sums are cut (chains) or the order of elimination finds the band (four-bars side by side).
 
 use codegen::dynamics::derive_cheapest;
+use codegen::kernel_id::KernelId;
 use codegen::{model, program};
 use tests::declarations::{Angles, chain, four_bars};
 
@@ -25,5 +26,5 @@ fn operations(declaration: &str) -> usize {
     let declaration = codegen::parse(declaration.parse().unwrap()).unwrap();
     let mut equations = derive_cheapest(model::resolve(&declaration).unwrap());
     let program = program::plan(&mut equations);
-    program.kernels.iter().find(|kernel| kernel.name == "dynamics").unwrap().operations.total()
+    program.kernels.iter().find(|kernel| kernel.id == KernelId::Dynamics).unwrap().operations.total()
 }

@@ -4,8 +4,7 @@
 
 use crate::mechanisms;
 use crate::oracle::OVERCONSTRAINED;
-use codegen::dynamics::lagrange;
-use codegen::model::Model;
+use codegen::dynamics::{EquationsOfMotion, lagrange};
 use codegen::symbolic::{Expr, Symbol, evaluate};
 use nalgebra::{DMatrix, DVector};
 use sim::Description;
@@ -28,13 +27,13 @@ fn both_give_the_same_accelerations() {
 /// The largest difference of the accelerations, relative to eps cond(K) |a|.
 fn compare(description: &Description) -> f64 {
     let mut equations = codegen::equations(description.declaration.parse().unwrap()).unwrap();
-    let other = lagrange(&mut equations.model);
+    let other = lagrange(&mut equations.graph, &equations.model);
     let n = equations.model.coordinates.len();
     let mut random = Random(7);
     let mut worst = 0.0f64;
     for _ in 0..STATES {
-        let state = random_state(&equations.model, &mut random);
-        let value = |exprs: &[Expr]| evaluate(&equations.model.graph, exprs, |symbol| state[&symbol]);
+        let state = random_state(&equations, &mut random);
+        let value = |exprs: &[Expr]| evaluate(&equations.graph, exprs, |symbol| state[&symbol]);
         let active: Vec<bool> = equations
             .model
             .constraints
@@ -84,14 +83,15 @@ fn compare(description: &Description) -> f64 {
 }
 
 /// Random time, coordinates and speeds, and parameters within 20 % of their defaults.
-fn random_state(model: &Model, random: &mut Random) -> HashMap<Symbol, f64> {
+fn random_state(equations: &EquationsOfMotion, random: &mut Random) -> HashMap<Symbol, f64> {
+    let model = &equations.model;
     let mut state = HashMap::from([(model.time, random.between(0.0, 2.0))]);
     for c in &model.coordinates {
         state.insert(c.position, random.between(-1.5, 1.5));
         state.insert(c.speed, random.between(-3.0, 3.0));
     }
     for p in &model.parameters {
-        let default = evaluate(&model.graph, &[p.default], |_| f64::NAN)[0];
+        let default = evaluate(&equations.graph, &[p.default], |_| f64::NAN)[0];
         state.insert(p.symbol, default * random.between(0.8, 1.2));
     }
     state.extend(model.inputs.iter().map(|input| (input.symbol, random.between(-2.0, 2.0))));

@@ -1,6 +1,7 @@
 //! Generalised speeds: their kernels against those in the rates of the coordinates, and motions in them against closed
 //! forms.
 
+use codegen::kernel_id::KernelId;
 use codegen::program::{Kernel, plan};
 use sim::sim_kernel::{GeneralizedSpeeds, Kinematics, SpeedDynamics};
 use sim::{Array, Dual, FixedArray, Mechanism, mechanism};
@@ -288,8 +289,8 @@ fn eulers_equations_are_as_short_as_on_paper() {
         let model = codegen::model::resolve(&declaration).unwrap();
         plan(&mut codegen::dynamics::derive_cheapest(model)).kernels
     };
-    let find = |kernels: &[Kernel], name: &str| {
-        let kernel = kernels.iter().find(|kernel| kernel.name == name).unwrap();
+    let find = |kernels: &[Kernel], id: KernelId| {
+        let kernel = kernels.iter().find(|kernel| kernel.id == id).unwrap();
         let operations = &kernel.operations;
         (
             operations.total(),
@@ -300,7 +301,7 @@ fn eulers_equations_are_as_short_as_on_paper() {
     for declaration in [FreeBody::<f64>::DESCRIPTION.declaration, Turning::<f64>::DESCRIPTION.declaration] {
         let kernels = kernels(declaration);
         let [(speeds, slow, positions), (kinematics, ..), (coordinates, ..)] =
-            ["speed_dynamics", "kinematics", "dynamics"].map(|name| find(&kernels, name));
+            [KernelId::SpeedDynamics, KernelId::Kinematics, KernelId::Dynamics].map(|id| find(&kernels, id));
         println!("speed_dynamics {speeds}, kinematics {kinematics}, dynamics {coordinates} operations");
         assert!(speeds <= 10 && slow == 0 && positions == 0);
         assert!(speeds + kinematics < coordinates / 2);

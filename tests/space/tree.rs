@@ -3,6 +3,7 @@
 
 use crate::common::{apart, column};
 use crate::linkages::rssr_rocker;
+use codegen::kernel_id::KernelId;
 use models::RobotArm;
 use sim::{Mechanism, Method, Settings, accelerate, mechanism};
 use std::f64::consts::TAU;
@@ -252,16 +253,16 @@ fn an_arm_of_joints_is_the_arm_by_hand() {
     assert!(worst < 1e-11, "{worst:e}");
     let [joints, hand] =
         [ArmOfJoints::<f64>::DESCRIPTION, RobotArm::<f64>::DESCRIPTION].map(|d| operations(d.declaration));
-    for (joints, hand) in joints.iter().zip(&hand).filter(|(_, hand)| hand.0 != "drawing") {
+    for (joints, hand) in joints.iter().zip(&hand).filter(|(_, hand)| hand.0 != KernelId::Drawing) {
         assert!(joints.0 == hand.0 && joints.1 <= hand.1, "{joints:?} {hand:?}");
     }
 }
 
 /// The operations of each kernel.
-fn operations(declaration: &str) -> Vec<(String, usize)> {
+fn operations(declaration: &str) -> Vec<(KernelId, usize)> {
     let model = codegen::model::resolve(&codegen::parse(declaration.parse().unwrap()).unwrap()).unwrap();
     let program = codegen::program::plan(&mut codegen::dynamics::derive_cheapest(model));
-    program.kernels.iter().map(|kernel| (kernel.name.to_string(), kernel.operations.total())).collect()
+    program.kernels.iter().map(|kernel| (kernel.id, kernel.operations.total())).collect()
 }
 
 mechanism! {

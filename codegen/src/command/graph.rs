@@ -12,7 +12,7 @@ pub(super) fn graph(source: &Source, kernel: &str) -> Result<String> {
     let mut out = String::new();
     for declaration in source.located(source.declarations())? {
         let (name, program) = source.located(program(declaration))?;
-        let Some(found) = program.kernels.iter().find(|candidate| candidate.name == kernel) else {
+        let Some(found) = program.kernels.iter().find(|candidate| candidate.id.name() == kernel) else {
             bail!(unknown(kernel, &program));
         };
         out += &digraph(&format!("{name}.{kernel}"), &Diagram::of(found))?;
@@ -28,7 +28,7 @@ fn program(declaration: TokenStream) -> syn::Result<(String, Program)> {
 }
 
 fn unknown(kernel: &str, program: &Program) -> String {
-    let names = || program.kernels.iter().map(|kernel| kernel.name);
+    let names = || program.kernels.iter().map(|kernel| kernel.id.name());
     let near = nearest::suggestion(kernel, names());
     format!("no kernel is called `{kernel}`{near}; there are {}", names().collect::<Vec<_>>().join(", "))
 }

@@ -12,8 +12,8 @@ pub(super) fn statistics(declaration: TokenStream) -> syn::Result<String> {
     let source = dsl::Source::of(declaration.clone());
     // The body of `codegen::generate`, stage by stage.
     let declaration = stages.time("parse", || codegen::parse(declaration))?;
-    let model = stages.time("resolve", || model::resolve(&declaration))?;
-    let mut equations = stages.time("derive", || dynamics::derive_cheapest(model));
+    let resolved = stages.time("resolve", || model::resolve(&declaration))?;
+    let mut equations = stages.time("derive", || dynamics::derive_cheapest(resolved));
     let program = stages.time("plan", || program::plan(&mut equations));
     let tokens =
         stages.time("emit", || emit::emit(&declaration.head, &source, &equations, &program, &quote!(sim_kernel)));
@@ -25,7 +25,7 @@ pub(super) fn statistics(declaration: TokenStream) -> syn::Result<String> {
         model.coordinates.len(),
         model.constraints.len(),
         model.parameters.len(),
-        model.graph.len(),
+        equations.graph.len(),
         formatted.lines().count(),
         HEADER,
     );
@@ -41,7 +41,7 @@ fn row(kernel: &Kernel) -> String {
     let o = &kernel.operations;
     format!(
         "{:<29} {:>6} {:>6} {:>4} {:>6} {:>5} {:>4} {:>5} {:>6} {:>9} {:>11}\n",
-        kernel.name,
+        kernel.id.name(),
         o.additions,
         o.multiplications,
         o.divisions,

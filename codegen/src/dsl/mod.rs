@@ -12,6 +12,7 @@ mod reuse;
 mod source;
 mod syntax;
 mod tree;
+mod vocabulary;
 
 pub use declarations::declarations;
 pub use file::read_files;

@@ -47,23 +47,23 @@ pub(super) struct Part {
 
 impl Part {
     /// All parts of equations for the rates of these coordinates.
-    pub(super) fn all(model: &mut Model, equations: &[Equation], coordinates: &[usize]) -> Vec<Part> {
+    pub(super) fn all(graph: &mut Graph, equations: &[Equation], coordinates: &[usize]) -> Vec<Part> {
         let column = |j: &usize| equations.iter().map(|equation| equation.coefficients[*j]).collect();
         let columns: Vec<Vec<Expr>> = coordinates.iter().map(column).collect();
         let mut entry = |a: &[Expr], b: &[Expr]| {
-            let entry = inner(model, a, b);
-            expanded(&mut model.graph, entry)
+            let entry = inner(graph, a, b);
+            expanded(graph, entry)
         };
         let matrix: Vec<Vec<Expr>> = columns.iter().map(|a| columns.iter().map(|b| entry(a, b)).collect()).collect();
         let rests: Vec<Expr> = equations.iter().map(|equation| equation.rest).collect();
-        let linked = |i: usize, j: usize| !model.graph.is_zero(matrix[i][j]);
+        let linked = |i: usize, j: usize| !graph.is_zero(matrix[i][j]);
         let places = components(columns.len(), linked);
         let part = |places: Vec<usize>| {
             let columns: Vec<Vec<Expr>> = places.iter().map(|i| columns[*i].clone()).collect();
             Part {
                 coordinates: places.iter().map(|i| coordinates[*i]).collect(),
                 matrix: places.iter().map(|i| places.iter().map(|j| matrix[*i][*j]).collect()).collect(),
-                of_rates: reduced(model, &columns, &rests),
+                of_rates: reduced(graph, &columns, &rests),
                 columns,
             }
         };
@@ -78,27 +78,34 @@ impl Part {
     }
 
     /// The part solved for `h`. Where u' = 0, `changing` is the rate of the left-hand sides without h'.
-    pub(super) fn block(self, model: &mut Model, h: Vec<Symbol>, rests: &[Expr], changing: &[Expr]) -> Block {
+    pub(super) fn block(
+        self,
+        graph: &mut Graph,
+        model: &Model,
+        h: Vec<Symbol>,
+        rests: &[Expr],
+        changing: &[Expr],
+    ) -> Block {
         let mut by_speed = Vec::new();
         for k in 0..model.speeds.len() {
-            let mut by = Differential::partial(&mut model.graph, model.speeds[k].symbol);
-            let rests: Vec<Expr> = rests.iter().map(|rest| by.of(&mut model.graph, *rest)).collect();
-            let right_hand_side = reduced(model, &self.columns, &rests);
-            if right_hand_side.iter().any(|entry| !model.graph.is_zero(*entry)) {
-                let symbols = self.symbols(model, &format!("by_{}", model.speeds[k].name));
+            let mut by = Differential::partial(graph, model.speeds[k].symbol);
+            let rests: Vec<Expr> = rests.iter().map(|rest| by.of(graph, *rest)).collect();
+            let right_hand_side = reduced(graph, &self.columns, &rests);
+            if right_hand_side.iter().any(|entry| !graph.is_zero(*entry)) {
+                let symbols = self.symbols(graph, model, &format!("by_{}", model.speeds[k].name));
                 by_speed.push((k, Solution { symbols, right_hand_side }));
             }
         }
-        let symbols = self.symbols(model, "convective");
-        let convective = Solution { symbols, right_hand_side: reduced(model, &self.columns, changing) };
+        let symbols = self.symbols(graph, model, "convective");
+        let convective = Solution { symbols, right_hand_side: reduced(graph, &self.columns, changing) };
         let rates = Solution { symbols: h, right_hand_side: self.of_rates };
         Block { coordinates: self.coordinates, matrix: self.matrix, rates, by_speed, convective }
     }
 
     /// New symbols, one for each unknown.
-    pub(super) fn symbols(&self, model: &mut Model, suffix: &str) -> Vec<Symbol> {
-        let Model { graph, coordinates, .. } = model;
-        self.coordinates.iter().map(|j| graph.symbol(&format!("{}_{suffix}", coordinates[*j].name))).collect()
+    pub(super) fn symbols(&self, graph: &mut Graph, model: &Model, suffix: &str) -> Vec<Symbol> {
+        let name = |j: &usize| format!("{}_{suffix}", model.coordinates[*j].name);
+        self.coordinates.iter().map(|j| graph.symbol(&name(j))).collect()
     }
 }
 
@@ -122,10 +129,10 @@ fn components(n: usize, linked: impl Fn(usize, usize) -> bool) -> Vec<Vec<usize>
 }
 
 /// -B' times a vector.
-fn reduced(model: &mut Model, columns: &[Vec<Expr>], vector: &[Expr]) -> Vec<Expr> {
+fn reduced(graph: &mut Graph, columns: &[Vec<Expr>], vector: &[Expr]) -> Vec<Expr> {
     let entry = |column: &Vec<Expr>| {
-        let sum = inner(model, column, vector);
-        model.graph.neg(sum)
+        let sum = inner(graph, column, vector);
+        graph.neg(sum)
     };
     columns.iter().map(entry).collect()
 }

@@ -9,6 +9,7 @@ use super::formulation::Formulation;
 use super::parts::Candidates;
 use super::rows::LoadRow;
 use crate::model::Model;
+use crate::symbolic::Graph;
 
 /// With fewer coordinates the equations are short in any form.
 const FEWEST_COORDINATES: usize = 5;
@@ -17,17 +18,17 @@ const FEWEST_COORDINATES: usize = 5;
 const DEPTHS: [usize; 4] = [2, 3, 4, 6];
 
 /// The cheapest way to write rows and constraints.
-pub(super) fn cheapest(model: &mut Model, rows: Vec<LoadRow>) -> Formulation {
+pub(super) fn cheapest(graph: &mut Graph, model: &Model, rows: Vec<LoadRow>) -> Formulation {
     let plain = Formulation::without(model, rows);
     // In chains of spatial bodies velocities are carried from frame to frame, which is as short.
     if model.coordinates.len() < FEWEST_COORDINATES || model.dimension == 3 {
         return plain;
     }
-    let mut best = (plain.cost(model), None);
-    let candidates = Candidates::of(model, &plain);
+    let mut best = (plain.cost(graph, model), None);
+    let candidates = Candidates::of(graph, model, &plain);
     for depth in DEPTHS {
-        let Some(formulation) = candidates.formulation(model, &plain, depth) else { continue };
-        let cost = formulation.cost(model);
+        let Some(formulation) = candidates.formulation(graph, model, &plain, depth) else { continue };
+        let cost = formulation.cost(graph, model);
         if cost < best.0 {
             best = (cost, Some(formulation));
         }

@@ -33,13 +33,14 @@ pub struct Constraints {
 impl Constraints {
     /// `values` are left - right of the constraints over `variables`, n of them.
     pub(super) fn derive(
-        model: &mut Model,
+        graph: &mut Graph,
+        model: &Model,
         variables: &Variables,
         derivatives: &mut Derivatives,
         values: Vec<Expr>,
     ) -> Constraints {
         let declared: Vec<(Level, Expr)> = model.constraints.iter().map(|c| (c.level, c.value)).collect();
-        let zero = model.graph.zero();
+        let zero = graph.zero();
         let mut constraints = Constraints {
             values: vec![],
             magnitudes: vec![],
@@ -48,18 +49,17 @@ impl Constraints {
             convective: vec![],
         };
         for (i, (value, (level, declared))) in values.into_iter().zip(declared).enumerate() {
-            let size = if level == Level::Positions { magnitude(model, declared) } else { zero };
+            let size = if level == Level::Positions { magnitude(graph, declared) } else { zero };
             let (own, row) = match level {
-                Level::Positions => (value, derivatives.of_quantity(model, variables, value)),
-                Level::Speeds => (zero, derivatives.of_rate(model, variables, value)),
+                Level::Positions => (value, derivatives.of_quantity(graph, variables, value)),
+                Level::Speeds => (zero, derivatives.of_rate(graph, variables, value)),
             };
             let activity = model.constraints[i].activity;
             constraints.magnitudes.push(match activity {
-                Some(activity) if !model.graph.has_value_everywhere(size) => model.graph.choice(activity, size, zero),
+                Some(activity) if !graph.has_value_everywhere(size) => graph.choice(activity, size, zero),
                 _ => size,
             });
-            let mut switched =
-                |expr: Expr| activity.map_or(expr, |activity| switched(&mut model.graph, activity, expr));
+            let mut switched = |expr: Expr| activity.map_or(expr, |activity| switched(graph, activity, expr));
             constraints.values.push(switched(own));
             constraints.jacobian.push(row.jacobian.into_iter().map(&mut switched).collect());
             constraints.time_derivative.push(switched(row.time_derivative));
@@ -79,8 +79,7 @@ pub(super) fn switched(graph: &mut Graph, activity: Expr, expr: Expr) -> Expr {
 }
 
 /// The sum of the absolute values of an expression's terms.
-fn magnitude(model: &mut Model, value: Expr) -> Expr {
-    let graph = &mut model.graph;
+fn magnitude(graph: &mut Graph, value: Expr) -> Expr {
     let (constant, terms) = match graph.node(value).clone() {
         Node::Sum { constant, terms } => (constant, terms.into_vec()),
         _ => (Number::ZERO, vec![(value, Number::ONE)]),

@@ -5,7 +5,7 @@ use super::order::{Entry, Kind, Multipliers, Pattern, cost, order};
 use super::rows::LoadRow;
 use super::variables::{Derivatives, Variables, inner};
 use crate::model::{Constraint, Level, Model};
-use crate::symbolic::{Expr, Symbol};
+use crate::symbolic::{Expr, Graph, Symbol};
 use std::collections::BTreeSet;
 
 /// Rows and constraints with intermediates in them.
@@ -39,32 +39,33 @@ impl Formulation {
     /// The intermediates with their derivatives.
     pub(super) fn intermediates(
         &self,
-        model: &mut Model,
+        graph: &mut Graph,
+        model: &Model,
         variables: &Variables,
         derivatives: &mut Derivatives,
     ) -> Vec<Intermediate> {
-        let accelerations: Vec<Expr> = variables.accelerations.iter().map(|a| model.graph.variable(*a)).collect();
-        let mut drifts = vec![model.graph.zero(); variables.len()];
+        let accelerations: Vec<Expr> = variables.accelerations.iter().map(|a| graph.variable(*a)).collect();
+        let mut drifts = vec![graph.zero(); variables.len()];
         let mut intermediates = Vec::new();
         for (i, definition) in self.definitions.iter().enumerate() {
-            let definition = derivatives.of_quantity(model, variables, *definition);
-            let moving = inner(model, &definition.jacobian, &accelerations);
-            let acceleration = model.graph.add(moving, definition.convective);
-            let time_derivative = total_time_derivative(model, &definition, &drifts);
+            let definition = derivatives.of_quantity(graph, variables, *definition);
+            let moving = inner(graph, &definition.jacobian, &accelerations);
+            let acceleration = graph.add(moving, definition.convective);
+            let time_derivative = total_time_derivative(graph, &definition, &drifts);
             let (name, symbols) = (self.names[i].clone(), self.symbols[i]);
             let intermediate = Intermediate { name, symbols, definition, acceleration, time_derivative };
-            drifts[model.coordinates.len() + i] = intermediate.drift(&mut model.graph);
+            drifts[model.coordinates.len() + i] = intermediate.drift(graph);
             intermediates.push(intermediate);
         }
         intermediates
     }
 
     /// The approximate number of multiplications to form and solve the equations.
-    pub(super) fn cost(&self, model: &Model) -> usize {
+    pub(super) fn cost(&self, graph: &Graph, model: &Model) -> usize {
         let variables = self.variables(model).positions;
         let (n, p) = (model.coordinates.len(), self.symbols.len());
         let occurring = |expr: Expr| -> Vec<usize> {
-            let symbols = model.graph.symbols_of(&[expr]);
+            let symbols = graph.symbols_of(&[expr]);
             (0..variables.len()).filter(|i| symbols.binary_search(&variables[*i]).is_ok()).collect()
         };
         let rows: Vec<Vec<usize>> = self.rows.iter().map(|row| occurring(row.quantity())).collect();
@@ -73,7 +74,7 @@ impl Formulation {
         let constrained = |(value, constraint): (&Expr, &Constraint)| match constraint.level {
             Level::Positions => occurring(*value),
             Level::Speeds => {
-                let symbols = model.graph.symbols_of(&[*value]);
+                let symbols = graph.symbols_of(&[*value]);
                 (0..speeds.len()).filter(|i| symbols.binary_search(&speeds[*i]).is_ok()).collect()
             }
         };

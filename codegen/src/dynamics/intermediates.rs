@@ -5,7 +5,6 @@
 //! pivots stay positive. Equations for readers are always in coordinates alone.
 
 use super::variables::{Differentiated, inner};
-use crate::model::Model;
 use crate::symbolic::{Expr, Graph, Symbol};
 
 /// A variable y with its definition in terms of coordinates and of the intermediates before it.
@@ -30,7 +29,7 @@ impl Intermediate {
 }
 
 /// x_t at fixed coordinates, of a quantity over variables that may have a `drifts` y_t of their own.
-pub(super) fn total_time_derivative(model: &mut Model, quantity: &Differentiated, drifts: &[Expr]) -> Expr {
-    let carried = inner(model, drifts, &quantity.jacobian);
-    model.graph.add(carried, quantity.time_derivative)
+pub(super) fn total_time_derivative(graph: &mut Graph, quantity: &Differentiated, drifts: &[Expr]) -> Expr {
+    let carried = inner(graph, drifts, &quantity.jacobian);
+    graph.add(carried, quantity.time_derivative)
 }

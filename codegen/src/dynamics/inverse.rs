@@ -19,24 +19,23 @@ pub struct Inverse {
 }
 
 /// None if a velocity is not a polynomial of speeds.
-pub(super) fn derive(model: &mut Model, rows: &[LoadRow]) -> Option<Inverse> {
-    let mut motion = model.time_derivative();
-    let moving: Vec<(Expr, Expr)> = rows.iter().map(|row| motion_of(&mut model.graph, &mut motion, row)).collect();
+pub(super) fn derive(graph: &mut Graph, model: &Model, rows: &[LoadRow]) -> Option<Inverse> {
+    let mut motion = model.time_derivative(graph);
+    let moving: Vec<(Expr, Expr)> = rows.iter().map(|row| motion_of(graph, &mut motion, row)).collect();
     let accelerations: Vec<Expr> = moving.iter().map(|(_, acceleration)| *acceleration).collect();
-    let forces: Vec<Expr> =
-        rows.iter().enumerate().map(|(i, row)| needed(&mut model.graph, row, i, &accelerations)).collect();
+    let forces: Vec<Expr> = rows.iter().enumerate().map(|(i, row)| needed(graph, row, i, &accelerations)).collect();
     let speeds: Vec<Symbol> = model.coordinates.iter().map(|c| c.speed).collect();
     let pairs: Vec<(Expr, Expr)> = moving.into_iter().map(|(velocity, _)| velocity).zip(forces).collect();
-    let forces = backwards(&mut model.graph, &pairs, &speeds)?;
+    let forces = backwards(graph, &pairs, &speeds)?;
     let accelerations: Vec<Symbol> =
-        model.coordinates.iter().map(|c| model.graph.symbol(&format!("{}_ddot", c.name))).collect();
+        model.coordinates.iter().map(|c| graph.symbol(&format!("{}_ddot", c.name))).collect();
     let given: Vec<(Symbol, Expr)> = model
         .coordinates
         .iter()
         .zip(&accelerations)
-        .map(|(c, given)| (c.acceleration, model.graph.variable(*given)))
+        .map(|(c, given)| (c.acceleration, graph.variable(*given)))
         .collect();
-    let forces = substitute(&mut model.graph, &forces, &given);
+    let forces = substitute(graph, &forces, &given);
     Some(Inverse { accelerations, forces })
 }
 

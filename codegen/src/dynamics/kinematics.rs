@@ -26,13 +26,13 @@ pub struct Kinematics {
 
 /// Rates that are 0 for all generalised speeds: those of constraints between speeds, and of q.q/2 for each norm, whose
 /// coefficients are orthogonal to those of angular velocities.
-pub(super) fn satisfied(model: &mut Model, motion: &mut Differential) -> Vec<Expr> {
+pub(super) fn satisfied(graph: &mut Graph, model: &Model, motion: &mut Differential) -> Vec<Expr> {
     let rows = model.satisfied_rows();
     let rate = |row: usize| {
         let (level, value) = (model.constraints[row].level, model.constraints[row].value);
         match level {
             Level::Speeds => value,
-            Level::Positions => half_square_rate(&mut model.graph, motion, value),
+            Level::Positions => half_square_rate(graph, motion, value),
         }
     };
     rows.into_iter().map(rate).collect()
@@ -53,53 +53,53 @@ fn half_square_rate(graph: &mut Graph, motion: &mut Differential, norm: Expr) ->
 }
 
 impl Kinematics {
-    pub(super) fn derive(model: &mut Model, satisfied: &[Expr]) -> Kinematics {
-        let equations = equations(model, satisfied);
-        let (solved, equations) = eliminate(&mut model.graph, equations);
+    pub(super) fn derive(graph: &mut Graph, model: &Model, satisfied: &[Expr]) -> Kinematics {
+        let equations = equations(graph, model, satisfied);
+        let (solved, equations) = eliminate(graph, equations);
         let n = model.coordinates.len();
         let left: Vec<usize> = (0..n).filter(|j| solved.iter().all(|solved| solved.unknown != *j)).collect();
-        let mut rates = vec![model.graph.zero(); n];
+        let mut rates = vec![graph.zero(); n];
         let mut parts = Vec::new();
-        for part in Part::all(model, &equations, &left) {
-            if let Some((j, rate)) = part.known(&mut model.graph) {
+        for part in Part::all(graph, &equations, &left) {
+            if let Some((j, rate)) = part.known(graph) {
                 rates[j] = rate;
                 continue;
             }
-            let h = part.symbols(model, "dot");
-            part.coordinates.iter().zip(&h).for_each(|(j, symbol)| rates[*j] = model.graph.variable(*symbol));
+            let h = part.symbols(graph, model, "dot");
+            part.coordinates.iter().zip(&h).for_each(|(j, symbol)| rates[*j] = graph.variable(*symbol));
             parts.push((part, h));
         }
         // Each was solved before those that still stand in it.
         for Solved { unknown, equation } in solved.iter().rev() {
-            let left_hand_side = equation.left_hand_side(model, &rates);
-            let opposite = expanded(&mut model.graph, left_hand_side);
-            rates[*unknown] = model.graph.neg(opposite);
+            let left_hand_side = equation.left_hand_side(graph, &rates);
+            let opposite = expanded(graph, left_hand_side);
+            rates[*unknown] = graph.neg(opposite);
         }
         // The rates of change of the other parts are orthogonal to the columns of this one.
-        let mut onwards = motion(model, &rates, vec![]);
-        let left_hand_sides = equations.iter().map(|equation| equation.left_hand_side(model, &rates));
+        let mut onwards = motion(graph, model, &rates, vec![]);
+        let left_hand_sides = equations.iter().map(|equation| equation.left_hand_side(graph, &rates));
         let left_hand_sides: Vec<Expr> = left_hand_sides.collect();
-        let changing: Vec<Expr> = left_hand_sides.iter().map(|side| onwards.of(&mut model.graph, *side)).collect();
+        let changing: Vec<Expr> = left_hand_sides.iter().map(|side| onwards.of(graph, *side)).collect();
         let rests: Vec<Expr> = equations.iter().map(|equation| equation.rest).collect();
-        let blocks = parts.into_iter().map(|(part, h)| part.block(model, h, &rests, &changing)).collect();
+        let blocks = parts.into_iter().map(|(part, h)| part.block(graph, model, h, &rests, &changing)).collect();
         Kinematics { rates, blocks }
     }
 
     /// The derivative along the motion where u' = 0 of what is written in u, q, t and h.
-    pub(super) fn convective(&self, model: &mut Model) -> Differential {
+    pub(super) fn convective(&self, graph: &mut Graph, model: &Model) -> Differential {
         let blocks = self.blocks.iter();
         let along = blocks.flat_map(|block| block.rates.symbols.iter().zip(&block.convective.symbols));
-        let along = along.map(|(h, convective)| (*h, model.graph.variable(*convective))).collect();
-        motion(model, &self.rates, along)
+        let along = along.map(|(h, convective)| (*h, graph.variable(*convective))).collect();
+        motion(graph, model, &self.rates, along)
     }
 
     /// The derivatives of what is written in u, q, t and h with respect to each u.
-    pub(super) fn by_speeds(&self, model: &mut Model) -> Vec<Differential> {
+    pub(super) fn by_speeds(&self, graph: &mut Graph, model: &Model) -> Vec<Differential> {
         let mut along: Vec<Vec<(Symbol, Expr)>> =
-            model.speeds.iter().map(|speed| vec![(speed.symbol, model.graph.one())]).collect();
+            model.speeds.iter().map(|speed| vec![(speed.symbol, graph.one())]).collect();
         for block in &self.blocks {
             for (k, by_speed) in &block.by_speed {
-                let derivatives = by_speed.symbols.iter().map(|by| model.graph.variable(*by));
+                let derivatives = by_speed.symbols.iter().map(|by| graph.variable(*by));
                 along[*k].extend(block.rates.symbols.iter().copied().zip(derivatives));
             }
         }
@@ -108,8 +108,8 @@ impl Kinematics {
 }
 
 /// A q' + b = 0 of the definitions, then of what is satisfied by construction.
-fn equations(model: &mut Model, satisfied: &[Expr]) -> Vec<Equation> {
-    let Model { graph, coordinates, speeds, .. } = model;
+fn equations(graph: &mut Graph, model: &Model, satisfied: &[Expr]) -> Vec<Equation> {
+    let Model { coordinates, speeds, .. } = model;
     let defined: Vec<Expr> = speeds.iter().map(|speed| definition(graph, speed)).collect();
     let zero = graph.zero();
     let at_rest: Vec<(Symbol, Expr)> = coordinates.iter().map(|c| (c.speed, zero)).collect();
@@ -145,8 +145,8 @@ fn definition(graph: &mut Graph, speed: &GeneralizedSpeed) -> Expr {
 }
 
 /// The derivative along q', with u constant, t at 1 and what else changes.
-fn motion(model: &mut Model, rates: &[Expr], others: Vec<(Symbol, Expr)>) -> Differential {
-    let mut along = vec![(model.time, model.graph.one())];
+fn motion(graph: &mut Graph, model: &Model, rates: &[Expr], others: Vec<(Symbol, Expr)>) -> Differential {
+    let mut along = vec![(model.time, graph.one())];
     along.extend(model.coordinates.iter().map(|c| c.position).zip(rates.iter().copied()));
     along.extend(others);
     Differential::along(along)

@@ -26,10 +26,10 @@ pub struct Lagrange {
 }
 
 /// Lagrange's equations of a model.
-pub fn lagrange(model: &mut Model) -> Lagrange {
-    let mut rate = model.time_derivative();
-    let energy = kinetic_energy(model, &mut rate);
-    let forces = generalized_forces(model, &mut rate);
+pub fn lagrange(graph: &mut Graph, model: &Model) -> Lagrange {
+    let mut rate = model.time_derivative(graph);
+    let energy = kinetic_energy(graph, model, &mut rate);
+    let forces = generalized_forces(graph, model, &mut rate);
     let mut result = Lagrange {
         mass_matrix: vec![],
         right_hand_side: vec![],
@@ -37,24 +37,23 @@ pub fn lagrange(model: &mut Model) -> Lagrange {
         constraint_convective: vec![],
     };
     for (j, force) in forces.into_iter().enumerate() {
-        let graph = &mut model.graph;
         let (position, speed) = (model.coordinates[j].position, model.coordinates[j].speed);
         let momentum = Differential::partial(graph, speed).of(graph, energy);
         let momentum_rate = rate.of(graph, momentum);
         let by_position = Differential::partial(graph, position).of(graph, energy);
         let operator = graph.sub(momentum_rate, by_position);
-        let (coefficients, rest) = linear_in_accelerations(model, operator);
+        let (coefficients, rest) = linear_in_accelerations(graph, model, operator);
         result.mass_matrix.push(coefficients);
-        result.right_hand_side.push(model.graph.sub(force, rest));
+        result.right_hand_side.push(graph.sub(force, rest));
     }
     for row in 0..model.constraints.len() {
         let (level, value) = (model.constraints[row].level, model.constraints[row].value);
         let speed = match level {
-            Level::Positions => rate.of(&mut model.graph, value),
+            Level::Positions => rate.of(graph, value),
             Level::Speeds => value,
         };
-        let acceleration = rate.of(&mut model.graph, speed);
-        let (coefficients, rest) = linear_in_accelerations(model, acceleration);
+        let acceleration = rate.of(graph, speed);
+        let (coefficients, rest) = linear_in_accelerations(graph, model, acceleration);
         result.constraint_jacobian.push(coefficients);
         result.constraint_convective.push(rest);
     }
@@ -62,8 +61,7 @@ pub fn lagrange(model: &mut Model) -> Lagrange {
 }
 
 /// The coefficients of q'' in expressions linear in it (their derivatives), and the rest (their value at 0).
-fn linear_in_accelerations(model: &mut Model, expr: Expr) -> (Vec<Expr>, Expr) {
-    let graph = &mut model.graph;
+fn linear_in_accelerations(graph: &mut Graph, model: &Model, expr: Expr) -> (Vec<Expr>, Expr) {
     let accelerations: Vec<_> = model.coordinates.iter().map(|c| c.acceleration).collect();
     let coefficients = accelerations.iter().map(|a| Differential::partial(graph, *a).of(graph, expr)).collect();
     let zero = graph.zero();
@@ -72,7 +70,7 @@ fn linear_in_accelerations(model: &mut Model, expr: Expr) -> (Vec<Expr>, Expr) {
 }
 
 /// `sum of m (x'^2 + y'^2)/2 + J phi'^2/2`, each rate by the chain rule.
-fn kinetic_energy(model: &mut Model, rate: &mut Differential) -> Expr {
+fn kinetic_energy(graph: &mut Graph, model: &Model, rate: &mut Differential) -> Expr {
     let moving: Vec<(Expr, Expr)> = model
         .bodies
         .iter()
@@ -84,15 +82,15 @@ fn kinetic_energy(model: &mut Model, rate: &mut Differential) -> Expr {
         .collect();
     let mut terms = Vec::new();
     for (inertia, position) in moving {
-        let speed = rate.of(&mut model.graph, position);
-        let squared = model.graph.integer_power(speed, 2);
-        terms.push((model.graph.mul(inertia, squared), Number::HALF));
+        let speed = rate.of(graph, position);
+        let squared = graph.integer_power(speed, 2);
+        terms.push((graph.mul(inertia, squared), Number::HALF));
     }
     for attitude in model.bodies.iter().filter_map(|body| body.attitude.as_ref()) {
-        let energy = turning_energy(&mut model.graph, attitude, rate);
+        let energy = turning_energy(graph, attitude, rate);
         terms.push((energy, Number::HALF));
     }
-    model.graph.linear_combination(&terms)
+    graph.linear_combination(&terms)
 }
 
 /// tr(R' S R'^T), twice the rotational energy, with S = tr(J)/2 - J of the distribution of mass; no angular velocity is
@@ -116,32 +114,32 @@ fn turning_energy(graph: &mut Graph, attitude: &Attitude, rate: &mut Differentia
 }
 
 /// Q_j: the derivative of the power of the loads with respect to q'_j, at fixed loads.
-fn generalized_forces(model: &mut Model, rate: &mut Differential) -> Vec<Expr> {
+fn generalized_forces(graph: &mut Graph, model: &Model, rate: &mut Differential) -> Vec<Expr> {
     let mut works: Vec<(Expr, Expr)> = Vec::new();
     works.extend(model.forces.iter().flat_map(|force| force.force.iter().copied().zip(force.at.iter().copied())));
     works.extend(model.efforts.iter().map(|effort| (effort.force, effort.along)));
     if let Some(gravity) = &model.gravity {
         for (mass, at) in model.bodies.iter().filter_map(|body| body.mass.as_ref()) {
-            works.extend(at.iter().zip(gravity).map(|(x, g)| (model.graph.mul(*mass, *g), *x)));
+            works.extend(at.iter().zip(gravity).map(|(x, g)| (graph.mul(*mass, *g), *x)));
         }
     }
     for push in &model.pushes {
-        works.extend(pushed(&mut model.graph, &model.bodies, &push.in_world));
+        works.extend(pushed(graph, &model.bodies, &push.in_world));
     }
     let speeds: Vec<_> = model.coordinates.iter().map(|c| c.speed).collect();
     speeds
         .into_iter()
         .map(|speed| {
-            let mut by_speed = Differential::partial(&mut model.graph, speed);
+            let mut by_speed = Differential::partial(graph, speed);
             let terms: Vec<Expr> = works
                 .iter()
                 .map(|(force, position)| {
-                    let velocity = rate.of(&mut model.graph, *position);
-                    let partial = by_speed.of(&mut model.graph, velocity);
-                    model.graph.mul(*force, partial)
+                    let velocity = rate.of(graph, *position);
+                    let partial = by_speed.of(graph, velocity);
+                    graph.mul(*force, partial)
                 })
                 .collect();
-            model.graph.sum(&terms)
+            graph.sum(&terms)
         })
         .collect()
 }

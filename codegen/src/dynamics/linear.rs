@@ -1,7 +1,6 @@
 //! Linear equations between the rates of the coordinates, eliminated in symbols as far as their pivots are numbers.
 
 use super::variables::inner;
-use crate::model::Model;
 use crate::symbolic::{Expr, Graph, Number};
 
 /// The largest sum that multiplying out may make.
@@ -62,9 +61,9 @@ fn pivot(graph: &Graph, equations: &[Equation]) -> Option<(usize, usize)> {
 
 impl Equation {
     /// A q' + b.
-    pub(super) fn left_hand_side(&self, model: &mut Model, rates: &[Expr]) -> Expr {
-        let moving = inner(model, &self.coefficients, rates);
-        model.graph.add(moving, self.rest)
+    pub(super) fn left_hand_side(&self, graph: &mut Graph, rates: &[Expr]) -> Expr {
+        let moving = inner(graph, &self.coefficients, rates);
+        graph.add(moving, self.rest)
     }
 
     fn scale(&mut self, graph: &mut Graph, factor: &Number) {

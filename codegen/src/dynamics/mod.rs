@@ -20,6 +20,7 @@ mod cheapest;
 mod column;
 mod constraints;
 mod energy;
+mod events;
 mod formulation;
 mod intermediates;
 mod inverse;
@@ -40,6 +41,7 @@ pub use block::{Block, Solution};
 pub use column::Column;
 pub use constraints::Constraints;
 pub use energy::Energy;
+pub use events::Events;
 pub use intermediates::Intermediate;
 pub use inverse::Inverse;
 pub use kinematics::Kinematics;
@@ -50,18 +52,22 @@ pub use tmt::{Row, Tmt};
 pub use turns::{Form, Turn};
 pub use variables::{Differentiated, Variables};
 
-use crate::model::Model;
+use crate::model::{Model, Resolved};
+use crate::symbolic::Graph;
 use cheapest::cheapest;
 use formulation::Formulation;
+use rows::{LoadRow, load_rows};
 use variables::Derivatives;
 
-/// The equations of motion of a model, with n variables and m constraints. All expressions live in `model.graph`, in
-/// SI units.
+/// The equations of motion of a model, with n variables and m constraints. All expressions live in `graph`, in SI
+/// units.
 ///
 /// The variables are the coordinates, and in large mechanisms intermediate quantities after them.
 pub struct EquationsOfMotion {
     /// The model that they were derived from.
     pub model: Model,
+    /// Where all expressions live.
+    pub graph: Graph,
     /// The variables that they are written in.
     pub variables: Variables,
     /// The intermediate quantities, each defined by coordinates and those before it.
@@ -78,6 +84,8 @@ pub struct EquationsOfMotion {
     pub energy: Energy,
     /// Outputs and their rates.
     pub outputs: Outputs,
+    /// Conditions of events and what their actions need.
+    pub events: Events,
     /// Inverse dynamics, if requested and without intermediates.
     pub inverse: Option<Inverse>,
     /// The equations in generalised speeds, if there are any, in the coordinates alone.
@@ -85,44 +93,48 @@ pub struct EquationsOfMotion {
 }
 
 /// Derives the equations of motion in the coordinates alone, for readers.
-pub fn derive(mut model: Model) -> EquationsOfMotion {
-    let rows = rows::load_rows(&mut model);
-    let speeds = speeds::derive(&mut model, &rows);
-    let formulation = Formulation::without(&model, rows);
-    derive_in(model, formulation, speeds)
+pub fn derive(resolved: Resolved) -> EquationsOfMotion {
+    derive_as(resolved, |_, model, rows| Formulation::without(model, rows))
 }
 
 /// Derives the equations of motion in whichever form costs less to solve.
-pub fn derive_cheapest(mut model: Model) -> EquationsOfMotion {
-    let rows = rows::load_rows(&mut model);
-    let speeds = speeds::derive(&mut model, &rows);
-    let formulation = cheapest(&mut model, rows);
-    derive_in(model, formulation, speeds)
+pub fn derive_cheapest(resolved: Resolved) -> EquationsOfMotion {
+    derive_as(resolved, cheapest)
 }
 
-fn derive_in(mut model: Model, formulation: Formulation, speeds: Option<SpeedEquations>) -> EquationsOfMotion {
+fn derive_as(
+    resolved: Resolved,
+    formulation: fn(&mut Graph, &Model, Vec<LoadRow>) -> Formulation,
+) -> EquationsOfMotion {
+    let Resolved { model, mut graph, displaced } = resolved;
+    let rows = load_rows(&mut graph, &model);
+    let speeds = speeds::derive(&mut graph, &model, &rows);
+    let formulation = formulation(&mut graph, &model, rows);
     let variables = formulation.variables(&model);
-    let mut derivatives = Derivatives::of(&mut model, &variables);
-    let intermediates = formulation.intermediates(&mut model, &variables, &mut derivatives);
+    let mut derivatives = Derivatives::of(&mut graph, &model, &variables);
+    let intermediates = formulation.intermediates(&mut graph, &model, &variables, &mut derivatives);
     let Formulation { rows, constraints, .. } = formulation;
     let has_inverse = model.wants_inverse && intermediates.is_empty();
-    let inverse = has_inverse.then(|| inverse::derive(&mut model, &rows)).flatten();
-    let tmt = Tmt::derive(&mut model, &variables, &mut derivatives, rows);
-    let constraints = Constraints::derive(&mut model, &variables, &mut derivatives, constraints);
-    let mut drifts = vec![model.graph.zero(); model.coordinates.len()];
-    drifts.extend(intermediates.iter().map(|y| y.drift(&mut model.graph)));
-    let energy = Energy::derive(&mut model, &variables, &drifts, &tmt, &constraints);
-    let outputs = Outputs::derive(&mut model);
+    let inverse = has_inverse.then(|| inverse::derive(&mut graph, &model, &rows)).flatten();
+    let tmt = Tmt::derive(&mut graph, &variables, &mut derivatives, rows);
+    let constraints = Constraints::derive(&mut graph, &model, &variables, &mut derivatives, constraints);
+    let mut drifts = vec![graph.zero(); model.coordinates.len()];
+    drifts.extend(intermediates.iter().map(|y| y.drift(&mut graph)));
+    let energy = Energy::derive(&mut graph, &model, &variables, &drifts, &tmt, &constraints);
+    let (mut outputs, mut events) = (Outputs::derive(&mut graph, &model), Events::of(&model));
     let mut declared = Form::declared(&model, &constraints);
     let mut turned = None;
     if intermediates.is_empty() {
-        turned = Form::turned(&mut model, &constraints);
+        turned = Form::turned(&mut graph, &model, &constraints);
         for form in [&mut declared].into_iter().chain(&mut turned) {
-            sensitivity::derive(&mut model, &tmt, form, &mut derivatives);
+            sensitivity::derive(&mut graph, &model, &tmt, form, &mut derivatives);
         }
     }
-    let mut equations = EquationsOfMotion {
+    // Last, so that nothing above notices.
+    auxiliary::enter(&mut graph, &model, displaced, &mut outputs, &mut events);
+    EquationsOfMotion {
         model,
+        graph,
         variables,
         intermediates,
         tmt,
@@ -131,10 +143,8 @@ fn derive_in(mut model: Model, formulation: Formulation, speeds: Option<SpeedEqu
         turned,
         energy,
         outputs,
+        events,
         inverse,
         speeds,
-    };
-    // Last, so that nothing above is affected.
-    auxiliary::enter(&mut equations.model, &mut equations.outputs.values);
-    equations
+    }
 }

@@ -22,49 +22,55 @@ struct Candidate {
 }
 
 impl Candidates {
-    pub(super) fn of(model: &mut Model, plain: &Formulation) -> Candidates {
+    pub(super) fn of(graph: &mut Graph, model: &Model, plain: &Formulation) -> Candidates {
         let named: Vec<Expr> = model.named.iter().map(|(_, expr)| *expr).collect();
         let positions: Vec<Expr> = plain.rows.iter().map(LoadRow::quantity).chain(named).collect();
-        let angles = arguments(&model.graph, &positions).into_iter();
-        let sums: BTreeSet<Expr> = angles.chain(positions).filter(|expr| length(&model.graph, *expr) > 1).collect();
+        let angles = arguments(graph, &positions).into_iter();
+        let sums: BTreeSet<Expr> = angles.chain(positions).filter(|expr| length(graph, *expr) > 1).collect();
         let coordinates = Variables::coordinates(model).positions;
-        let mut candidates = Vec::new();
+        let (mut dependences, mut candidates) = (model.dependences.clone(), Vec::new());
         for sum in sums {
-            let symbols = model.graph.symbols_of(&[sum]);
+            let symbols = graph.symbols_of(&[sum]);
             let depth = symbols.iter().filter(|symbol| coordinates.contains(symbol)).count();
             let rates = Dependence::SPEED.or(Dependence::ACCELERATION).or(Dependence::MULTIPLIER);
-            if depth > 1 && !model.dependences.of(&model.graph, sum).meets(rates) {
+            if depth > 1 && !dependences.of(graph, sum).meets(rates) {
                 candidates.push((sum, depth));
             }
         }
-        candidates.sort_by_key(|(sum, _)| (length(&model.graph, *sum), *sum));
+        candidates.sort_by_key(|(sum, _)| (length(graph, *sum), *sum));
         let sums = candidates.into_iter().enumerate().map(|(i, (sum, depth))| {
-            let symbols = ["", "_dot", "_ddot", "_t"].map(|rate| model.graph.symbol(&format!("y{i}{rate}")));
+            let symbols = ["", "_dot", "_ddot", "_t"].map(|rate| graph.symbol(&format!("y{i}{rate}")));
             Candidate { sum, symbols, depth }
         });
         Candidates { sums: sums.collect() }
     }
 
     /// Rows and constraints over those candidates that are part of others and made of at least `depth` coordinates.
-    pub(super) fn formulation(&self, model: &mut Model, plain: &Formulation, depth: usize) -> Option<Formulation> {
+    pub(super) fn formulation(
+        &self,
+        graph: &mut Graph,
+        model: &Model,
+        plain: &Formulation,
+        depth: usize,
+    ) -> Option<Formulation> {
         let eligible: Vec<&Candidate> = self.sums.iter().filter(|candidate| candidate.depth >= depth).collect();
         let sums: Vec<Expr> = eligible.iter().map(|candidate| candidate.sum).collect();
         let all: Vec<Expr> = self.sums.iter().map(|candidate| candidate.sum).collect();
         let used: BTreeSet<Expr> = self
             .sums
             .iter()
-            .filter_map(|candidate| longest_part(&model.graph, candidate.sum, &sums))
-            .chain(arguments(&model.graph, &all))
+            .filter_map(|candidate| longest_part(graph, candidate.sum, &sums))
+            .chain(arguments(graph, &all))
             .collect();
         let chosen: Vec<&Candidate> = eligible.into_iter().filter(|candidate| used.contains(&candidate.sum)).collect();
         let parts: Vec<Expr> = chosen.iter().map(|candidate| candidate.sum).collect();
-        let mut writer = Writer::new(model, &chosen, parts);
-        let definitions: Vec<Expr> = chosen.iter().map(|candidate| writer.define(model, candidate.sum)).collect();
+        let mut writer = Writer::new(graph, model, &chosen, parts);
+        let definitions: Vec<Expr> = chosen.iter().map(|candidate| writer.define(graph, candidate.sum)).collect();
         let symbols: Vec<[Symbol; 4]> = chosen.iter().map(|candidate| candidate.symbols).collect();
-        let order = definition_order(&model.graph, &definitions, &symbols)?;
+        let order = definition_order(graph, &definitions, &symbols)?;
         Some(Formulation {
-            rows: plain.rows.iter().map(|row| writer.row(model, row)).collect(),
-            constraints: plain.constraints.iter().map(|value| writer.rewrite(model, *value)).collect(),
+            rows: plain.rows.iter().map(|row| writer.row(graph, row)).collect(),
+            constraints: plain.constraints.iter().map(|value| writer.rewrite(graph, *value)).collect(),
             definitions: order.iter().map(|i| definitions[*i]).collect(),
             symbols: order.iter().map(|i| symbols[*i]).collect(),
             names: order.iter().map(|i| name(model, chosen[*i].sum, *i)).collect(),
@@ -115,41 +121,41 @@ struct Writer {
 }
 
 impl Writer {
-    fn new(model: &mut Model, chosen: &[&Candidate], parts: Vec<Expr>) -> Writer {
+    fn new(graph: &mut Graph, model: &Model, chosen: &[&Candidate], parts: Vec<Expr>) -> Writer {
         let mut variables = FxHashMap::default();
-        let mut rate = model.time_derivative();
+        let mut rate = model.time_derivative(graph);
         for candidate in chosen {
-            let [position, speed, ..] = candidate.symbols.map(|symbol| model.graph.variable(symbol));
+            let [position, speed, ..] = candidate.symbols.map(|symbol| graph.variable(symbol));
             variables.insert(candidate.sum, position);
             // Loads depend on speeds too.
-            variables.insert(rate.of(&mut model.graph, candidate.sum), speed);
+            variables.insert(rate.of(graph, candidate.sum), speed);
         }
         Writer { parts, done: variables.clone(), variables }
     }
 
     /// A sum, or anything else, in terms of its longest part and the rest.
-    fn define(&mut self, model: &mut Model, sum: Expr) -> Expr {
-        match longest_part(&model.graph, sum, &self.parts) {
+    fn define(&mut self, graph: &mut Graph, sum: Expr) -> Expr {
+        match longest_part(graph, sum, &self.parts) {
             Some(part) => {
-                let rest = model.graph.sub(sum, part);
-                let rest = self.rewrite(model, rest);
-                model.graph.add(self.variables[&part], rest)
+                let rest = graph.sub(sum, part);
+                let rest = self.rewrite(graph, rest);
+                graph.add(self.variables[&part], rest)
             }
-            None => self.rewrite_operands(model, sum),
+            None => self.rewrite_operands(graph, sum),
         }
     }
 
-    fn rewrite_operands(&mut self, model: &mut Model, expr: Expr) -> Expr {
-        let operands: Vec<Expr> = model.graph.operands(expr).collect();
+    fn rewrite_operands(&mut self, graph: &mut Graph, expr: Expr) -> Expr {
+        let operands: Vec<Expr> = graph.operands(expr).collect();
         for operand in operands {
-            self.rewrite(model, operand);
+            self.rewrite(graph, operand);
         }
-        with_operands(&mut model.graph, expr, |operand| self.done[&operand])
+        with_operands(graph, expr, |operand| self.done[&operand])
     }
 
-    fn row(&mut self, model: &mut Model, row: &LoadRow) -> LoadRow {
+    fn row(&mut self, graph: &mut Graph, row: &LoadRow) -> LoadRow {
         let along = match row.along {
-            Along::Position(position) => Along::Position(self.rewrite(model, position)),
+            Along::Position(position) => Along::Position(self.rewrite(graph, position)),
             rate => rate,
         };
         LoadRow {
@@ -158,15 +164,15 @@ impl Writer {
             coupling: row.coupling.clone(),
             gyroscopic: row.gyroscopic,
             weight: row.weight,
-            forces: row.forces.iter().map(|force| self.rewrite(model, *force)).collect(),
+            forces: row.forces.iter().map(|force| self.rewrite(graph, *force)).collect(),
         }
     }
 
-    fn rewrite(&mut self, model: &mut Model, expr: Expr) -> Expr {
+    fn rewrite(&mut self, graph: &mut Graph, expr: Expr) -> Expr {
         if let Some(done) = self.done.get(&expr) {
             return *done;
         }
-        let new = self.define(model, expr);
+        let new = self.define(graph, expr);
         self.done.insert(expr, new);
         new
     }

@@ -11,7 +11,7 @@
 //! in the world's where the centre of mass is declared there.
 
 use crate::model::{Attitude, Model, Rates};
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Graph};
 
 /// A row before differentiation.
 #[derive(Clone)]
@@ -75,29 +75,29 @@ impl LoadRow {
 }
 
 /// The rows of bodies and loads.
-pub(super) fn load_rows(model: &mut Model) -> Vec<LoadRow> {
-    let mut rows = body_rows(model);
-    let zero = model.graph.zero();
+pub(super) fn load_rows(graph: &mut Graph, model: &Model) -> Vec<LoadRow> {
+    let mut rows = body_rows(graph, model);
+    let zero = graph.zero();
     rows.extend(model.norms.iter().map(|norm| LoadRow::new(Along::Position(norm.square), norm.inertia, zero)));
-    add_loads(model, &mut rows);
+    add_loads(graph, model, &mut rows);
     rows
 }
 
 /// The rotation and position of each body, with the weight of its mass.
-fn body_rows(model: &mut Model) -> Vec<LoadRow> {
+fn body_rows(graph: &mut Graph, model: &Model) -> Vec<LoadRow> {
     let mut rows = Vec::new();
-    let zero = model.graph.zero();
+    let zero = graph.zero();
     for body in &model.bodies {
         if let Some((inertia, angle)) = body.rotation {
             rows.push(LoadRow::new(Along::Position(angle), inertia, zero));
         }
         if let Some(attitude) = &body.attitude {
-            add_spatial(&mut model.graph, &mut rows, attitude, body.mass.as_ref().map(|(mass, _)| *mass));
+            add_spatial(graph, &mut rows, attitude, body.mass.as_ref().map(|(mass, _)| *mass));
             continue;
         }
         if let Some((mass, at)) = &body.mass {
             for (axis, position) in at.iter().enumerate() {
-                let weight = model.gravity.as_ref().map(|gravity| model.graph.mul(*mass, gravity[axis]));
+                let weight = model.gravity.as_ref().map(|gravity| graph.mul(*mass, gravity[axis]));
                 let mut row = LoadRow::new(Along::Position(*position), *mass, zero);
                 row.forces.extend(weight);
                 rows.push(row);
@@ -108,7 +108,7 @@ fn body_rows(model: &mut Model) -> Vec<LoadRow> {
 }
 
 /// Three components of the angular velocity and three of the velocity of the centre of mass, all in the body's frame.
-fn add_spatial(graph: &mut crate::symbolic::Graph, rows: &mut Vec<LoadRow>, attitude: &Attitude, mass: Option<Expr>) {
+fn add_spatial(graph: &mut Graph, rows: &mut Vec<LoadRow>, attitude: &Attitude, mass: Option<Expr>) {
     let (first, zero, spin) = (rows.len(), graph.zero(), attitude.spin);
     let momentum: [Expr; 3] = std::array::from_fn(|i| {
         let terms: Vec<Expr> = (0..3).map(|k| graph.mul(attitude.inertia.entry(i, k), spin.velocity[k])).collect();
@@ -133,8 +133,8 @@ fn add_spatial(graph: &mut crate::symbolic::Graph, rows: &mut Vec<LoadRow>, atti
 }
 
 /// Enters loads at the rows they act along, or at rows of their own.
-fn add_loads(model: &mut Model, rows: &mut Vec<LoadRow>) {
-    let zero = model.graph.zero();
+fn add_loads(graph: &mut Graph, model: &Model, rows: &mut Vec<LoadRow>) {
+    let zero = graph.zero();
     let efforts = model.efforts.iter().map(|effort| (Along::Position(effort.along), effort.force));
     let forces = model.forces.iter().flat_map(|force| force.at.iter().zip(&force.force));
     let forces = forces.map(|(position, force)| (Along::Position(*position), *force));

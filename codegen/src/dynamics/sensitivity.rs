@@ -11,63 +11,63 @@ use super::tmt::Tmt;
 use super::turns::Form;
 use super::variables::{Derivatives, inner};
 use crate::model::Model;
-use crate::symbolic::{Differential, Expr, Symbol};
+use crate::symbolic::{Differential, Expr, Graph, Symbol};
 
 /// With more coordinates, the kernel of the derivatives with respect to the state is generated only on request: it
 /// grows with the square of the number of coordinates.
 const MOST_COORDINATES: usize = 12;
 
 /// Enters the derivatives that the model asks for.
-pub(super) fn derive(model: &mut Model, tmt: &Tmt, form: &mut Form, derivatives: &mut Derivatives) {
+pub(super) fn derive(graph: &mut Graph, model: &Model, tmt: &Tmt, form: &mut Form, derivatives: &mut Derivatives) {
     let by_state = model.wants_jacobian.unwrap_or(model.coordinates.len() <= MOST_COORDINATES);
     // Whether an input follows its declared course is known at run time alone.
     let courses: Vec<Expr> = model.inputs.iter().map(|input| input.course).collect();
-    let occurring = model.graph.symbols_of(&courses);
+    let occurring = graph.symbols_of(&courses);
     let by_parameters = model.wants_sensitivity && !model.parameters.iter().any(|p| occurring.contains(&p.symbol));
     if !by_state && !by_parameters {
         return;
     }
-    let residual = residual(model, tmt, form);
+    let residual = residual(graph, model, tmt, form);
     let angles: Vec<Expr> = form.turns.iter().map(|turn| turn.angle).collect();
-    let columns = |model: &mut Model, differentials: &mut [Differential]| -> Vec<Column> {
+    let columns = |graph: &mut Graph, differentials: &mut [Differential]| -> Vec<Column> {
         let mut all = |d: &mut Differential, exprs: &[Expr]| -> Vec<Expr> {
-            exprs.iter().map(|expr| d.of(&mut model.graph, *expr)).collect()
+            exprs.iter().map(|expr| d.of(graph, *expr)).collect()
         };
         differentials.iter_mut().map(|d| Column { residual: all(d, &residual), angles: all(d, &angles) }).collect()
     };
     if by_state {
         let speeds: Vec<Symbol> = model.coordinates.iter().map(|c| c.speed).collect();
-        let by_positions = columns(model, &mut derivatives.by_variable);
-        let mut by_speed = partials(model, &speeds);
-        form.by_state = Some([by_positions, columns(model, &mut by_speed)]);
+        let by_positions = columns(graph, &mut derivatives.by_variable);
+        let mut by_speed = partials(graph, &speeds);
+        form.by_state = Some([by_positions, columns(graph, &mut by_speed)]);
     }
     if by_parameters {
         let parameters: Vec<Symbol> = model.parameters.iter().map(|p| p.symbol).collect();
-        let mut by_parameter = partials(model, &parameters);
-        form.by_parameters = Some(columns(model, &mut by_parameter));
+        let mut by_parameter = partials(graph, &parameters);
+        form.by_parameters = Some(columns(graph, &mut by_parameter));
     }
 }
 
-fn partials(model: &mut Model, symbols: &[Symbol]) -> Vec<Differential> {
-    symbols.iter().map(|symbol| Differential::partial(&mut model.graph, *symbol)).collect()
+fn partials(graph: &mut Graph, symbols: &[Symbol]) -> Vec<Differential> {
+    symbols.iter().map(|symbol| Differential::partial(graph, *symbol)).collect()
 }
 
 /// T_q' (F - M (T_q q'' + g)) - C_q' lambda, then -(C_q q'' + (C_q q' + C_t)_q q' + (..)_t).
-fn residual(model: &mut Model, tmt: &Tmt, form: &Form) -> Vec<Expr> {
-    let accelerations = model.accelerations();
-    let multipliers: Vec<Expr> = form.multipliers.iter().map(|symbol| model.graph.variable(*symbol)).collect();
+fn residual(graph: &mut Graph, model: &Model, tmt: &Tmt, form: &Form) -> Vec<Expr> {
+    let accelerations = model.accelerations(graph);
+    let multipliers: Vec<Expr> = form.multipliers.iter().map(|symbol| graph.variable(*symbol)).collect();
     let mut rows = Vec::new();
     for (j, rhs) in tmt.right_hand_side.iter().enumerate() {
-        let inertial = inner(model, &tmt.mass_matrix[j], &accelerations);
+        let inertial = inner(graph, &tmt.mass_matrix[j], &accelerations);
         let column: Vec<Expr> = form.jacobian.iter().map(|row| row[j]).collect();
-        let reaction = inner(model, &column, &multipliers);
-        let known = model.graph.sub(*rhs, inertial);
-        rows.push(model.graph.sub(known, reaction));
+        let reaction = inner(graph, &column, &multipliers);
+        let known = graph.sub(*rhs, inertial);
+        rows.push(graph.sub(known, reaction));
     }
     for (row, convective) in form.jacobian.iter().zip(&form.convective) {
-        let moving = inner(model, row, &accelerations);
-        let sum = model.graph.add(moving, *convective);
-        rows.push(model.graph.neg(sum));
+        let moving = inner(graph, row, &accelerations);
+        let sum = graph.add(moving, *convective);
+        rows.push(graph.neg(sum));
     }
     rows
 }

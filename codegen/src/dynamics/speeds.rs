@@ -30,19 +30,19 @@ pub struct SpeedEquations {
 }
 
 /// Nothing where there are no generalised speeds.
-pub(super) fn derive(model: &mut Model, rows: &[LoadRow]) -> Option<SpeedEquations> {
+pub(super) fn derive(graph: &mut Graph, model: &Model, rows: &[LoadRow]) -> Option<SpeedEquations> {
     if model.speeds.is_empty() {
         return None;
     }
-    let mut motion = model.time_derivative();
-    let satisfied = satisfied(model, &mut motion);
-    let kinematics = Kinematics::derive(model, &satisfied);
-    let mut speeds = InSpeeds::of(model, motion, &kinematics, &satisfied);
-    let rows = rows.iter().map(|row| speeds.row(model, row)).collect();
-    let tmt = Tmt::of(model, rows, model.speeds.len());
+    let mut motion = model.time_derivative(graph);
+    let satisfied = satisfied(graph, model, &mut motion);
+    let kinematics = Kinematics::derive(graph, model, &satisfied);
+    let mut speeds = InSpeeds::of(graph, model, motion, &kinematics, &satisfied);
+    let rows = rows.iter().map(|row| speeds.row(graph, row)).collect();
+    let tmt = Tmt::of(graph, rows, model.speeds.len());
     let satisfied = model.satisfied_rows();
     let rows: Vec<usize> = (0..model.constraints.len()).filter(|row| !satisfied.contains(row)).collect();
-    let (jacobian, convective) = rows.iter().map(|row| speeds.constraint(model, *row)).unzip();
+    let (jacobian, convective) = rows.iter().map(|row| speeds.constraint(graph, model, *row)).unzip();
     Some(SpeedEquations { kinematics, tmt, rows, jacobian, convective })
 }
 
@@ -60,13 +60,19 @@ struct InSpeeds {
 }
 
 impl InSpeeds {
-    fn of(model: &mut Model, motion: Differential, kinematics: &Kinematics, satisfied: &[Expr]) -> InSpeeds {
-        let Model { graph, speeds, coordinates, .. } = model;
+    fn of(
+        graph: &mut Graph,
+        model: &Model,
+        motion: Differential,
+        kinematics: &Kinematics,
+        satisfied: &[Expr],
+    ) -> InSpeeds {
+        let Model { speeds, coordinates, .. } = model;
         let zero = graph.zero();
         let speeds = speeds.iter().map(|speed| (speed.value, graph.variable(speed.symbol)));
         let known = Recognition::of(speeds.chain(satisfied.iter().map(|rate| (*rate, zero))));
         let rates = coordinates.iter().map(|c| c.speed).zip(kinematics.rates.iter().copied()).collect();
-        let (by_speeds, convective) = (kinematics.by_speeds(model), kinematics.convective(model));
+        let (by_speeds, convective) = (kinematics.by_speeds(graph, model), kinematics.convective(graph, model));
         InSpeeds { motion, known, rates, by_speeds, convective }
     }
 
@@ -83,8 +89,7 @@ impl InSpeeds {
         Differentiated { position: zero, jacobian, time_derivative: zero, velocity, convective }
     }
 
-    fn row(&mut self, model: &mut Model, row: &LoadRow) -> Row {
-        let graph = &mut model.graph;
+    fn row(&mut self, graph: &mut Graph, row: &LoadRow) -> Row {
         let motion = match row.along {
             Along::Position(position) => {
                 let velocity = self.motion.of(graph, position);
@@ -104,12 +109,11 @@ impl InSpeeds {
         let forces = loads.map(|force| self.expression(graph, force)).collect();
         let gyroscopic = self.expression(graph, row.gyroscopic);
         let row = LoadRow { gyroscopic, forces, weight: None, ..row.clone() };
-        Row::of(model, row, motion, &[])
+        Row::of(graph, row, motion, &[])
     }
 
     /// The derivatives of a constraint's rate by u, and C'' where u' = 0.
-    fn constraint(&mut self, model: &mut Model, row: usize) -> (Vec<Expr>, Expr) {
-        let graph = &mut model.graph;
+    fn constraint(&mut self, graph: &mut Graph, model: &Model, row: usize) -> (Vec<Expr>, Expr) {
         let constraint = &model.constraints[row];
         let rate = match constraint.level {
             Level::Positions => self.motion.of(graph, constraint.value),

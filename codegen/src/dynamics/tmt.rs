@@ -2,8 +2,7 @@
 
 use super::rows::LoadRow;
 use super::variables::{Derivatives, Differentiated, Variables};
-use crate::model::Model;
-use crate::symbolic::{Expr, Symbol, substitute};
+use crate::symbolic::{Expr, Graph, Symbol, substitute};
 use std::collections::BTreeMap;
 
 /// One row of x = T(q, t): a rotation or a coordinate of a point; in space a component of a velocity.
@@ -38,96 +37,96 @@ pub struct Tmt {
 
 impl Tmt {
     pub(super) fn derive(
-        model: &mut Model,
+        graph: &mut Graph,
         variables: &Variables,
         derivatives: &mut Derivatives,
         load_rows: Vec<LoadRow>,
     ) -> Tmt {
-        let zero = model.graph.zero();
+        let zero = graph.zero();
         let at_rest: Vec<_> = variables.accelerations.iter().map(|symbol| (*symbol, zero)).collect();
         let rows = load_rows.into_iter().map(|row| {
-            let motion = derivatives.of_row(model, variables, row.along, &at_rest);
-            Row::of(model, row, motion, &at_rest)
+            let motion = derivatives.of_row(graph, variables, row.along, &at_rest);
+            Row::of(graph, row, motion, &at_rest)
         });
         let rows = rows.collect();
-        Tmt::of(model, rows, variables.len())
+        Tmt::of(graph, rows, variables.len())
     }
 
     /// The rows reduced to n variables.
-    pub(super) fn of(model: &mut Model, rows: Vec<Row>, n: usize) -> Tmt {
-        let convective: Vec<Expr> = (0..rows.len()).map(|i| convective_force(model, &rows, i)).collect();
-        let convective_forces = reduce(model, &rows, n, |i, _| convective[i]);
-        let generalized_forces = reduce(model, &rows, n, |_, row| row.force);
+    pub(super) fn of(graph: &mut Graph, rows: Vec<Row>, n: usize) -> Tmt {
+        let convective: Vec<Expr> = (0..rows.len()).map(|i| convective_force(graph, &rows, i)).collect();
+        let convective_forces = reduce(graph, &rows, n, |i, _| convective[i]);
+        let generalized_forces = reduce(graph, &rows, n, |_, row| row.force);
         let right_hand_side = match rows.iter().any(|row| row.net.is_some()) {
             true => {
                 let net: Vec<Expr> = rows
                     .iter()
                     .zip(&convective)
-                    .map(|(row, convective)| row.net.unwrap_or_else(|| model.graph.sub(row.force, *convective)))
+                    .map(|(row, convective)| row.net.unwrap_or_else(|| graph.sub(row.force, *convective)))
                     .collect();
-                reduce(model, &rows, n, |i, _| net[i])
+                reduce(graph, &rows, n, |i, _| net[i])
             }
             false => {
                 let both = generalized_forces.iter().zip(&convective_forces);
-                both.map(|(force, convective)| model.graph.sub(*force, *convective)).collect()
+                both.map(|(force, convective)| graph.sub(*force, *convective)).collect()
             }
         };
-        let mass_matrix = mass_matrix(model, &rows, n);
+        let mass_matrix = mass_matrix(graph, &rows, n);
         Tmt { rows, mass_matrix, convective_forces, generalized_forces, right_hand_side }
     }
 }
 
 impl Row {
     /// A row with its derivatives; `at_rest` gives the accelerations the value 0.
-    pub(super) fn of(model: &mut Model, row: LoadRow, motion: Differentiated, at_rest: &[(Symbol, Expr)]) -> Row {
-        let applied = model.graph.sum(&row.forces);
+    pub(super) fn of(graph: &mut Graph, row: LoadRow, motion: Differentiated, at_rest: &[(Symbol, Expr)]) -> Row {
+        let applied = graph.sum(&row.forces);
         let force = match row.weight {
-            Some(weight) => model.graph.add(applied, weight.force),
+            Some(weight) => graph.add(applied, weight.force),
             None => applied,
         };
         let net = row.weight.map(|weight| {
-            let proper = substitute(&mut model.graph, &[weight.proper], at_rest)[0];
-            let needed = model.graph.mul(row.inertia, proper);
-            model.graph.sub(applied, needed)
+            let proper = substitute(graph, &[weight.proper], at_rest)[0];
+            let needed = graph.mul(row.inertia, proper);
+            graph.sub(applied, needed)
         });
         Row { inertia: row.inertia, coupling: row.coupling, gyroscopic: row.gyroscopic, force, net, motion }
     }
 }
 
 /// M_i g, with w x J w.
-fn convective_force(model: &mut Model, rows: &[Row], i: usize) -> Expr {
+fn convective_force(graph: &mut Graph, rows: &[Row], i: usize) -> Expr {
     let row = &rows[i];
-    let own = model.graph.product(&[row.inertia, row.motion.convective]);
-    if row.coupling.is_empty() && model.graph.is_zero(row.gyroscopic) {
+    let own = graph.product(&[row.inertia, row.motion.convective]);
+    if row.coupling.is_empty() && graph.is_zero(row.gyroscopic) {
         return own;
     }
     let mut terms = vec![own, row.gyroscopic];
-    terms.extend(row.coupling.iter().map(|(k, product)| model.graph.mul(*product, rows[*k].motion.convective)));
-    model.graph.sum(&terms)
+    terms.extend(row.coupling.iter().map(|(k, product)| graph.mul(*product, rows[*k].motion.convective)));
+    graph.sum(&terms)
 }
 
 /// T_q' M T_q, from the entries of T_q that are not zero.
-fn mass_matrix(model: &mut Model, rows: &[Row], n: usize) -> Vec<Vec<Expr>> {
+fn mass_matrix(graph: &mut Graph, rows: &[Row], n: usize) -> Vec<Vec<Expr>> {
     let mut terms: BTreeMap<(usize, usize), Vec<Expr>> = BTreeMap::new();
     for row in rows {
-        let entries = nonzero(model, row);
+        let entries = nonzero(graph, row);
         for (at, (j, by_j)) in entries.iter().enumerate() {
             for (k, by_k) in &entries[..=at] {
-                let term = model.graph.product(&[*by_j, row.inertia, *by_k]);
+                let term = graph.product(&[*by_j, row.inertia, *by_k]);
                 terms.entry((*j, *k)).or_default().push(term);
             }
             for (other, product) in &row.coupling {
-                for (k, by_k) in nonzero(model, &rows[*other]).into_iter().filter(|(k, _)| k <= j) {
-                    let term = model.graph.product(&[*by_j, *product, by_k]);
+                for (k, by_k) in nonzero(graph, &rows[*other]).into_iter().filter(|(k, _)| k <= j) {
+                    let term = graph.product(&[*by_j, *product, by_k]);
                     terms.entry((*j, k)).or_default().push(term);
                 }
             }
         }
     }
-    let zero = model.graph.zero();
+    let zero = graph.zero();
     let mut matrix = vec![vec![zero; n]; n];
     for ((j, k), terms) in terms {
-        let entry = model.graph.sum(&terms);
+        let entry = graph.sum(&terms);
         matrix[j][k] = entry;
         matrix[k][j] = entry;
     }
@@ -135,18 +134,18 @@ fn mass_matrix(model: &mut Model, rows: &[Row], n: usize) -> Vec<Vec<Expr>> {
 }
 
 /// T_q' times a quantity of each row.
-fn reduce(model: &mut Model, rows: &[Row], n: usize, quantity: impl Fn(usize, &Row) -> Expr) -> Vec<Expr> {
+fn reduce(graph: &mut Graph, rows: &[Row], n: usize, quantity: impl Fn(usize, &Row) -> Expr) -> Vec<Expr> {
     let mut terms = vec![vec![]; n];
     for (i, row) in rows.iter().enumerate() {
         let value = quantity(i, row);
-        for (j, by_j) in nonzero(model, row) {
-            terms[j].push(model.graph.mul(by_j, value));
+        for (j, by_j) in nonzero(graph, row) {
+            terms[j].push(graph.mul(by_j, value));
         }
     }
-    terms.into_iter().map(|terms| model.graph.sum(&terms)).collect()
+    terms.into_iter().map(|terms| graph.sum(&terms)).collect()
 }
 
-fn nonzero(model: &Model, row: &Row) -> Vec<(usize, Expr)> {
+fn nonzero(graph: &Graph, row: &Row) -> Vec<(usize, Expr)> {
     let entries = row.motion.jacobian.iter().copied().enumerate();
-    entries.filter(|(_, entry)| !model.graph.is_zero(*entry)).collect()
+    entries.filter(|(_, entry)| !graph.is_zero(*entry)).collect()
 }

@@ -68,28 +68,28 @@ impl Form {
     }
 
     /// The rows with pairs of neighbours turned, if that makes entries zero.
-    pub(super) fn turned(model: &mut Model, constraints: &Constraints) -> Option<Form> {
+    pub(super) fn turned(graph: &mut Graph, model: &Model, constraints: &Constraints) -> Option<Form> {
         let mut form = Form::declared(model, constraints);
         let mut i = 0;
         while i + 1 < form.jacobian.len() {
             let rows = [i, i + 1];
             let is_switched = rows.iter().any(|row| model.constraints[*row].activity.is_some());
-            let best = if is_switched { None } else { best_turn(model, &form.jacobian, rows) };
+            let best = if is_switched { None } else { best_turn(graph, model, &form.jacobian, rows) };
             i += if best.is_some() { 2 } else { 1 };
             if let Some(turned) = best {
-                form.enter(model, turned);
+                form.enter(graph, model, turned);
             }
         }
         (!form.turns.is_empty()).then_some(form)
     }
 
-    fn enter(&mut self, model: &mut Model, Turned { turn, columns, .. }: Turned) {
+    fn enter(&mut self, graph: &mut Graph, model: &Model, Turned { turn, columns, .. }: Turned) {
         let [i, j] = turn.rows;
-        let convective = turn.of(&mut model.graph, [self.convective[i], self.convective[j]]);
+        let convective = turn.of(graph, [self.convective[i], self.convective[j]]);
         for (at, row) in turn.rows.into_iter().enumerate() {
             self.jacobian[row] = columns.iter().map(|entries| entries[at]).collect();
             self.convective[row] = convective[at];
-            self.multipliers[row] = model.graph.symbol(&format!("lambda_{}_turned", model.constraints[row].name));
+            self.multipliers[row] = graph.symbol(&format!("lambda_{}_turned", model.constraints[row].name));
         }
         self.turns.push(turn);
     }
@@ -122,8 +122,7 @@ struct Turned {
 
 /// The turn that makes most entries zero; among equals, the one that makes most other entries depend on parameters
 /// alone, by the angle of a coordinate that occurs in the fewest rows.
-fn best_turn(model: &mut Model, jacobian: &[Vec<Expr>], rows: [usize; 2]) -> Option<Turned> {
-    let graph = &mut model.graph;
+fn best_turn(graph: &mut Graph, model: &Model, jacobian: &[Vec<Expr>], rows: [usize; 2]) -> Option<Turned> {
     let moving: Vec<Symbol> = model.coordinates.iter().map(|c| c.position).chain([model.time]).collect();
     let columns: Vec<[Expr; 2]> =
         (0..model.coordinates.len()).map(|column| rows.map(|row| jacobian[row][column])).collect();
@@ -169,7 +168,7 @@ fn angles(graph: &Graph, entries: &[Expr]) -> Vec<Expr> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::derive;
+    use crate::dynamics::{EquationsOfMotion, derive};
     use crate::{model, parse};
 
     const FOUR_BAR: &str = "
@@ -182,25 +181,26 @@ mod tests {
         let C = [l, 0] + l*[cos(rocker), sin(rocker)];
         bodies { tip: mass m at A, inertia m*l^2, angle coupler; rod: inertia m*l^2, angle rocker; }";
 
-    fn turned(rest: &str) -> (Model, Option<Form>) {
+    fn turned(rest: &str) -> (EquationsOfMotion, Option<Form>) {
         let text = format!("{FOUR_BAR} {rest}");
         let declaration = parse(text.parse().unwrap()).unwrap();
-        let equations = derive(model::resolve(&declaration).unwrap());
-        (equations.model, equations.turned)
+        let mut equations = derive(model::resolve(&declaration).unwrap());
+        let turned = equations.turned.take();
+        (equations, turned)
     }
 
     #[test]
     fn a_link_stands_in_one_of_its_rows_alone_and_never_moves_there() {
-        let (model, form) = turned("constraints { closed: B = C; }");
+        let (EquationsOfMotion { graph, model, .. }, form) = turned("constraints { closed: B = C; }");
         let form = form.unwrap();
         let [turn] = form.turns.as_slice() else { panic!("{}", form.turns.len()) };
-        assert!(model.graph.depends_on(turn.angle, &[model.coordinates[0].position]));
+        assert!(graph.depends_on(turn.angle, &[model.coordinates[0].position]));
         let coupler = [0, 1].map(|row| form.jacobian[row][0]);
-        assert!(model.graph.is_zero(coupler[0]));
+        assert!(graph.is_zero(coupler[0]));
         let moving: Vec<Symbol> = model.coordinates.iter().map(|c| c.position).collect();
-        assert!(!model.graph.is_zero(coupler[1]) && !model.graph.depends_on(coupler[1], &moving));
+        assert!(!graph.is_zero(coupler[1]) && !graph.depends_on(coupler[1], &moving));
         // Those of the others are sines and cosines of differences.
-        assert!((0..2).all(|row| (1..3).all(|column| !model.graph.is_zero(form.jacobian[row][column]))));
+        assert!((0..2).all(|row| (1..3).all(|column| !graph.is_zero(form.jacobian[row][column]))));
     }
 
     #[test]

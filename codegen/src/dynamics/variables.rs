@@ -3,7 +3,7 @@
 
 use super::rows::Along;
 use crate::model::Model;
-use crate::symbolic::{Differential, Expr, Symbol, substitute};
+use crate::symbolic::{Differential, Expr, Graph, Symbol, substitute};
 
 /// The coordinates, then the intermediate quantities, each with its rates.
 pub struct Variables {
@@ -62,8 +62,7 @@ pub(super) struct Derivatives {
 }
 
 impl Derivatives {
-    pub(super) fn of(model: &mut Model, variables: &Variables) -> Derivatives {
-        let graph = &mut model.graph;
+    pub(super) fn of(graph: &mut Graph, model: &Model, variables: &Variables) -> Derivatives {
         let by_variable = variables.positions.iter().map(|x| Differential::partial(graph, *x)).collect();
         let by_time = Differential::partial(graph, model.time);
         let speeds: Vec<Expr> = variables.speeds.iter().map(|speed| graph.variable(*speed)).collect();
@@ -72,8 +71,7 @@ impl Derivatives {
         Derivatives { by_variable, by_time, convective: Differential::along(rates), speeds }
     }
 
-    pub(super) fn of_quantity(&mut self, model: &mut Model, variables: &Variables, position: Expr) -> Differentiated {
-        let graph = &mut model.graph;
+    pub(super) fn of_quantity(&mut self, graph: &mut Graph, variables: &Variables, position: Expr) -> Differentiated {
         let occurring = graph.symbols_of(&[position]);
         let zero = graph.zero();
         let mut jacobian = vec![zero; variables.len()];
@@ -83,33 +81,32 @@ impl Derivatives {
             }
         }
         let time_derivative = self.by_time.of(graph, position);
-        let moving = inner(model, &jacobian, &self.speeds);
-        let velocity = model.graph.add(moving, time_derivative);
-        let convective = self.convective.of(&mut model.graph, velocity);
+        let moving = inner(graph, &jacobian, &self.speeds);
+        let velocity = graph.add(moving, time_derivative);
+        let convective = self.convective.of(graph, velocity);
         Differentiated { position, jacobian, time_derivative, velocity, convective }
     }
 
     /// A row of T: `at_rest` gives the accelerations the value 0.
     pub(super) fn of_row(
         &mut self,
-        model: &mut Model,
+        graph: &mut Graph,
         variables: &Variables,
         along: Along,
         at_rest: &[(Symbol, Expr)],
     ) -> Differentiated {
         match along {
-            Along::Position(position) => self.of_quantity(model, variables, position),
+            Along::Position(position) => self.of_quantity(graph, variables, position),
             Along::Rate { velocity, acceleration, .. } => {
-                let convective = substitute(&mut model.graph, &[acceleration], at_rest)[0];
-                Differentiated { convective, ..self.of_rate(model, variables, velocity) }
+                let convective = substitute(graph, &[acceleration], at_rest)[0];
+                Differentiated { convective, ..self.of_rate(graph, variables, velocity) }
             }
         }
     }
 
     /// A quantity w(q, q', t) linear in the speeds, as if it were the velocity of some position: with w_q' for its
     /// Jacobian, and the part without speeds for its time derivative.
-    pub(super) fn of_rate(&mut self, model: &mut Model, variables: &Variables, rate: Expr) -> Differentiated {
-        let graph = &mut model.graph;
+    pub(super) fn of_rate(&mut self, graph: &mut Graph, variables: &Variables, rate: Expr) -> Differentiated {
         let jacobian =
             variables.speeds.iter().map(|speed| Differential::partial(graph, *speed).of(graph, rate)).collect();
         let zero = graph.zero();
@@ -121,9 +118,9 @@ impl Derivatives {
 }
 
 /// `sum of a_i b_i`.
-pub(super) fn inner(model: &mut Model, a: &[Expr], b: &[Expr]) -> Expr {
-    let pairs = a.iter().zip(b).filter(|(a, _)| !model.graph.is_zero(**a));
+pub(super) fn inner(graph: &mut Graph, a: &[Expr], b: &[Expr]) -> Expr {
+    let pairs = a.iter().zip(b).filter(|(a, _)| !graph.is_zero(**a));
     let pairs: Vec<(Expr, Expr)> = pairs.map(|(a, b)| (*a, *b)).collect();
-    let products: Vec<Expr> = pairs.into_iter().map(|(a, b)| model.graph.mul(a, b)).collect();
-    model.graph.sum(&products)
+    let products: Vec<Expr> = pairs.into_iter().map(|(a, b)| graph.mul(a, b)).collect();
+    graph.sum(&products)
 }

@@ -3,6 +3,7 @@
 use super::{kebab_case, size};
 use crate::dsl::{Mark, Source};
 use crate::dynamics::EquationsOfMotion;
+use crate::kernel_id::KernelId;
 use crate::model::{Coordinate, Dimension, Direction, Event, EventStep, Level, Model, Shape, Start, Target, Unit};
 use crate::program::Program;
 use proc_macro2::TokenStream;
@@ -39,7 +40,8 @@ pub(super) fn description(
     });
     let drawing = drawing(model, path);
     let dimension = size(model.dimension);
-    let kernels = optional_kernels(equations);
+    let is_made = |kernel: &KernelId| program.kernels.iter().any(|made| made.id == *kernel);
+    let kernels = KernelId::optional().filter(is_made).map(KernelId::name);
     quote! {
         #path::Description {
             name: #name,
@@ -64,16 +66,6 @@ pub(super) fn description(
             drawing: &[#(#drawing),*],
         }
     }
-}
-
-/// The kernels that not every mechanism has.
-fn optional_kernels(equations: &EquationsOfMotion) -> impl Iterator<Item = &'static str> {
-    let made = [
-        ("dynamics_jacobian", equations.declared.by_state.is_some()),
-        ("dynamics_sensitivity", equations.declared.by_parameters.is_some()),
-        ("inverse_dynamics", equations.inverse.is_some()),
-    ];
-    made.into_iter().filter(|(_, is_made)| *is_made).map(|(name, _)| name)
 }
 
 /// Coordinates with their speeds and accelerations, and how each starts.

@@ -1,42 +1,50 @@
 //! Functions of the runtime's traits that are kernels.
 
-use super::kernel::{argument_names, arguments, record_of, returned_array};
+use super::concrete::Concrete;
+use super::ident;
+use super::kernel::{argument_names, record_of};
+use crate::kernel_id::{Associated, KernelId, Receiver, Trait, Type};
 use crate::model::Model;
-use crate::program::{Kernel, Receiver};
+use crate::program::Program;
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::quote;
 
-/// The trait's function, which calls the inherent one of the same name.
-pub(super) fn forward(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
-    let function = format_ident!("{}", kernel.name);
-    let prepared_function = format_ident!("prepared_{}", kernel.name);
-    let list = arguments(model, kernel.arguments);
-    let names = argument_names(kernel.arguments);
-    let returns = returned_array(model, kernel, path);
-    let to_array = record_of(model, kernel).map(|_| quote! { .into() });
-    match kernel.receiver {
-        Receiver::Mechanism if kernel.name == "input_values" => quote! {
-            fn held_inputs(&self #(, #list)*) -> Self::Inputs {
+/// The functions of a trait, each of which calls the inherent one.
+pub(super) fn forwards(
+    of: Trait,
+    model: &Model,
+    program: &Program,
+    concrete: &Concrete,
+    path: &TokenStream,
+) -> TokenStream {
+    let kernels = program.kernels.iter().map(|kernel| kernel.id);
+    let own = kernels.filter(|kernel| kernel.signature().method.of == of);
+    own.map(|kernel| forward(model, kernel, concrete, path)).collect()
+}
+
+fn forward(model: &Model, kernel: KernelId, concrete: &Concrete, path: &TokenStream) -> TokenStream {
+    let signature = kernel.signature();
+    let (function, method) = (ident(signature.name), ident(signature.method.name));
+    let list = concrete.arguments(signature.arguments);
+    let names = argument_names(signature.arguments);
+    if let Type::Associated(Associated::Inputs) = signature.result {
+        return quote! {
+            fn #method(&self #(, #list)*) -> Self::Inputs {
                 self.#function(#(#names),*).map(#path::Input::Held)
             }
-        },
-        Receiver::Mechanism => quote! {
-            #[inline(always)]
-            fn #function(&self #(, #list)*) -> #returns {
-                self.#function(#(#names),*) #to_array
-            }
-        },
-        Receiver::Prepared if ["dynamics", "kinematics", "speed_dynamics"].contains(&kernel.name) => quote! {
-            #[inline(always)]
-            fn #prepared_function(prepared: &Self::Prepared #(, #list)*) -> #returns {
-                prepared.#function(#(#names),*)
-            }
-        },
-        Receiver::Prepared => quote! {
-            #[inline(always)]
-            fn #function(&self #(, #list)*) -> #returns {
-                self.prepare().#function(#(#names),*)
-            }
-        },
+        };
+    }
+    let returns = concrete.of_type(&signature.result);
+    let to_array = record_of(model, kernel).map(|_| quote! { .into() });
+    let (receiver, called) = match (signature.method.receiver, signature.receiver) {
+        (Receiver::Mechanism, Receiver::Mechanism) => (quote! { &self }, quote! { self }),
+        (Receiver::Mechanism, Receiver::Prepared) => (quote! { &self }, quote! { self.prepare() }),
+        (Receiver::Prepared, _) => (quote! { prepared: &Self::Prepared }, quote! { prepared }),
+    };
+    quote! {
+        #[inline(always)]
+        fn #method(#receiver #(, #list)*) -> #returns {
+            #called.#function(#(#names),*) #to_array
+        }
     }
 }

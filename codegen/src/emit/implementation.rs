@@ -1,15 +1,17 @@
 //! The impl of the runtime's trait.
 
+use super::concrete::Concrete;
 use super::description::description;
-use super::forward::forward;
+use super::forward::forwards;
 use super::marker::has_no_fields;
-use super::names::{other_scalar, prepared_name};
+use super::names::other_scalar;
 use super::speeds;
 use super::{ident, size};
 use crate::dsl::Source;
 use crate::dynamics::EquationsOfMotion;
+use crate::kernel_id::Trait;
 use crate::model::Model;
-use crate::program::{Program, Results, Sparsity};
+use crate::program::Program;
 use crate::symbolic::{Expr, evaluate};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -19,22 +21,23 @@ pub(super) fn implementation(
     equations: &EquationsOfMotion,
     program: &Program,
     source: &Source,
+    concrete: &Concrete,
     path: &TokenStream,
 ) -> TokenStream {
     let model = &equations.model;
     let name = ident(&model.name);
-    let types = types(equations, program, path);
+    let (types, other) = (concrete.definitions(Trait::Mechanism), other_scalar(&model.name));
     let description = description(equations, program, source, path);
-    let parameters = parameters(model, path);
+    let parameters = parameters(equations, path);
     let inputs = inputs(model, path);
     let switched = switched(model);
     let velocity_variables = speeds::velocity_variables(equations, path);
-    let own = program.kernels.iter().filter(|kernel| !speeds::is_of_speeds(kernel));
-    let forwards = own.map(|kernel| forward(model, kernel, path));
+    let forwards = forwards(Trait::Mechanism, model, program, concrete, path);
     quote! {
         #[allow(non_snake_case, clippy::all, clippy::pedantic)]
         impl<S: #path::Scalar> #path::Mechanism<S> for #name<S> {
             #types
+            type On<#other: #path::Scalar> = #name<#other>;
 
             const DESCRIPTION: #path::Description = #description;
 
@@ -46,50 +49,14 @@ pub(super) fn implementation(
 
             #velocity_variables
 
-            #(#forwards)*
+            #forwards
         }
     }
 }
 
-/// The types of the trait's vectors and matrices.
-fn types(equations: &EquationsOfMotion, program: &Program, path: &TokenStream) -> TokenStream {
-    let model = &equations.model;
-    let (name, prepared, other) = (ident(&model.name), prepared_name(model), other_scalar(&model.name));
-    let [n, m] = [model.coordinates.len(), model.constraints.len()];
-    let z = size(n + m);
-    let [n, m, p, outputs] = [n, m, model.parameters.len(), model.outputs.len()].map(size);
-    let [events, rates, drawing] =
-        [model.events.len(), equations.outputs.rated().len(), kernel_len(program, "drawing")].map(size);
-    let [entries, envelope] = program.sparsity.as_ref().map_or([0; 2], Sparsity::sizes).map(size);
-    let [conditionals, values, inputs] =
-        [model.conditionals.len(), kernel_len(program, "event_values"), model.inputs.len()].map(size);
-    quote! {
-        type Q = [S; #n];
-        type L = [S; #m];
-        type Z = [S; #z];
-        type QQ = [[S; #n]; #n];
-        type LQ = [[S; #n]; #m];
-        type LL = [[S; #m]; #m];
-        type ZZ = [[S; #z]; #z];
-        type Entries = [S; #entries];
-        type Envelope = [S; #envelope];
-        type Parameters = [S; #p];
-        type Outputs = [S; #outputs];
-        type OutputRates = [S; #rates];
-        type Events = [S; #events];
-        type EventValues = [S; #values];
-        type Activities = [S; #conditionals];
-        type Drawing = [S; #drawing];
-        type QP = [[S; #p]; #n];
-        type LP = [[S; #p]; #m];
-        type Inputs = [#path::Input<S>; #inputs];
-        type Prepared = #prepared<S>;
-        type On<#other: #path::Scalar> = #name<#other>;
-    }
-}
-
 /// Reading, changing and converting parameters.
-fn parameters(model: &Model, path: &TokenStream) -> TokenStream {
+fn parameters(equations: &EquationsOfMotion, path: &TokenStream) -> TokenStream {
+    let EquationsOfMotion { model, graph, .. } = equations;
     let (name, other) = (ident(&model.name), other_scalar(&model.name));
     let p = size(model.parameters.len());
     let fields: Vec<_> = model.parameters.iter().map(|p| ident(&p.name)).collect();
@@ -102,7 +69,7 @@ fn parameters(model: &Model, path: &TokenStream) -> TokenStream {
     });
     let marker = has_no_fields(model).then(|| quote! { scalar: ::core::marker::PhantomData });
     let defaults: Vec<Expr> = model.parameters.iter().map(|p| p.default).collect();
-    let defaults = evaluate(&model.graph, &defaults, |_| f64::NAN);
+    let defaults = evaluate(graph, &defaults, |_| f64::NAN);
     quote! {
         fn defaults() -> Self {
             Self { #(#fields: S::from_f64(#defaults),)* #(#inputs: #path::Input::Declared,)* #(#activities: #starts,)* #marker }
@@ -155,12 +122,5 @@ fn switched(model: &Model) -> Option<TokenStream> {
                 Self { #(#fields: activities[#places],)* ..self }
             }
         }
-    })
-}
-
-fn kernel_len(program: &Program, name: &str) -> usize {
-    program.kernels.iter().find(|kernel| kernel.name == name).map_or(0, |kernel| match &kernel.results {
-        Results::Vector(entries) => entries.len(),
-        _ => 0,
     })
 }

@@ -1,22 +1,31 @@
 //! Each program as a method of the mechanism.
 
+use super::concrete::{Concrete, vector};
 use super::names::{output_rates_name, outputs_name, prepared_name};
 use super::record::record_type;
 use super::{ident, size, table};
+use crate::dynamics::EquationsOfMotion;
+use crate::kernel_id::{Argument, Arguments, Associated, KernelId, Receiver, Record, Type};
 use crate::model::Model;
-use crate::program::{Arguments, Kernel, LookUp, Name, Piece, Program, Receiver, Record, Results, Statement, Tree};
+use crate::program::{Kernel, LookUp, Name, Piece, Program, Results, Statement, Tree};
 use proc_macro2::{Delimiter, Group, Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 /// All kernels, as methods of the mechanism and of what is prepared from its parameters.
-pub(super) fn kernels(model: &Model, program: &Program, path: &TokenStream) -> TokenStream {
+pub(super) fn kernels(
+    equations: &EquationsOfMotion,
+    program: &Program,
+    concrete: &Concrete,
+    path: &TokenStream,
+) -> TokenStream {
+    let EquationsOfMotion { model, graph, .. } = equations;
     let (name, prepared) = (ident(&model.name), prepared_name(model));
-    let of = |receiver: Receiver| program.kernels.iter().filter(move |kernel| kernel.receiver == receiver);
-    let functions = of(Receiver::Mechanism).map(|kernel| function(model, kernel, path));
-    let prepared_functions = of(Receiver::Prepared).map(|kernel| function(model, kernel, path));
-    let tables = table::tables(model, path);
-    let shortcuts = of(Receiver::Prepared).map(|kernel| shortcut(model, kernel, path));
-    let constants = (!model.graph.tables().is_empty()).then(|| quote! { non_upper_case_globals, });
+    let of = |receiver| program.kernels.iter().filter(move |kernel| kernel.id.signature().receiver == receiver);
+    let functions = of(Receiver::Mechanism).map(|kernel| function(equations, kernel, concrete, path));
+    let prepared_functions = of(Receiver::Prepared).map(|kernel| function(equations, kernel, concrete, path));
+    let tables = table::tables(graph, path);
+    let shortcuts = of(Receiver::Prepared).map(|kernel| shortcut(model, kernel, concrete));
+    let constants = (!graph.tables().is_empty()).then(|| quote! { non_upper_case_globals, });
     let allowed =
         quote! { #[allow(non_snake_case, #constants unused_variables, unused_parens, clippy::all, clippy::pedantic)] };
     quote! {
@@ -28,17 +37,19 @@ pub(super) fn kernels(model: &Model, program: &Program, path: &TokenStream) -> T
     }
 }
 
-fn function(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
-    let name = format_ident!("{}", kernel.name);
+fn function(equations: &EquationsOfMotion, kernel: &Kernel, concrete: &Concrete, path: &TokenStream) -> TokenStream {
+    let model = &equations.model;
+    let name = ident(kernel.id.name());
     let docs = format!("{}\n\nOperations: {}.", kernel.docs, kernel.operations);
     let docs = docs.lines().map(|line| format!(" {line}"));
-    let arguments = arguments(model, kernel.arguments);
-    let returns = returns(model, kernel, path);
-    let statements = kernel.statements.iter().map(|each| statement(model, each));
+    let arguments = concrete.arguments(kernel.id.signature().arguments);
+    let returns = returns(model, kernel, concrete);
+    let statements = kernel.statements.iter().map(|each| statement(equations, each));
     let body = [entries(kernel), calls(kernel)].into_iter().chain(statements).chain([results(model, kernel, path)]);
     let body = braces(body);
     let inline = inline(kernel);
-    let pieces = kernel.pieces.iter().enumerate().map(|(i, piece)| piece_function(model, kernel, i, piece));
+    let pieces =
+        kernel.pieces.iter().enumerate().map(|(i, piece)| piece_function(equations, kernel, i, piece, concrete));
     quote! {
         #(#pieces)*
 
@@ -54,20 +65,26 @@ fn braces(words: impl Iterator<Item = TokenStream>) -> Group {
 }
 
 fn piece_name(kernel: &Kernel, i: usize) -> Ident {
-    format_ident!("{}_part_{}", kernel.name, i + 1)
+    format_ident!("{}_part_{}", kernel.id.name(), i + 1)
 }
 
 /// A part of a long kernel: from the results of the parts before to the values that later parts need.
-fn piece_function(model: &Model, kernel: &Kernel, i: usize, piece: &Piece) -> TokenStream {
+fn piece_function(
+    equations: &EquationsOfMotion,
+    kernel: &Kernel,
+    i: usize,
+    piece: &Piece,
+    concrete: &Concrete,
+) -> TokenStream {
     let name = piece_name(kernel, i);
-    let mut arguments = arguments(model, kernel.arguments);
+    let mut arguments = concrete.arguments(kernel.id.signature().arguments);
     let mut unpacked = None;
     if !piece.given.is_empty() {
         let (len, names) = (size(piece.given.len()), piece.given.iter().map(|name| ident(name)));
         arguments.push(quote! { found: &[S; #len] });
         unpacked = Some(quote! { let [#(#names),*] = *found; });
     }
-    let statements = piece.statements.iter().map(|each| statement(model, each));
+    let statements = piece.statements.iter().map(|each| statement(equations, each));
     let (len, handed_on) = (size(piece.handed_on.len()), piece.handed_on.iter().map(|name| ident(name)));
     let handed_on = quote! { [#(#handed_on),*] };
     let body = braces([entries(kernel)].into_iter().chain(unpacked).chain(statements).chain([handed_on]));
@@ -83,7 +100,7 @@ fn calls(kernel: &Kernel) -> TokenStream {
     for (i, piece) in kernel.pieces.iter().enumerate() {
         let name = piece_name(kernel, i);
         let mut arguments: Vec<TokenStream> =
-            argument_names(kernel.arguments).iter().map(ToTokens::to_token_stream).collect();
+            argument_names(kernel.id.signature().arguments).iter().map(ToTokens::to_token_stream).collect();
         if !piece.given.is_empty() {
             arguments.push(quote! { &found });
         }
@@ -98,7 +115,7 @@ fn calls(kernel: &Kernel) -> TokenStream {
 
 /// Unless it is long, the kernel for batches is compiled for the vector instructions of the function that inlines it.
 fn inline(kernel: &Kernel) -> TokenStream {
-    if kernel.name == "dynamics" && kernel.pieces.is_empty() {
+    if kernel.id == KernelId::Dynamics && kernel.pieces.is_empty() {
         quote! { #[inline(always)] }
     } else {
         quote! { #[inline] }
@@ -106,11 +123,11 @@ fn inline(kernel: &Kernel) -> TokenStream {
 }
 
 /// A kernel of what is prepared, for one call with given parameters.
-fn shortcut(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
-    let name = format_ident!("{}", kernel.name);
-    let list = arguments(model, kernel.arguments);
-    let names = argument_names(kernel.arguments);
-    let returns = returns(model, kernel, path);
+fn shortcut(model: &Model, kernel: &Kernel, concrete: &Concrete) -> TokenStream {
+    let name = ident(kernel.id.name());
+    let arguments = kernel.id.signature().arguments;
+    let (list, names) = (concrete.arguments(arguments), argument_names(arguments));
+    let returns = returns(model, kernel, concrete);
     let prepared = prepared_name(model);
     let docs =
         format!(" [`{prepared}::{name}`] once; for many calls with the same parameters [`Self::prepare`] first.");
@@ -125,50 +142,25 @@ fn shortcut(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
 
 /// `t, q, ..`
 pub(super) fn argument_names(arguments: Arguments) -> Vec<Ident> {
-    names(arguments).iter().map(|name| ident(name)).collect()
-}
-
-fn names(arguments: Arguments) -> &'static [&'static str] {
-    match arguments {
-        Arguments::Parameters => &[],
-        Arguments::Positions => &["t", "q"],
-        Arguments::Speeds => &["t", "q", "qd"],
-        Arguments::Accelerations => &["t", "q", "qd", "qdd"],
-        Arguments::Multipliers => &["t", "q", "qd", "qdd", "lambda"],
-        Arguments::GeneralizedSpeeds => &["t", "q", "u"],
-    }
-}
-
-/// `t: S, q: &[S; n], ..`
-pub(super) fn arguments(model: &Model, arguments: Arguments) -> Vec<TokenStream> {
-    let argument = |name: &&str| {
-        let len = match *name {
-            "t" => return quote! { t: S },
-            "lambda" => model.constraints.len(),
-            "u" => model.speeds.len(),
-            _ => model.coordinates.len(),
-        };
-        let (name, len) = (ident(name), size(len));
-        quote! { #name: &[S; #len] }
-    };
-    names(arguments).iter().map(argument).collect()
+    arguments.list().iter().map(|argument| ident(argument.name())).collect()
 }
 
 /// Names for the entries of the arguments.
 fn entries(kernel: &Kernel) -> TokenStream {
     let e = &kernel.entries;
     let levels = [
-        ("q", &e.positions),
-        ("qd", &e.speeds),
-        ("qdd", &e.accelerations),
-        ("lambda", &e.multipliers),
-        ("u", &e.generalized_speeds),
+        (Argument::Positions, &e.positions),
+        (Argument::Speeds, &e.speeds),
+        (Argument::Accelerations, &e.accelerations),
+        (Argument::Multipliers, &e.multipliers),
+        (Argument::GeneralizedSpeeds, &e.generalized_speeds),
     ];
-    let bindings = levels.into_iter().filter(|(_, names)| names.iter().any(Option::is_some)).map(|(array, names)| {
-        let array = ident(array);
-        let names = names.iter().map(pattern);
-        quote! { let [#(#names),*] = *#array; }
-    });
+    let bindings =
+        levels.into_iter().filter(|(_, names)| names.iter().any(Option::is_some)).map(|(argument, names)| {
+            let array = ident(argument.name());
+            let names = names.iter().map(pattern);
+            quote! { let [#(#names),*] = *#array; }
+        });
     quote! { #(#bindings)* }
 }
 
@@ -177,7 +169,7 @@ fn pattern(name: &Option<Name>) -> Ident {
     ident(name.as_deref().unwrap_or("_"))
 }
 
-fn statement(model: &Model, statement: &Statement) -> TokenStream {
+fn statement(equations: &EquationsOfMotion, statement: &Statement) -> TokenStream {
     match statement {
         Statement::Let { name, value } => {
             let name = ident(name);
@@ -191,19 +183,19 @@ fn statement(model: &Model, statement: &Statement) -> TokenStream {
         }
         Statement::Table(LookUp { table, names, argument }) => {
             let names = names.iter().map(pattern);
-            let mechanism = ident(&model.name);
-            let table = table::constant(&model.graph.table(*table).name);
+            let mechanism = ident(&equations.model.name);
+            let table = table::constant(&equations.graph.table(*table).name);
             quote! { let [#(#names),*] = #mechanism::<S>::#table.at(#argument); }
         }
     }
 }
 
-fn vector(entries: &[Tree]) -> TokenStream {
+fn row(entries: &[Tree]) -> TokenStream {
     quote! { [#(#entries),*] }
 }
 
 fn matrix(rows: &[Vec<Tree>]) -> TokenStream {
-    let rows = rows.iter().map(|row| vector(row));
+    let rows = rows.iter().map(|entries| row(entries));
     quote! { [#(#rows),*] }
 }
 
@@ -230,73 +222,28 @@ fn sparse(shape: [usize; 2], entries: &[([usize; 2], Tree)]) -> TokenStream {
     }
 }
 
-/// The type that a kernel returns: a struct with named fields if there is one.
-fn returns(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
-    match (record_of(model, kernel), &kernel.results) {
+/// What a kernel returns: a struct with named fields where there is one, and numbers for inputs.
+fn returns(model: &Model, kernel: &Kernel, concrete: &Concrete) -> TokenStream {
+    match (record_of(model, kernel.id), &kernel.results) {
         (Some(record), Results::Vector(entries)) => record_type(&record, entries.len()),
-        _ => returned_array(model, kernel, path),
-    }
-}
-
-/// The return type of the trait's function of that name.
-pub(super) fn returned_array(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
-    let [n, m, p] = [model.coordinates.len(), model.constraints.len(), model.parameters.len()].map(size);
-    match &kernel.results {
-        Results::Scalar(_) => quote! { S },
-        Results::Vector(entries) => {
-            let len = size(entries.len());
-            quote! { [S; #len] }
-        }
-        Results::Matrix(columns, rows) => {
-            let (columns, rows) = (size(*columns), size(rows.len()));
-            quote! { [[S; #columns]; #rows] }
-        }
-        Results::Record(record, fields) => match record {
-            Record::Initial => quote! { #path::Initial<[S; #n]> },
-            Record::ConstraintLinearization => {
-                let jacobian = match fields.iter().find(|(name, _)| name == "jacobian") {
-                    Some((_, Results::Vector(entries))) => {
-                        let len = size(entries.len());
-                        quote! { [S; #len] }
-                    }
-                    _ => quote! { [[S; #n]; #m] },
-                };
-                quote! { #path::ConstraintLinearization<[S; #m], #jacobian> }
-            }
-            Record::Dynamics => quote! { #path::Dynamics<S, [S; #n], [S; #m]> },
-            Record::DynamicsJacobian => quote! { #path::DynamicsJacobian<S, [[S; #n]; #n], [[S; #n]; #m]> },
-            Record::DynamicsSensitivity => quote! { #path::DynamicsSensitivity<S, [[S; #p]; #n], [[S; #p]; #m]> },
-            Record::Kinematics => quote! { #path::Kinematics<S, [S; #n]> },
-            Record::SpeedDynamics => {
-                let [k, r] = [model.speeds.len(), model.constraints.len() - model.satisfied_rows().len()].map(size);
-                quote! { #path::SpeedDynamics<S, [S; #k], [S; #r]> }
-            }
-            Record::Prepared => {
-                let prepared = prepared_name(model);
-                quote! { #prepared<S> }
-            }
-        },
-        Results::Sparse(size, _) => {
-            let [rows, columns] = size.map(super::size);
-            quote! { [[S; #columns]; #rows] }
-        }
-        Results::Refused(_) => quote! { S::Mask },
+        (None, Results::Vector(entries)) => vector(entries.len()),
+        _ => concrete.of_type(&kernel.id.signature().result),
     }
 }
 
 /// The struct that a kernel returns instead of an array.
-pub(super) fn record_of(model: &Model, kernel: &Kernel) -> Option<Ident> {
-    match kernel.name {
-        "outputs" => Some(outputs_name(model)),
-        "output_rates" => Some(output_rates_name(model)),
-        _ => None,
+pub(super) fn record_of(model: &Model, kernel: KernelId) -> Option<Ident> {
+    match kernel.signature().result {
+        Type::Associated(Associated::Outputs) => Some(outputs_name(model)),
+        Type::Associated(Associated::OutputRates) => Some(output_rates_name(model)),
+        Type::Scalar | Type::Associated(_) | Type::Record(..) => None,
     }
 }
 
 fn results(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
     let returned = returned(model, &kernel.results, path);
     match &kernel.results {
-        Results::Vector(entries) if record_of(model, kernel).is_some() && !entries.is_empty() => {
+        Results::Vector(entries) if record_of(model, kernel.id).is_some() && !entries.is_empty() => {
             quote! { #returned.into() }
         }
         _ => returned,
@@ -306,7 +253,7 @@ fn results(model: &Model, kernel: &Kernel, path: &TokenStream) -> TokenStream {
 fn returned(model: &Model, results: &Results<Tree>, path: &TokenStream) -> TokenStream {
     match results {
         Results::Scalar(value) => value.to_token_stream(),
-        Results::Vector(entries) => vector(entries),
+        Results::Vector(entries) => row(entries),
         Results::Matrix(_, rows) => matrix(rows),
         Results::Sparse(size, entries) => sparse(*size, entries),
         Results::Refused(pivots) => refused(pivots.as_deref(), path),

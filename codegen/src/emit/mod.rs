@@ -1,6 +1,7 @@
 //! Stage 6: programs to Rust tokens. No numerical decision is made here, so the same programs could be printed in
 //! another language.
 
+mod concrete;
 mod description;
 mod documentation;
 mod equations;
@@ -23,6 +24,7 @@ pub use stub::stub;
 use crate::dsl::{Head, Source};
 use crate::dynamics::EquationsOfMotion;
 use crate::program::Program;
+use concrete::Concrete;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 
 /// All Rust items of a mechanism: its type with its parameters, named coordinates and outputs, its kernels, and the
@@ -35,9 +37,10 @@ pub fn emit(
     path: &TokenStream,
 ) -> TokenStream {
     let types = types::types(head, equations, program, path);
-    let kernels = kernel::kernels(&equations.model, program, path);
-    let mechanism = implementation::implementation(equations, program, source, path);
-    let speeds = speeds::speeds(head, equations, program, path);
+    let concrete = Concrete::of(equations, program, path);
+    let kernels = kernel::kernels(equations, program, &concrete, path);
+    let mechanism = implementation::implementation(equations, program, source, &concrete, path);
+    let speeds = speeds::speeds(head, equations, program, &concrete, path);
     [types, kernels, mechanism].into_iter().chain(speeds).collect()
 }
 

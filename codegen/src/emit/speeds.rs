@@ -1,20 +1,17 @@
 //! The items of generalised speeds: their struct, and the impl of their trait.
 
+use super::concrete::Concrete;
 use super::description::quantity;
 use super::documentation::documented;
-use super::forward::forward;
+use super::forward::forwards;
 use super::record::record;
 use super::{ident, size};
 use crate::dsl::Head;
 use crate::dynamics::EquationsOfMotion;
-use crate::program::{Kernel, Program};
+use crate::kernel_id::Trait;
+use crate::program::Program;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
-
-/// Whether a kernel is one of the trait of generalised speeds.
-pub(super) fn is_of_speeds(kernel: &Kernel) -> bool {
-    ["generalized_speeds", "kinematics", "speed_dynamics"].contains(&kernel.name)
-}
 
 /// Their items in the runtime's trait; empty if there are none.
 pub(super) fn velocity_variables(equations: &EquationsOfMotion, path: &TokenStream) -> Option<TokenStream> {
@@ -47,6 +44,7 @@ pub(super) fn speeds(
     head: &Head,
     equations: &EquationsOfMotion,
     program: &Program,
+    concrete: &Concrete,
     path: &TokenStream,
 ) -> Option<TokenStream> {
     let (model, speeds) = (&equations.model, equations.speeds.as_ref()?);
@@ -55,22 +53,20 @@ pub(super) fn speeds(
     let docs = format!(" Generalised speeds of [`{}`] by name, in SI units; also for their rates.", model.name);
     let record = record(&head.visibility, &format_ident!("{}Speeds", model.name), &docs, &fields, path);
     let quantities = model.speeds.iter().map(|speed| quantity(&speed.name, &speed.unit, &speed.docs, path));
-    let (name, k, r) = (ident(&model.name), size(model.speeds.len()), size(speeds.rows.len()));
+    let (name, types) = (ident(&model.name), concrete.definitions(Trait::GeneralizedSpeeds));
     let rows = speeds.rows.iter().copied().map(size);
-    let kernels = program.kernels.iter().filter(|kernel| is_of_speeds(kernel));
-    let forwards = kernels.map(|kernel| forward(model, kernel, path));
+    let forwards = forwards(Trait::GeneralizedSpeeds, model, program, concrete, path);
     Some(quote! {
         #record
 
         #[allow(non_snake_case, clippy::all, clippy::pedantic)]
         impl<S: #path::Scalar> #path::GeneralizedSpeeds<S> for #name<S> {
-            type U = [S; #k];
-            type R = [S; #r];
+            #types
 
             const SPEEDS: &'static [#path::Quantity] = &[#(#quantities),*];
             const ROWS: &'static [::core::primitive::usize] = &[#(#rows),*];
 
-            #(#forwards)*
+            #forwards
         }
     })
 }

@@ -1,18 +1,21 @@
 //! A stub for a mechanism whose declaration has mistakes, so that uses of it through the trait cause no further errors.
 
+use super::concrete::Concrete;
 use super::ident;
 use super::names::other_scalar;
 use crate::dsl::Head;
+use crate::kernel_id::{KernelId, Receiver, Signature, Trait};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// The type and the trait's impl, of size zero; the code never runs.
 pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
     let Head { visibility, name, .. } = head;
-    let types = types(head, path);
+    let concrete = Concrete::empty(path);
+    let (types, other) = (concrete.definitions(Trait::Mechanism), other_scalar(&name.to_string()));
     let functions = functions(head, path);
-    let kernels = kernels(path);
-    let speeds = speeds(head, path);
+    let kernels = kernels(Trait::Mechanism, &concrete);
+    let speeds = speeds(head, &concrete, path);
     quote! {
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
         #visibility struct #name<S = ::core::primitive::f64>(::core::marker::PhantomData<S>);
@@ -26,6 +29,7 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
         #[allow(unused_variables, clippy::all)]
         impl<S: #path::Scalar> #path::Mechanism<S> for #name<S> {
             #types
+            type On<#other: #path::Scalar> = #name<#other>;
 
             const DESCRIPTION: #path::Description = #path::Description {
                 name: "", type_name: "", docs: "", declaration: "", declaration_hash: "", coordinates: &[], parameters: &[], inputs: &[], constraints: &[],
@@ -35,42 +39,14 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
 
             #functions
 
-            #(#kernels)*
+            #kernels
         }
 
         #speeds
     }
 }
 
-/// The trait's vectors and matrices: empty.
-fn types(head: &Head, path: &TokenStream) -> TokenStream {
-    let (name, other) = (&head.name, other_scalar(&head.name.to_string()));
-    quote! {
-        type Q = [S; 0];
-        type L = [S; 0];
-        type Z = [S; 0];
-        type QQ = [[S; 0]; 0];
-        type LQ = [[S; 0]; 0];
-        type LL = [[S; 0]; 0];
-        type ZZ = [[S; 0]; 0];
-        type Entries = [S; 0];
-        type Envelope = [S; 0];
-        type Parameters = [S; 0];
-        type Outputs = [S; 0];
-        type OutputRates = [S; 0];
-        type Events = [S; 0];
-        type EventValues = [S; 0];
-        type Activities = [S; 0];
-        type Drawing = [S; 0];
-        type QP = [[S; 0]; 0];
-        type LP = [[S; 0]; 0];
-        type Inputs = [#path::Input<S>; 0];
-        type Prepared = ();
-        type On<#other: #path::Scalar> = #name<#other>;
-    }
-}
-
-/// The trait's functions that are not kernels of a time.
+/// The trait's functions that are no kernels.
 fn functions(head: &Head, path: &TokenStream) -> TokenStream {
     let (name, other) = (&head.name, other_scalar(&head.name.to_string()));
     quote! {
@@ -93,77 +69,39 @@ fn functions(head: &Head, path: &TokenStream) -> TokenStream {
             *self
         }
         fn set_inputs(prepared: &mut (), inputs: Self::Inputs) {}
-        fn initial(&self) -> #path::Initial<[S; 0]> {
-            loop {}
-        }
-        fn prepare(&self) {}
-        fn prepared_dynamics(
-            prepared: &(),
-            t: S,
-            q: &[S; 0],
-            qd: &[S; 0],
-        ) -> #path::Dynamics<S, [S; 0], [S; 0]> {
-            loop {}
-        }
     }
 }
 
-/// The kernels of the mechanism's own type.
-fn kernels(path: &TokenStream) -> [TokenStream; 15] {
-    let kernel = |name: &str, arguments: &[&str], returns: TokenStream| {
-        let name = ident(name);
-        let arguments = arguments.iter().map(|argument| {
-            let argument = ident(argument);
-            quote! { #argument: &[S; 0] }
-        });
-        quote! { fn #name(&self, t: S #(, #arguments)*) -> #returns { loop {} } }
+/// The kernels that a trait has no body for.
+fn kernels(of: Trait, concrete: &Concrete) -> TokenStream {
+    let needed = KernelId::ALL.iter().map(|kernel| kernel.signature());
+    let needed = needed.filter(|kernel| kernel.method.of == of && !kernel.method.is_provided);
+    let kernel = |kernel: &Signature| {
+        let (name, returns) = (ident(kernel.method.name), concrete.of_type(&kernel.result));
+        let receiver = match kernel.method.receiver {
+            Receiver::Mechanism => quote! { &self },
+            Receiver::Prepared => quote! { prepared: &Self::Prepared },
+        };
+        let arguments = concrete.arguments(kernel.arguments);
+        quote! { fn #name(#receiver #(, #arguments)*) -> #returns { loop {} } }
     };
-    let (vector, matrix) = (quote! { [S; 0] }, quote! { [[S; 0]; 0] });
-    [
-        kernel("mass_matrix", &["q"], matrix.clone()),
-        kernel("convective_forces", &["q", "qd"], vector.clone()),
-        kernel("generalized_forces", &["q", "qd"], vector.clone()),
-        kernel("constraints", &["q"], vector.clone()),
-        kernel("constraint_magnitudes", &["q"], vector.clone()),
-        kernel("constraint_jacobian", &["q"], matrix),
-        kernel("constraint_time_derivative", &["q"], vector.clone()),
-        kernel("constraint_convective", &["q", "qd"], vector.clone()),
-        kernel("constraint_linearization", &["q"], quote! { #path::ConstraintLinearization<[S; 0], [[S; 0]; 0]> }),
-        kernel("kinetic_energy", &["q", "qd"], quote! { S }),
-        kernel("power", &["q", "qd", "qdd", "lambda"], quote! { S }),
-        kernel("outputs", &["q", "qd", "qdd", "lambda"], vector.clone()),
-        kernel("output_rates", &["q", "qd", "qdd"], vector.clone()),
-        kernel("events", &["q", "qd", "qdd", "lambda"], vector.clone()),
-        kernel("drawing", &["q"], vector),
-    ]
+    needed.map(kernel).collect()
 }
 
 /// The impl of the trait of generalised speeds.
-fn speeds(head: &Head, path: &TokenStream) -> TokenStream {
+fn speeds(head: &Head, concrete: &Concrete, path: &TokenStream) -> TokenStream {
     let name = &head.name;
+    let types = concrete.definitions(Trait::GeneralizedSpeeds);
+    let kernels = kernels(Trait::GeneralizedSpeeds, concrete);
     quote! {
         #[allow(unused_variables, clippy::all)]
         impl<S: #path::Scalar> #path::GeneralizedSpeeds<S> for #name<S> {
-            type U = [S; 0];
-            type R = [S; 0];
+            #types
 
             const SPEEDS: &'static [#path::Quantity] = &[];
             const ROWS: &'static [::core::primitive::usize] = &[];
 
-            fn generalized_speeds(&self, t: S, q: &[S; 0], qd: &[S; 0]) -> [S; 0] {
-                []
-            }
-            fn prepared_kinematics(prepared: &(), t: S, q: &[S; 0], u: &[S; 0]) -> #path::Kinematics<S, [S; 0]> {
-                loop {}
-            }
-            fn prepared_speed_dynamics(
-                prepared: &(),
-                t: S,
-                q: &[S; 0],
-                u: &[S; 0],
-            ) -> #path::SpeedDynamics<S, [S; 0], [S; 0]> {
-                loop {}
-            }
+            #kernels
         }
     }
 }

@@ -1,8 +1,7 @@
 //! Tables as constants of the mechanism, in which its kernels look values up.
 
 use super::tree::number;
-use crate::model::Model;
-use crate::symbolic::Table;
+use crate::symbolic::{Graph, Table};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -12,8 +11,8 @@ pub(super) fn constant(table: &str) -> Ident {
 }
 
 /// The constants of all tables.
-pub(super) fn tables(model: &Model, path: &TokenStream) -> TokenStream {
-    model.graph.tables().iter().map(|table| table_constant(table, path)).collect()
+pub(super) fn tables(graph: &Graph, path: &TokenStream) -> TokenStream {
+    graph.tables().iter().map(|table| table_constant(table, path)).collect()
 }
 
 fn table_constant(table: &Table, path: &TokenStream) -> TokenStream {

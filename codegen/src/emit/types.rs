@@ -8,8 +8,9 @@ use super::names::{output_rates_name, outputs_name, prepared_name};
 use super::record::record;
 use crate::dsl::Head;
 use crate::dynamics::EquationsOfMotion;
+use crate::kernel_id::Record;
 use crate::model::Model;
-use crate::program::{Kernel, Program, Record, Results};
+use crate::program::{Kernel, Program, Results};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 

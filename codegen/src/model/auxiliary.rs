@@ -11,7 +11,7 @@ use super::value::Value;
 use super::{Auxiliary, Dependence, Dimension, Model};
 use crate::dsl::{Declaration, Region};
 use crate::mistakes::Mistakes;
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Graph};
 
 /// Whether auxiliary displacements are the number 0, or variables.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -55,9 +55,9 @@ pub(super) fn resolve_auxiliaries(
 }
 
 /// Refuses displacements that displace nothing: their conjugate forces would always be 0.
-pub(super) fn check_displaced(declaration: &Declaration, displaced: &Model) -> syn::Result<()> {
+pub(super) fn check_displaced(declaration: &Declaration, displaced: &Model, graph: &Graph) -> syn::Result<()> {
     let mut mistakes = Mistakes::default();
-    let moved = displaced.graph.symbols_of(&positions(displaced));
+    let moved = graph.symbols_of(&positions(displaced));
     for (written, auxiliary) in declaration.auxiliary.iter().zip(&displaced.auxiliaries) {
         if !moved.contains(&auxiliary.displacement) && !moved.contains(&auxiliary.rate) {
             mistakes.add(Region::from(&written.name).error(format!(

@@ -49,14 +49,30 @@ pub use units::Unit;
 
 use crate::symbolic::{Differential, Expr, Graph, Symbol};
 
-/// A mechanism in symbols. All expressions are in SI units and live in `graph`.
+/// What a declaration means: a model, and the graph that its expressions live in.
+pub struct Resolved {
+    /// The mechanism.
+    pub model: Model,
+    /// Where its expressions live.
+    pub graph: Graph,
+    /// The same with auxiliary displacements as variables; none where there are none.
+    pub displaced: Option<Displaced>,
+}
+
+/// A model with auxiliary displacements as variables, in a graph of its own.
+pub struct Displaced {
+    /// The mechanism.
+    pub model: Model,
+    /// Where its expressions live.
+    pub graph: Graph,
+}
+
+/// A mechanism in symbols. All expressions are in SI units and live in a graph beside it.
 pub struct Model {
     /// The type's name.
     pub name: String,
     /// Documentation, one line each.
     pub docs: String,
-    /// The graph of all expressions.
-    pub graph: Graph,
     /// What each expression depends on.
     pub dependences: Dependences,
     /// Time.
@@ -108,8 +124,6 @@ pub struct Model {
     pub wants_inverse: bool,
     /// Auxiliary displacements, which are zero here.
     pub auxiliaries: Vec<Auxiliary>,
-    /// The same model, in a graph of its own, with auxiliary displacements as variables; none where there are none.
-    pub displaced: Option<Box<Model>>,
 }
 
 /// A scalar for each axis: two in the plane, three in space.
@@ -340,23 +354,23 @@ pub enum Shape {
 
 impl Model {
     /// The total time derivative of an expression without accelerations.
-    pub fn time_derivative(&mut self) -> Differential {
-        time_derivative(&mut self.graph, self.time, &self.coordinates, &[])
+    pub fn time_derivative(&self, graph: &mut Graph) -> Differential {
+        time_derivative(graph, self.time, &self.coordinates, &[])
     }
 
     /// The speeds as expressions.
-    pub fn speeds(&mut self) -> Vec<Expr> {
-        self.coordinates.iter().map(|c| self.graph.variable(c.speed)).collect()
+    pub fn speeds(&self, graph: &mut Graph) -> Vec<Expr> {
+        self.coordinates.iter().map(|c| graph.variable(c.speed)).collect()
     }
 
     /// The accelerations as expressions.
-    pub fn accelerations(&mut self) -> Vec<Expr> {
-        self.coordinates.iter().map(|c| self.graph.variable(c.acceleration)).collect()
+    pub fn accelerations(&self, graph: &mut Graph) -> Vec<Expr> {
+        self.coordinates.iter().map(|c| graph.variable(c.acceleration)).collect()
     }
 
     /// The multipliers as expressions.
-    pub fn multipliers(&mut self) -> Vec<Expr> {
-        self.constraints.iter().map(|c| self.graph.variable(c.multiplier)).collect()
+    pub fn multipliers(&self, graph: &mut Graph) -> Vec<Expr> {
+        self.constraints.iter().map(|c| graph.variable(c.multiplier)).collect()
     }
 }
 

@@ -17,30 +17,31 @@ use super::speeds::resolve_speeds;
 use super::start::resolve_initial;
 use super::tables::resolve_tables;
 use super::value::Value;
-use super::{Auxiliary, Coordinate, Input, Model, Parameter, time_derivative};
-use crate::dsl::OptionalKernel::{DynamicsJacobian, DynamicsSensitivity, InverseDynamics};
+use super::{Auxiliary, Coordinate, Displaced, Input, Model, Parameter, Resolved, time_derivative};
 use crate::dsl::{Declaration, Region};
+use crate::kernel_id::KernelId;
 use crate::symbolic::{Graph, Symbol};
 
 /// Resolves a declaration.
 ///
 /// # Errors
 /// All mistakes of meaning, each at the user's own word, combined into one error.
-pub fn resolve(declaration: &Declaration) -> syn::Result<Model> {
+pub fn resolve(declaration: &Declaration) -> syn::Result<Resolved> {
     if declaration.coordinates.is_empty() {
         let place = Region::from(&declaration.head.name);
         return Err(place.error("a mechanism needs at least one coordinate: `coordinates { phi [rad]; }`"));
     }
-    let mut model = resolve_with(declaration, Displacements::Zero)?;
+    let (model, graph) = resolve_with(declaration, Displacements::Zero)?;
+    let mut displaced = None;
     if !model.auxiliaries.is_empty() {
-        let displaced = resolve_with(declaration, Displacements::Variable)?;
-        check_displaced(declaration, &displaced)?;
-        model.displaced = Some(Box::new(displaced));
+        let (model, graph) = resolve_with(declaration, Displacements::Variable)?;
+        check_displaced(declaration, &model, &graph)?;
+        displaced = Some(Displaced { model, graph });
     }
-    Ok(model)
+    Ok(Resolved { model, graph, displaced })
 }
 
-fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn::Result<Model> {
+fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn::Result<(Model, Graph)> {
     let mut graph = Graph::new();
     let time = graph.symbol("t");
     let mut interpreter = Interpreter::new(declaration, graph, time);
@@ -65,10 +66,9 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
     let speeds = resolve_speeds(declaration, &coordinates, &constraints, &norm_constraints, &mut interpreter);
     let dimension = if interpreter.is_spatial() { 3 } else { 2 };
     let Interpreter { graph, dependences, mistakes, .. } = interpreter;
-    mistakes.or(Model {
+    let model = Model {
         name: plain(&declaration.head.name),
         docs: declaration.head.docs.clone(),
-        graph,
         dependences,
         time,
         coordinates,
@@ -91,11 +91,14 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         groups,
         drawing,
         auxiliaries,
-        displaced: None,
-        wants_jacobian: declaration.kernels.as_ref().map(|kernels| kernels.contains(&DynamicsJacobian)),
-        wants_inverse: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&InverseDynamics)),
-        wants_sensitivity: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&DynamicsSensitivity)),
-    })
+        wants_jacobian: declaration.kernels.as_ref().map(|kernels| kernels.contains(&KernelId::DynamicsJacobian)),
+        wants_inverse: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&KernelId::InverseDynamics)),
+        wants_sensitivity: declaration
+            .kernels
+            .as_ref()
+            .is_some_and(|kernels| kernels.contains(&KernelId::DynamicsSensitivity)),
+    };
+    mistakes.or((model, graph))
 }
 
 /// Items declared as symbols.

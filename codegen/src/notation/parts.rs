@@ -6,6 +6,7 @@ use super::sharing::{LINE, names};
 use super::translate::Translation;
 use super::width::set_width;
 use crate::dynamics::EquationsOfMotion;
+use crate::kernel_id::KernelId;
 use crate::model::Constraint;
 use crate::symbolic::Expr;
 use std::rc::Rc;
@@ -38,7 +39,7 @@ pub(super) enum Block {
 
 /// A vector or matrix of the equations of motion.
 struct Term<'a> {
-    part: &'static str,
+    kernel: KernelId,
     title: &'static str,
     symbol: Rc<Name>,
     rows: Vec<&'a [Expr]>,
@@ -49,9 +50,9 @@ struct Term<'a> {
 pub(super) fn parts(equations: &EquationsOfMotion) -> Vec<Part> {
     let terms = terms(equations);
     let roots: Vec<Expr> = terms.iter().flat_map(|term| term.rows.concat()).collect();
-    let (mut names, defined) = names(&equations.model, &roots);
+    let (mut names, defined) = names(equations, &roots);
     let long = name_long_entries(equations, &terms, &mut names);
-    let translation = Translation { graph: &equations.model.graph, names: &names };
+    let translation = Translation { graph: &equations.graph, names: &names };
     let mut parts = vec![system(equations, &terms, &translation)];
     for (term, long) in terms.iter().zip(long).filter(|(term, _)| !term.rows.is_empty()) {
         let mut equations = vec![Equation {
@@ -59,7 +60,7 @@ pub(super) fn parts(equations: &EquationsOfMotion) -> Vec<Part> {
             right: Block::Matrix(term.entries(&translation)),
         }];
         equations.extend(long.into_iter().map(|expr| definition(&translation, expr)));
-        parts.push(Part { name: term.part, title: term.title, equations });
+        parts.push(Part { name: term.kernel.name(), title: term.title, equations });
     }
     let equations: Vec<Equation> = defined.into_iter().map(|expr| definition(&translation, expr)).collect();
     if !equations.is_empty() {
@@ -72,31 +73,31 @@ pub(super) fn parts(equations: &EquationsOfMotion) -> Vec<Part> {
 fn terms(equations: &EquationsOfMotion) -> [Term<'_>; 6] {
     let EquationsOfMotion { tmt, constraints, .. } = equations;
     [
-        Term::matrix("mass_matrix", "Mass matrix", ("M", &[]), &tmt.mass_matrix),
-        Term::vector("convective_forces", "Convective forces", "h", &tmt.convective_forces),
-        Term::vector("generalized_forces", "Generalised forces", "Q", &tmt.generalized_forces),
-        Term::vector("constraints", "Constraints", "C", &constraints.values),
-        Term::matrix("constraint_jacobian", "Constraint Jacobian", ("C", &["q"]), &constraints.jacobian),
-        Term::vector("constraint_convective", "Constraint convective terms", "c", &constraints.convective),
+        Term::matrix(KernelId::MassMatrix, "Mass matrix", ("M", &[]), &tmt.mass_matrix),
+        Term::vector(KernelId::ConvectiveForces, "Convective forces", "h", &tmt.convective_forces),
+        Term::vector(KernelId::GeneralizedForces, "Generalised forces", "Q", &tmt.generalized_forces),
+        Term::vector(KernelId::Constraints, "Constraints", "C", &constraints.values),
+        Term::matrix(KernelId::ConstraintJacobian, "Constraint Jacobian", ("C", &["q"]), &constraints.jacobian),
+        Term::vector(KernelId::ConstraintConvective, "Constraint convective terms", "c", &constraints.convective),
     ]
 }
 
 impl<'a> Term<'a> {
     fn matrix(
-        part: &'static str,
+        kernel: KernelId,
         title: &'static str,
         (letter, indices): (&str, &[&str]),
         rows: &'a [Vec<Expr>],
     ) -> Term<'a> {
         let rows = rows.iter().map(Vec::as_slice).collect();
-        Term { part, title, symbol: Name::bold(part, letter, indices).into(), rows, is_matrix: true }
+        Term { kernel, title, symbol: Name::bold(kernel.name(), letter, indices).into(), rows, is_matrix: true }
     }
 
-    fn vector(part: &'static str, title: &'static str, letter: &str, entries: &'a [Expr]) -> Term<'a> {
+    fn vector(kernel: KernelId, title: &'static str, letter: &str, entries: &'a [Expr]) -> Term<'a> {
         Term {
-            part,
+            kernel,
             title,
-            symbol: Name::bold(part, letter, &[]).into(),
+            symbol: Name::bold(kernel.name(), letter, &[]).into(),
             rows: entries.chunks(1).collect(),
             is_matrix: false,
         }
@@ -121,7 +122,7 @@ fn name_long_entries(equations: &EquationsOfMotion, terms: &[Term], names: &mut 
         let mut long = Vec::new();
         for (i, row) in term.rows.iter().enumerate() {
             for (j, expr) in row.iter().enumerate() {
-                let formula = Translation { graph: &equations.model.graph, names }.formula(*expr);
+                let formula = Translation { graph: &equations.graph, names }.formula(*expr);
                 if set_width(&formula) > widest {
                     names.name_entry(*expr, term.entry(i, j));
                     long.push(*expr);
@@ -143,7 +144,10 @@ fn system(equations: &EquationsOfMotion, terms: &[Term; 6], translation: &Transl
     let model = &equations.model;
     let (n, m) = (model.coordinates.len(), model.constraints.len());
     let symbols = |symbols: Vec<_>| -> Vec<Vec<Formula>> {
-        symbols.into_iter().map(|symbol| vec![Formula::Name(translation.names.symbol(&model.graph, symbol))]).collect()
+        symbols
+            .into_iter()
+            .map(|symbol| vec![Formula::Name(translation.names.symbol(&equations.graph, symbol))])
+            .collect()
     };
     let coordinates = symbols(model.coordinates.iter().map(|c| c.position).collect());
     let accelerations = symbols(model.coordinates.iter().map(|c| c.acceleration).collect());

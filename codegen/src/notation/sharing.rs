@@ -4,6 +4,7 @@
 use super::names::Names;
 use super::translate::Translation;
 use super::width::set_width;
+use crate::dynamics::EquationsOfMotion;
 use crate::model::Model;
 use crate::symbolic::{Expr, Graph};
 
@@ -15,9 +16,9 @@ const WIDEST_INSIDE: usize = 60;
 const WORTH_A_NAME: usize = 24;
 
 /// The names of everything that is made of `roots`, and the expressions that they define, operands first.
-pub(super) fn names(model: &Model, roots: &[Expr]) -> (Names, Vec<Expr>) {
-    let mut names = symbols(model);
-    let graph = &model.graph;
+pub(super) fn names(equations: &EquationsOfMotion, roots: &[Expr]) -> (Names, Vec<Expr>) {
+    let EquationsOfMotion { model, graph, .. } = equations;
+    let mut names = symbols(model, graph);
     let used = graph.reachable(roots);
     let mut defined = Vec::new();
     for (name, expr) in &model.named {
@@ -27,7 +28,7 @@ pub(super) fn names(model: &Model, roots: &[Expr]) -> (Names, Vec<Expr>) {
         }
     }
     let uses = uses(graph, &used, roots);
-    let prefix = free_prefix(model);
+    let prefix = free_prefix(model, graph);
     let mut count = 0;
     for expr in used.into_iter().filter(|expr| !is_leaf(graph, *expr)) {
         if names.of(expr).is_some() {
@@ -48,10 +49,10 @@ pub(super) fn names(model: &Model, roots: &[Expr]) -> (Names, Vec<Expr>) {
 }
 
 /// The symbols of a model, each with its dots.
-fn symbols(model: &Model) -> Names {
+fn symbols(model: &Model, graph: &Graph) -> Names {
     let mut names = Names::default();
     let mut name = |symbol, word: &str, dots| {
-        names.name_symbol(symbol, model.graph.symbol_name(symbol), word, dots);
+        names.name_symbol(symbol, graph.symbol_name(symbol), word, dots);
     };
     name(model.time, "t", 0);
     for c in &model.coordinates {
@@ -62,7 +63,7 @@ fn symbols(model: &Model) -> Names {
     model.parameters.iter().for_each(|p| name(p.symbol, &p.name, 0));
     model.inputs.iter().for_each(|input| name(input.symbol, &input.name, 0));
     model.constraints.iter().for_each(|c| name(c.multiplier, &format!("lambda_{}", c.name), 0));
-    model.graph.tables().iter().for_each(|table| names.name_table(&table.name));
+    graph.tables().iter().for_each(|table| names.name_table(&table.name));
     names
 }
 
@@ -88,12 +89,12 @@ fn uses(graph: &Graph, used: &[Expr], roots: &[Expr]) -> Vec<Uses> {
 }
 
 /// A letter that no name of the declaration starts with before an underscore.
-fn free_prefix(model: &Model) -> String {
+fn free_prefix(model: &Model, graph: &Graph) -> String {
     let words = model.coordinates.iter().map(|c| &c.name);
     let words = words.chain(model.parameters.iter().map(|p| &p.name));
     let words =
         words.chain(model.inputs.iter().map(|input| &input.name)).chain(model.named.iter().map(|(name, _)| name));
-    let words: Vec<&String> = words.chain(model.graph.tables().iter().map(|table| &table.name)).collect();
+    let words: Vec<&String> = words.chain(graph.tables().iter().map(|table| &table.name)).collect();
     let mut prefix = String::from("s");
     while words.iter().any(|word| word.split('_').next() == Some(&prefix)) {
         prefix.push('s');

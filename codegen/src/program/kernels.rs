@@ -4,12 +4,12 @@ use super::lower::Lowering;
 use super::planner::Planner;
 use super::prepared::prepared_kernels;
 use super::reduced;
-use super::results::{Record, Results};
+use super::results::Results;
 use super::separate::separate_kernels;
 use super::sparsity::Sparsity;
-use super::{Arguments, Kernel, Program};
+use super::{Kernel, Program};
 use crate::dynamics::EquationsOfMotion;
-use crate::model::{EventStep, Model};
+use crate::kernel_id::{KernelId, Record};
 use crate::symbolic::Expr;
 use rustc_hash::FxHashMap;
 
@@ -18,7 +18,7 @@ const LONGEST_EXPANSION: usize = 64;
 
 /// Plans every kernel. `equations` is changed only by start values and other forms of expressions entering its graph.
 pub fn plan(equations: &mut EquationsOfMotion) -> Program {
-    let zero = equations.model.graph.zero();
+    let zero = equations.graph.zero();
     let alternatives = expansions(equations);
     let planner = Planner::new(equations, &alternatives);
     let mut kernels = prepared_kernels(&planner);
@@ -34,7 +34,7 @@ pub fn plan(equations: &mut EquationsOfMotion) -> Program {
 
 /// Expressions with products of sums multiplied out, if terms then cancel; the power by forces along coordinates.
 fn expansions(equations: &mut EquationsOfMotion) -> FxHashMap<Expr, Expr> {
-    let EquationsOfMotion { model, tmt, constraints, speeds, energy, .. } = equations;
+    let EquationsOfMotion { graph, tmt, constraints, speeds, energy, .. } = equations;
     let matrices = tmt.mass_matrix.iter().chain(&constraints.jacobian).flatten();
     let in_speeds = speeds.iter().flat_map(|speeds| {
         let matrices = speeds.tmt.mass_matrix.iter().chain(&speeds.jacobian);
@@ -47,22 +47,17 @@ fn expansions(equations: &mut EquationsOfMotion) -> FxHashMap<Expr, Expr> {
         &constraints.convective,
         &constraints.time_derivative,
     ];
-    let zero = model.graph.zero();
+    let zero = graph.zero();
     let exprs = matrices.chain(vectors.into_iter().flatten()).chain(in_speeds).copied();
     let exprs: Vec<Expr> = exprs.filter(|expr| *expr != zero).collect();
-    let expanded = exprs.into_iter().filter_map(|expr| Some((expr, model.graph.expand(expr, LONGEST_EXPANSION)?)));
+    let expanded = exprs.into_iter().filter_map(|expr| Some((expr, graph.expand(expr, LONGEST_EXPANSION)?)));
     expanded.chain(energy.power_along_variables.map(|other| (energy.power, other))).collect()
 }
 
 /// The constraints linearised, with C_q by its entries.
 fn sparse_linearization_kernel(planner: &Planner, sparsity: &Sparsity) -> Kernel {
     let e = planner.equations;
-    let (m, entries) = (e.model.constraints.len(), sparsity.rows.iter().map(|row| row.columns.len()).sum::<usize>());
-    let docs = format!(
-        "`C` ({m}), the {entries} entries of `C_q` that need not be 0, row after row in the order of elimination, and `C_t` \
-         ({m}) together, in SI units, for projection."
-    );
-    planner.kernel("sparse_linearization", Arguments::Positions, docs, |lowering| {
+    let kernel = planner.kernel(KernelId::SparseLinearization, |lowering| {
         Results::record(
             Record::ConstraintLinearization,
             [
@@ -71,46 +66,29 @@ fn sparse_linearization_kernel(planner: &Planner, sparsity: &Sparsity) -> Kernel
                 ("time_derivative", reduced::constraint_time_derivative(e, lowering)),
             ],
         )
-    })
+    });
+    let entries = sparsity.rows.iter().map(|row| row.columns.len()).sum::<usize>();
+    Kernel { docs: planner.documentation(kernel.id, 0, &[("entries", entries.to_string())]), ..kernel }
 }
 
 /// The generalised speeds at a state, if there are any.
 fn generalized_speeds_kernel(planner: &Planner) -> Option<Kernel> {
     let speeds: Vec<Expr> = planner.equations.model.speeds.iter().map(|speed| speed.value).collect();
-    let docs =
-        format!("The generalised speeds `u = W q' + w`, {}, in SI units, in the order of declaration.", speeds.len());
     let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(&speeds));
-    (!speeds.is_empty()).then(|| planner.kernel("generalized_speeds", Arguments::Speeds, docs, kernel))
+    (!speeds.is_empty()).then(|| planner.kernel(KernelId::GeneralizedSpeeds, kernel))
 }
 
 /// The values that events set, if any.
 fn event_values_kernel(planner: &Planner) -> Option<Kernel> {
-    let values = event_values(&planner.equations.model);
-    let docs = format!(
-        "What the actions of events set, and the coefficients of restitution of impacts, {}, in SI units, in the order of \
-         declaration.",
-        values.len()
-    );
-    let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(&values));
-    (!values.is_empty()).then(|| planner.kernel("event_values", Arguments::Speeds, docs, kernel))
+    let values = &planner.equations.events.settings;
+    let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(values));
+    (!values.is_empty()).then(|| planner.kernel(KernelId::EventValues, kernel))
 }
 
 /// The values of inputs, if there are any.
 fn input_values_kernel(planner: &Planner) -> Option<Kernel> {
-    let model = &planner.equations.model;
-    let inputs: Vec<Expr> = model.inputs.iter().filter_map(|input| model.graph.existing(input.symbol)).collect();
-    let docs = format!("The inputs, {}, in SI units: what each is held at, or its declared course.", inputs.len());
+    let EquationsOfMotion { model, graph, .. } = planner.equations;
+    let inputs: Vec<Expr> = model.inputs.iter().filter_map(|input| graph.existing(input.symbol)).collect();
     let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(&inputs));
-    (!inputs.is_empty()).then(|| planner.kernel("input_values", Arguments::Positions, docs, kernel))
-}
-
-/// The values that the actions of events set, and the coefficients of restitution of impacts, in order.
-fn event_values(model: &Model) -> Vec<Expr> {
-    let steps = model.events.iter().flat_map(|event| &event.steps);
-    let values = steps.flat_map(|step| match step {
-        EventStep::Set(sets) => sets.iter().map(|(_, value)| *value).collect(),
-        EventStep::Impact(hits) => hits.iter().map(|(_, coefficient)| *coefficient).collect(),
-        EventStep::Stop(_) | EventStep::Switch(_) => vec![],
-    });
-    values.collect()
+    (!inputs.is_empty()).then(|| planner.kernel(KernelId::InputValues, kernel))
 }

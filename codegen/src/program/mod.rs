@@ -30,9 +30,10 @@ pub use diagram::{Diagram, Vertex};
 pub use kernels::plan;
 pub use operations::Operations;
 pub use pieces::Piece;
-pub use results::{Record, Results};
+pub use results::Results;
 pub use sparsity::{SparseRow, Sparsity};
 
+use crate::kernel_id::KernelId;
 use crate::symbolic::TableId;
 use std::rc::Rc;
 
@@ -46,14 +47,10 @@ pub struct Program {
 
 /// A straight-line program.
 pub struct Kernel {
-    /// Its name.
-    pub name: &'static str,
+    /// Which it is: its name, receiver, arguments.
+    pub id: KernelId,
     /// Its documentation: formula, shape, units.
     pub docs: String,
-    /// Its receiver.
-    pub receiver: Receiver,
-    /// Its arguments.
-    pub arguments: Arguments,
     /// The local names of the entries of its arguments; `None` for those it does not need.
     pub entries: Entries,
     /// The parts computed before in functions of their own, if the kernel is long.
@@ -64,32 +61,6 @@ pub struct Kernel {
     pub results: Results<Tree>,
     /// Its operations.
     pub operations: Operations,
-}
-
-/// The receiver of a kernel.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Receiver {
-    /// The mechanism, a struct of its parameters.
-    Mechanism,
-    /// The values prepared from the parameters.
-    Prepared,
-}
-
-/// The arguments of a kernel.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Arguments {
-    /// Only the parameters.
-    Parameters,
-    /// t, q.
-    Positions,
-    /// t, q, q'.
-    Speeds,
-    /// t, q, q', q''.
-    Accelerations,
-    /// t, q, q', q'', lambda.
-    Multipliers,
-    /// t, q, u.
-    GeneralizedSpeeds,
 }
 
 /// Local names of the entries of each argument.

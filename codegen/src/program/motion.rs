@@ -4,11 +4,12 @@ use super::eliminate::{Factors, System, Unknown, factorise};
 use super::lower::Lowering;
 use super::notes::Notes;
 use super::planner::variable_names;
-use super::results::{Record, Results};
+use super::results::Results;
 use super::turns::{derivatives_turned_back, turned_back};
 use super::values::Value;
 use crate::dynamics::order::Multipliers;
 use crate::dynamics::{Column, EquationsOfMotion, Form, Intermediate};
+use crate::kernel_id::Record;
 use crate::symbolic::{Expr, Graph};
 
 /// The equations of motion solved at one state.
@@ -149,7 +150,7 @@ fn unknown_count(equations: &EquationsOfMotion) -> usize {
 pub(super) fn system(equations: &EquationsOfMotion, form: &Form, lowering: &mut Lowering) -> System {
     let EquationsOfMotion { model, intermediates, tmt, .. } = equations;
     let activities = model.constraints.iter().map(|constraint| constraint.activity);
-    let entries = entries(lowering, &model.graph, &tmt.mass_matrix, &form.jacobian, activities);
+    let entries = entries(lowering, &equations.graph, &tmt.mass_matrix, &form.jacobian, activities);
     let mut unknowns: Vec<Unknown> = model.coordinates.iter().map(|_| Unknown::Coordinate).collect();
     for y in intermediates {
         unknowns.push(Unknown::Intermediate(definition(equations, lowering, y)));
@@ -202,7 +203,7 @@ pub(super) fn definition(
     intermediate: &Intermediate,
 ) -> Vec<(usize, Value)> {
     let entries = intermediate.definition.jacobian.iter().copied().enumerate();
-    let entries = entries.filter(|(_, expr)| !equations.model.graph.is_zero(*expr));
+    let entries = entries.filter(|(_, expr)| !equations.graph.is_zero(*expr));
     entries.map(|(j, expr)| (j, lowering.lower(expr))).collect()
 }
 

@@ -9,18 +9,11 @@ use super::results::Results;
 use super::schedule::{Schedule, Wishes};
 use super::shared_products::{Moved, share_products};
 use super::values::{Input, Leaves, Operation, Value, Values};
-use super::{Arguments, Entries, Kernel, Operations, Receiver, Tree};
+use super::{Entries, Kernel, Operations, Tree};
 use crate::dynamics::EquationsOfMotion;
+use crate::kernel_id::{Argument, Arguments, KernelId};
 use crate::symbolic::{Expr, Symbol};
 use rustc_hash::FxHashMap;
-
-/// The name and documentation of a kernel.
-pub(super) struct Head {
-    pub(super) name: &'static str,
-    pub(super) docs: String,
-    pub(super) receiver: Receiver,
-    pub(super) arguments: Arguments,
-}
 
 /// The source of a kernel.
 struct Task<'a> {
@@ -106,27 +99,36 @@ impl<'a> Planner<'a> {
     }
 
     pub(super) fn lowering(&self) -> Lowering<'_> {
-        Lowering::new(&self.equations.model.graph, &self.inputs, &self.definitions, self.alternatives, &self.divisors)
+        Lowering::new(&self.equations.graph, &self.inputs, &self.definitions, self.alternatives, &self.divisors)
     }
 
     /// A kernel of its own, of the mechanism.
-    pub(super) fn kernel(
-        &self,
-        name: &'static str,
-        arguments: Arguments,
-        docs: String,
-        wanted: impl FnOnce(&mut Lowering) -> Results<Value>,
-    ) -> Kernel {
+    pub(super) fn kernel(&self, id: KernelId, wanted: impl FnOnce(&mut Lowering) -> Results<Value>) -> Kernel {
         let mut lowering = self.lowering();
         let results = wanted(&mut lowering);
-        let head = Head { name, docs, receiver: Receiver::Mechanism, arguments };
-        self.finish(head, &lowering, &results, &Notes::default(), Leaves::default())
+        self.finish(id, &lowering, &results, &Notes::default(), Leaves::default())
+    }
+
+    /// What a kernel computes, with the sizes of this mechanism; `more` is said of this kernel alone.
+    pub(super) fn documentation(&self, kernel: KernelId, len: usize, more: &[(&str, String)]) -> String {
+        let model = &self.equations.model;
+        let rows_left = self.equations.speeds.as_ref().map_or(0, |speeds| speeds.rows.len());
+        let sizes = [
+            ("n", model.coordinates.len()),
+            ("m", model.constraints.len()),
+            ("p", model.parameters.len()),
+            ("k", model.speeds.len()),
+            ("r", rows_left),
+            ("len", len),
+        ];
+        let sizes = sizes.map(|(word, size)| (word, size.to_string()));
+        kernel.documentation(&[sizes.as_slice(), more].concat())
     }
 
     /// The kernel that returns `results`; `leaves` are known beside the inputs.
     pub(super) fn finish(
         &self,
-        head: Head,
+        id: KernelId,
         lowering: &Lowering,
         results: &Results<Value>,
         notes: &Notes,
@@ -138,31 +140,31 @@ impl<'a> Planner<'a> {
             None => {
                 let task =
                     Task { results: results.map(&mut |value| *value), first: notes.order().collect(), wishes, leaves };
-                self.write(head, &lowering.values, task)
+                self.write(id, &lowering.values, task)
             }
             Some(shared) => {
                 let task = Task::moved(&shared.moved, results, notes, wishes, leaves);
-                self.write(head, &shared.values, task)
+                self.write(id, &shared.values, task)
             }
         }
     }
 
     /// The kernel as statements.
-    fn write(&self, head: Head, values: &Values, task: Task) -> Kernel {
+    fn write(&self, id: KernelId, values: &Values, task: Task) -> Kernel {
         let Task { results, first, wishes, mut leaves } = task;
         let roots: Vec<Value> = results.entries().into_iter().copied().collect();
         let mut names = Names::new();
-        if head.arguments == Arguments::GeneralizedSpeeds {
-            names.unique("u");
+        if id.signature().arguments == Arguments::GeneralizedSpeeds {
+            names.unique(Argument::GeneralizedSpeeds.name());
         }
         let entries = self.name_inputs(values, &roots, &mut names, &mut leaves);
         let schedule = Schedule::new(values, &first, &roots, &wishes, &leaves, names);
         let results = results.map(&mut |value| schedule.tree(*value));
         let statements = schedule.statements;
         let operations = Operations::of(&statements, &results);
-        let Head { name, docs, receiver, arguments } = head;
+        let docs = self.documentation(id, results.vector_len(), &[]);
         let (pieces, statements) = split(shorten_lifetimes(statements, &results), &results);
-        Kernel { name, docs, receiver, arguments, entries, pieces, statements, results, operations }
+        Kernel { id, docs, entries, pieces, statements, results, operations }
     }
 
     /// Names for values: those of the user, then those of the method. The first wish for a value wins.
@@ -232,7 +234,7 @@ fn labels(equations: &EquationsOfMotion) -> Vec<(Expr, String)> {
     let model = &equations.model;
     let mut labels: Vec<(Expr, String)> = model.named.iter().map(|(name, expr)| (*expr, name.clone())).collect();
     labels.extend(
-        model.inputs.iter().filter_map(|input| Some((model.graph.existing(input.symbol)?, input.name.clone()))),
+        model.inputs.iter().filter_map(|input| Some((equations.graph.existing(input.symbol)?, input.name.clone()))),
     );
     for y in &equations.intermediates {
         let rates = [y.definition.position, y.definition.velocity, y.definition.convective];
@@ -246,9 +248,9 @@ fn labels(equations: &EquationsOfMotion) -> Vec<(Expr, String)> {
     for (row, constraint) in equations.constraints.jacobian.iter().zip(&model.constraints) {
         labels.extend(row.iter().enumerate().map(|(j, expr)| (*expr, format!("{}_by_{}", constraint.name, names[j]))));
     }
-    labels.extend(model.graph.look_ups().into_iter().map(|(expr, table, order)| {
+    labels.extend(equations.graph.look_ups().into_iter().map(|(expr, table, order)| {
         let derivative = ["", "_slope", "_curvature", "_third"][usize::from(order).min(3)];
-        (expr, format!("{}{derivative}", model.graph.table(table).name))
+        (expr, format!("{}{derivative}", equations.graph.table(table).name))
     }));
     labels
 }

@@ -5,58 +5,56 @@ use super::lower::Lowering;
 use super::motion::Motion;
 use super::names::Names;
 use super::notes::Notes;
-use super::planner::{Head, Planner};
-use super::results::{REFUSED, Record, Results};
+use super::planner::Planner;
+use super::results::Results;
 use super::schedule::derived_name;
 use super::speeds;
 use super::values::{Input, Leaves, Operation, Value, Values};
-use super::{Arguments, Kernel, Name, Receiver, Tree};
+use super::{Kernel, Name, Tree};
+use crate::kernel_id::{KernelId, Record};
 use indexmap::IndexMap;
 use std::collections::BTreeSet;
 
 /// `prepare`, and the kernels of what it returns.
 pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     let (mut lowering, mut motion) = cheapest(planner);
-    let mut planned = vec![("dynamics", dynamics_docs(planner, &motion), motion.dynamics())];
+    let mut planned = vec![(KernelId::Dynamics, motion.dynamics())];
     if let Some(inverse) = &planner.equations.inverse {
-        let forces = Results::Vector(lowering.lower_all(&inverse.forces));
-        planned.push(("inverse_dynamics", inverse_docs(planner), forces));
+        planned.push((KernelId::InverseDynamics, Results::Vector(lowering.lower_all(&inverse.forces))));
     }
     if let Some(columns) = &motion.form.by_state {
-        planned.push(("dynamics_jacobian", jacobian_docs(planner), motion.jacobian(&mut lowering, columns)));
+        planned.push((KernelId::DynamicsJacobian, motion.jacobian(&mut lowering, columns)));
     }
     if let Some(columns) = &motion.form.by_parameters {
-        planned.push(("dynamics_sensitivity", sensitivity_docs(planner), motion.sensitivity(&mut lowering, columns)));
+        planned.push((KernelId::DynamicsSensitivity, motion.sensitivity(&mut lowering, columns)));
     }
     let mut notes = std::mem::take(&mut motion.notes);
     if let Some(speeds) = &planner.equations.speeds {
-        planned.extend(speeds::kernels(&planner.equations.model, speeds, &mut lowering, &mut notes));
+        planned.extend(speeds::kernels(
+            &planner.equations.graph,
+            &planner.equations.model,
+            speeds,
+            &mut lowering,
+            &mut notes,
+        ));
     }
-    let roots: Vec<Value> = planned.iter().flat_map(|(_, _, results)| results.entries()).copied().collect();
+    let roots: Vec<Value> = planned.iter().flat_map(|(_, results)| results.entries()).copied().collect();
     let fields = fields(planner, &lowering, &notes, &roots);
     let leaves: Leaves = fields.iter().map(|(name, value)| (*value, Tree::Field(name.clone()))).collect();
-    let head = Head {
-        name: "prepare",
-        docs: "What the equations of motion need of the parameters, computed once for a set of parameters.".into(),
-        receiver: Receiver::Mechanism,
-        arguments: Arguments::Parameters,
-    };
     let results = fields.into_iter().map(|(name, value)| (name.to_string(), Results::Scalar(value))).collect();
     let prepare = planner.finish(
-        head,
+        KernelId::Prepare,
         &lowering,
         &Results::Record(Record::Prepared, results),
         &Notes::default(),
         Leaves::default(),
     );
-    let kernels = planned.into_iter().map(|(name, docs, results)| {
-        let arguments = match name {
-            "inverse_dynamics" => Arguments::Accelerations,
-            "kinematics" | "speed_dynamics" => Arguments::GeneralizedSpeeds,
-            _ => Arguments::Speeds,
-        };
-        let head = Head { name, docs, receiver: Receiver::Prepared, arguments };
-        planner.finish(head, &lowering, &results, &notes, leaves.clone())
+    let kernels = planned.into_iter().map(|(kernel, results)| {
+        let finished = planner.finish(kernel, &lowering, &results, &notes, leaves.clone());
+        match kernel == KernelId::Dynamics {
+            true => Kernel { docs: dynamics_docs(planner, &motion), ..finished },
+            false => finished,
+        }
     });
     [prepare].into_iter().chain(kernels).collect()
 }
@@ -141,46 +139,11 @@ fn name_fields(planner: &Planner, lowering: &Lowering, notes: &Notes, fields: BT
     named.into_iter().map(|(value, name)| (name, value)).collect()
 }
 
-fn sizes(planner: &Planner) -> [usize; 3] {
-    let model = &planner.equations.model;
-    [model.coordinates.len(), model.constraints.len(), model.parameters.len()]
-}
-
 fn dynamics_docs(planner: &Planner, motion: &Motion) -> String {
-    let [n, m, _] = sizes(planner);
     let turned = match motion.form.turns.len() {
         0 => "",
         1 => ", with two constraint rows turned along and across a link",
         _ => ", with pairs of constraint rows turned along and across links",
     };
-    format!(
-        "Accelerations ({n}), multipliers ({m}) and power, from\n\n```text\n\
-         [ T_q' M T_q   C_q' ] [ q''    ]   [ T_q' (F - M g)                      ]\n\
-         [ C_q          0    ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t       ]\n```\n\n\
-         by an elimination planned from the structure of the system{turned}. {REFUSED}: solve that state from the other kernels."
-    )
-}
-
-fn inverse_docs(planner: &Planner) -> String {
-    let [n, ..] = sizes(planner);
-    format!(
-        "Inverse dynamics `T_q' (M x'' - F)`, {n}: the forces along the coordinates that must be added for these accelerations \
-         where there are no constraints, joules per unit of each coordinate."
-    )
-}
-
-fn jacobian_docs(planner: &Planner) -> String {
-    let [n, m, _] = sizes(planner);
-    format!(
-        "The derivatives of accelerations ({n} rows) and multipliers ({m} rows) with respect to coordinates and speeds \
-         ({n} columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. {REFUSED}."
-    )
-}
-
-fn sensitivity_docs(planner: &Planner) -> String {
-    let [n, m, p] = sizes(planner);
-    format!(
-        "The derivatives of accelerations ({n} rows) and multipliers ({m} rows) with respect to the parameters ({p} \
-         columns): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. {REFUSED}."
-    )
+    planner.documentation(KernelId::Dynamics, 0, &[("turned", turned.to_owned())])
 }

@@ -147,7 +147,7 @@ fn plus_inner(
 ) -> Value {
     let mut terms = vec![(false, value)];
     for (entry, rate) in row.iter().zip(rates) {
-        if !equations.model.graph.is_zero(*entry) && !lowering.values.is_zero(*rate) {
+        if !equations.graph.is_zero(*entry) && !lowering.values.is_zero(*rate) {
             let entry = lowering.lower(*entry);
             terms.push((false, lowering.values.product(vec![entry, *rate])));
         }

@@ -1,5 +1,7 @@
 //! The results of a kernel, over expressions, values or trees.
 
+use crate::kernel_id::Record;
+
 /// The results of a kernel.
 pub enum Results<T> {
     /// One number.
@@ -17,34 +19,15 @@ pub enum Results<T> {
     Refused(Option<Vec<(T, T)>>),
 }
 
-/// The structs that kernels return.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Record {
-    /// The start.
-    Initial,
-    /// C, C_q and C_t.
-    ConstraintLinearization,
-    /// The solved equations of motion.
-    Dynamics,
-    /// Their derivatives with respect to the state.
-    DynamicsJacobian,
-    /// Their derivatives with respect to the parameters.
-    DynamicsSensitivity,
-    /// q' of generalised speeds.
-    Kinematics,
-    /// The equations of motion in generalised speeds, solved.
-    SpeedDynamics,
-    /// The prepared values that `dynamics` needs of the parameters.
-    Prepared,
-}
-
-/// The documentation of kernels with [`Results::Refused`].
-pub(super) const REFUSED: &str = "Where `refused` is set a pivot was too small and nothing else holds";
-
 impl<T> Results<T> {
     /// A struct of fields in order.
     pub(super) fn record<const N: usize>(record: Record, fields: [(&str, Results<T>); N]) -> Results<T> {
         Results::Record(record, fields.into_iter().map(|(name, field)| (name.to_owned(), field)).collect())
+    }
+
+    /// How many entries a vector has; 0 of anything else.
+    pub(super) fn vector_len(&self) -> usize {
+        if let Results::Vector(entries) = self { entries.len() } else { 0 }
     }
 
     /// Every entry, in order.

@@ -4,40 +4,43 @@ use super::eliminate::{Factors, System, Unknown, factorise};
 use super::lower::Lowering;
 use super::motion::{entries, right_hand_side};
 use super::notes::Notes;
-use super::results::{REFUSED, Record, Results};
+use super::results::Results;
 use super::values::Value;
 use crate::dynamics::order::Multipliers;
 use crate::dynamics::{Block, Solution, SpeedEquations};
+use crate::kernel_id::{KernelId, Record};
 use crate::model::Model;
+use crate::symbolic::Graph;
 
 /// Pivots, each with the scale for its cancellation; none without an elimination.
 type Pivots = Option<Vec<(Value, Value)>>;
 
-/// `kinematics` and `speed_dynamics`, each with its name and documentation.
+/// `kinematics` and `speed_dynamics`.
 pub(super) fn kernels(
+    graph: &Graph,
     model: &Model,
     equations: &SpeedEquations,
     lowering: &mut Lowering,
     notes: &mut Notes,
-) -> [(&'static str, String, Results<Value>); 2] {
-    let pivots = solve_blocks(model, &equations.kinematics.blocks, lowering, notes);
+) -> [(KernelId, Results<Value>); 2] {
+    let pivots = solve_blocks(graph, model, &equations.kinematics.blocks, lowering, notes);
     let rates = lowering.lower_all(&equations.kinematics.rates);
     let kinematics = Results::record(
         Record::Kinematics,
         [("rates", Results::Vector(rates)), ("refused", Results::Refused(pivots.clone()))],
     );
-    let dynamics = dynamics(model, equations, pivots, lowering, notes);
-    [("kinematics", kinematics_docs(model), kinematics), ("speed_dynamics", dynamics_docs(model, equations), dynamics)]
+    let dynamics = dynamics(graph, model, equations, pivots, lowering, notes);
+    [(KernelId::Kinematics, kinematics), (KernelId::SpeedDynamics, dynamics)]
 }
 
 /// Sets the values of the rates that are solved for at run time, and of their derivatives.
-fn solve_blocks(model: &Model, blocks: &[Block], lowering: &mut Lowering, notes: &mut Notes) -> Pivots {
+fn solve_blocks(graph: &Graph, model: &Model, blocks: &[Block], lowering: &mut Lowering, notes: &mut Notes) -> Pivots {
     let factors: Vec<Option<Factors>> =
-        blocks.iter().map(|block| factorise_block(model, block, lowering, notes)).collect();
+        blocks.iter().map(|block| factorise_block(graph, model, block, lowering, notes)).collect();
     let mut solve = |factors: &Option<Factors>, solution: &Solution| {
         let right_hand_side = lowering.lower_all(&solution.right_hand_side);
         let solved = solve(factors.as_ref(), right_hand_side, lowering, &mut |_, _| ());
-        let names = solution.symbols.iter().map(|symbol| model.graph.symbol_name(*symbol).to_owned());
+        let names = solution.symbols.iter().map(|symbol| graph.symbol_name(*symbol).to_owned());
         solved.iter().zip(names).for_each(|(value, name)| notes.name(*value, name));
         lowering.replace(solution.symbols.iter().copied().zip(solved).collect());
     };
@@ -53,9 +56,15 @@ fn solve_blocks(model: &Model, blocks: &[Block], lowering: &mut Lowering, notes:
     all.map(distinct_pivots)
 }
 
-fn factorise_block(model: &Model, block: &Block, lowering: &mut Lowering, notes: &mut Notes) -> Option<Factors> {
+fn factorise_block(
+    graph: &Graph,
+    model: &Model,
+    block: &Block,
+    lowering: &mut Lowering,
+    notes: &mut Notes,
+) -> Option<Factors> {
     let names: Vec<String> = block.coordinates.iter().map(|j| format!("{}_dot", model.coordinates[*j].name)).collect();
-    let entries = entries(lowering, &model.graph, &block.matrix, &[], std::iter::empty());
+    let entries = entries(lowering, graph, &block.matrix, &[], std::iter::empty());
     let unknowns = names.iter().map(|_| Unknown::Coordinate).collect();
     factorise(&mut lowering.values, &System { unknowns, entries, multipliers: Multipliers::Last }, &names, notes)
 }
@@ -69,6 +78,7 @@ fn distinct_pivots(factors: Vec<Factors>) -> Vec<(Value, Value)> {
 
 /// u' and lambda.
 fn dynamics(
+    graph: &Graph,
     model: &Model,
     equations: &SpeedEquations,
     kinematic: Pivots,
@@ -80,7 +90,7 @@ fn dynamics(
     let multipliers = rows.iter().map(|row| format!("lambda_{}", model.constraints[*row].name));
     let names: Vec<String> = speeds.chain(multipliers).collect();
     let activities = rows.iter().map(|row| model.constraints[*row].activity);
-    let entries = entries(lowering, &model.graph, &tmt.mass_matrix, jacobian, activities);
+    let entries = entries(lowering, graph, &tmt.mass_matrix, jacobian, activities);
     let coordinates = model.speeds.iter().map(|_| Unknown::Coordinate);
     let unknowns = coordinates.chain(rows.iter().map(|_| Unknown::Multiplier)).collect();
     let rhs = right_hand_side(lowering, &tmt.right_hand_side, convective);
@@ -91,7 +101,7 @@ fn dynamics(
     });
     solved.iter().zip(&names).for_each(|(value, name)| notes.name(*value, name.clone()));
     let own = factors.map(|factors| distinct_pivots(vec![factors]));
-    let refused = if needs_blocks(model, equations) {
+    let refused = if needs_blocks(graph, equations) {
         own.zip(kinematic).map(|(own, kinematic)| [own, kinematic].concat())
     } else {
         own
@@ -122,29 +132,10 @@ fn solve(
 }
 
 /// Whether the equations of motion depend on rates that are solved for at run time.
-fn needs_blocks(model: &Model, equations: &SpeedEquations) -> bool {
+fn needs_blocks(graph: &Graph, equations: &SpeedEquations) -> bool {
     let SpeedEquations { kinematics, tmt, jacobian, convective, .. } = equations;
     let matrices = tmt.mass_matrix.iter().chain(jacobian).chain([&tmt.right_hand_side, convective]);
-    let used = model.graph.symbols_of(&matrices.flatten().copied().collect::<Vec<_>>());
+    let used = graph.symbols_of(&matrices.flatten().copied().collect::<Vec<_>>());
     let mut solutions = kinematics.blocks.iter().flat_map(Block::solutions);
     solutions.any(|solution| solution.symbols.iter().any(|symbol| used.binary_search(symbol).is_ok()))
-}
-
-fn kinematics_docs(model: &Model) -> String {
-    let (n, k) = (model.coordinates.len(), model.speeds.len());
-    format!(
-        "The kinematic differential equations `q' = N u + n`: speeds ({n}) of generalised speeds `u` ({k}), from `u = W q' + w` \
-         and what they satisfy by construction. {REFUSED}: no generalised speeds determine the speeds there."
-    )
-}
-
-fn dynamics_docs(model: &Model, equations: &SpeedEquations) -> String {
-    let (k, r) = (model.speeds.len(), equations.rows.len());
-    format!(
-        "The rates of the generalised speeds ({k}) and the multipliers of those constraints that they do not satisfy by \
-         construction ({r}), from Kane's equations\n\n```text\n\
-         [ N' M N  N' C_q' ] [ u'     ]   [ N' (Q - h - M c)                       ]\n\
-         [ C_q N   0       ] [ lambda ] = [ -(C_q q' + C_t)_q q' - (..)_t - C_q c  ]\n```\n\n\
-         with `M = T_q' M T_q`, `h = T_q' M g`, `Q = T_q' F`, and `c` the accelerations where `u' = 0`. {REFUSED}."
-    )
 }

@@ -6,7 +6,7 @@
 mod expression;
 mod random;
 
-use codegen::model::Model;
+use codegen::model::Resolved;
 use codegen::symbolic::{Symbol, evaluate};
 use expression::{Dimension, Expression, expression, mutate, unit};
 use random::Random;
@@ -47,14 +47,14 @@ fn declaration(expression: &Expression, of: Dimension, system: &System, with_uni
     )
 }
 
-fn resolve(text: &str) -> Result<Model, Vec<String>> {
+fn resolve(text: &str) -> Result<Resolved, Vec<String>> {
     let tokens = text.parse().unwrap();
-    let model = codegen::parse(tokens).and_then(|declaration| codegen::model::resolve(&declaration));
-    model.map_err(|mistakes| mistakes.into_iter().map(|mistake| mistake.to_string()).collect())
+    let resolved = codegen::parse(tokens).and_then(|declaration| codegen::model::resolve(&declaration));
+    resolved.map_err(|mistakes| mistakes.into_iter().map(|mistake| mistake.to_string()).collect())
 }
 
 /// The value of the output at a state that is the same in every system.
-fn value(model: &Model, state: u64, system: &System) -> f64 {
+fn value(Resolved { model, graph, .. }: &Resolved, state: u64, system: &System) -> f64 {
     let mut random = Random(state);
     let mut draw = |dimension: Dimension| random.between(0.3, 2.0) * dimension.size(system);
     let time = Dimension([0, 0, 1]);
@@ -67,7 +67,7 @@ fn value(model: &Model, state: u64, system: &System) -> f64 {
     for (parameter, (_, dimension)) in model.parameters.iter().zip(&NAMES[2..]) {
         values.insert(parameter.symbol, draw(*dimension));
     }
-    evaluate(&model.graph, &[model.outputs[0].value], |symbol| values[&symbol])[0]
+    evaluate(graph, &[model.outputs[0].value], |symbol| values[&symbol])[0]
 }
 
 /// Whether the output scales as its dimension says; `None` where it has no value to compare.

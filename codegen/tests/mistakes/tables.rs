@@ -194,7 +194,7 @@ fn in_file(text: &str) -> Result<usize, String> {
     let read = codegen::dsl::read_files(tokens, folder).and_then(|(tokens, files)| {
         assert_eq!(files, ["rows_of_a_table.csv"]);
         let equations = codegen::equations(tokens)?;
-        Ok(equations.model.graph.tables()[0].knots.len())
+        Ok(equations.graph.tables()[0].knots.len())
     });
     read.map_err(|mistake| format!("{}:{} {mistake}", mistake.span().start().line, mistake.span().start().column + 1))
 }

@@ -83,7 +83,7 @@ fn check(reader: &Reader, equations_of_motion: &EquationsOfMotion) {
     let parts = equations(equations_of_motion, reader.notation);
     let mut written = Written::default();
     parts.iter().filter(|part| part.name != "system").for_each(|part| (reader.split)(&part.text, &mut written));
-    let graph = &equations_of_motion.model.graph;
+    let graph = &equations_of_motion.graph;
     let mut seed = 1;
     for _ in 0..5 {
         let roots: Vec<Expr> = matrices(equations_of_motion).into_iter().flat_map(|(_, rows)| rows.concat()).collect();

@@ -5,10 +5,12 @@ use super::lines::{ended, lines};
 use super::unit::declared_unit;
 use super::words::{accept_word, colon, docs, equals, expect_word, keyword, name};
 use crate::dsl::region::here;
+use crate::dsl::vocabulary::{BodyWord, ShapeWord};
 use crate::dsl::{
-    Auxiliary, Body, Coordinate, GeneralizedSpeed, Initial, InitialKind, Let, Mark, OptionalKernel, Output,
-    OutputGroup, Parameter, Region, Shape,
+    Auxiliary, Body, Coordinate, GeneralizedSpeed, Initial, InitialKind, Let, Mark, Output, OutputGroup, Parameter,
+    Region, Shape,
 };
+use crate::kernel_id::KernelId;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 use syn::{Ident, LitStr, Token};
@@ -85,23 +87,20 @@ pub(super) fn body(input: ParseStream) -> Result<Body> {
     colon(input, "a body is written `name: mass m at G, inertia J, angle phi;`")?;
     let mut body = Body { name, mass: None, inertia: None, angle: None, attitude: None, free: None };
     loop {
-        let word = keyword(input, &["mass", "inertia", "angle", "attitude", "free"])?;
-        if word == "free" {
-            body.free = Some(Region::from(&word));
-            match input.parse::<Option<Token![,]>>()? {
-                Some(_) => continue,
-                None => return Ok(body),
-            }
-        }
-        let value = expression(input)?;
-        let twice = match word.to_string().as_str() {
-            "mass" => {
+        let (word, clause) = keyword(input)?;
+        let twice = match clause {
+            BodyWord::Mass => {
+                let mass = expression(input)?;
                 let position = if accept_word(input, "at")? { Some(expression(input)?) } else { None };
-                body.mass.replace((value, position)).is_some()
+                body.mass.replace((mass, position)).is_some()
             }
-            "inertia" => body.inertia.replace(value).is_some(),
-            "attitude" => body.attitude.replace(value).is_some(),
-            _ => body.angle.replace(value).is_some(),
+            BodyWord::Inertia => body.inertia.replace(expression(input)?).is_some(),
+            BodyWord::Angle => body.angle.replace(expression(input)?).is_some(),
+            BodyWord::Attitude => body.attitude.replace(expression(input)?).is_some(),
+            BodyWord::Free => {
+                body.free = Some(Region::from(&word));
+                false
+            }
         };
         if twice {
             return Err(syn::Error::new(word.span(), format!("body `{}` has its {word} twice", body.name)));
@@ -174,50 +173,37 @@ fn output_after_name(input: ParseStream, docs: String, name: Ident) -> Result<Ou
 
 pub(super) fn shape(input: ParseStream) -> Result<Shape> {
     docs(input)?;
-    let word = keyword(input, &["line", "slider", "ground", "point", "circle", "curve", "spring", "damper", "trace"])?;
+    let (word, shape) = keyword(input)?;
     let first = expression(input)?;
-    match word.to_string().as_str() {
-        "slider" => {
+    let (mark, ends) = match shape {
+        ShapeWord::Slider => {
             expect_word(input, "along", "slider A along beta;")?;
-            Ok(Shape::Slider { at: first, along: expression(input)? })
+            return Ok(Shape::Slider { at: first, along: expression(input)? });
         }
-        "circle" => {
+        ShapeWord::Circle => {
             expect_word(input, "radius", "circle O radius r;")?;
             let radius = expression(input)?;
             let normal = if accept_word(input, "normal")? { Some(expression(input)?) } else { None };
-            Ok(Shape::Circle { at: first, radius, normal })
+            return Ok(Shape::Circle { at: first, radius, normal });
         }
-        name => {
-            let mut points = vec![first];
-            while input.parse::<Option<Token![,]>>()?.is_some() {
-                points.push(expression(input)?);
-            }
-            let mark = mark(name);
-            if matches!(mark, Mark::Spring | Mark::Damper) && points.len() != 2 {
-                return Err(syn::Error::new(word.span(), format!("a drawn {name} has two ends: `{name} A, B;`")));
-            }
-            Ok(Shape::Points { mark, points })
-        }
+        ShapeWord::Line => (Mark::Line, None),
+        ShapeWord::Curve => (Mark::Curve, None),
+        ShapeWord::Ground => (Mark::Ground, None),
+        ShapeWord::Point => (Mark::Point, None),
+        ShapeWord::Trace => (Mark::Trace, None),
+        ShapeWord::Spring => (Mark::Spring, Some(2)),
+        ShapeWord::Damper => (Mark::Damper, Some(2)),
+    };
+    let mut points = vec![first];
+    while input.parse::<Option<Token![,]>>()?.is_some() {
+        points.push(expression(input)?);
     }
+    if ends.is_some_and(|ends| points.len() != ends) {
+        return Err(syn::Error::new(word.span(), format!("a drawn {word} has two ends: `{word} A, B;`")));
+    }
+    Ok(Shape::Points { mark, points })
 }
 
-fn mark(name: &str) -> Mark {
-    match name {
-        "line" => Mark::Line,
-        "curve" => Mark::Curve,
-        "spring" => Mark::Spring,
-        "damper" => Mark::Damper,
-        "ground" => Mark::Ground,
-        "trace" => Mark::Trace,
-        _ => Mark::Point,
-    }
-}
-
-pub(super) fn kernel(input: ParseStream) -> Result<OptionalKernel> {
-    let name = keyword(input, &["dynamics_jacobian", "dynamics_sensitivity", "inverse_dynamics"])?;
-    Ok(match name.to_string().as_str() {
-        "dynamics_jacobian" => OptionalKernel::DynamicsJacobian,
-        "dynamics_sensitivity" => OptionalKernel::DynamicsSensitivity,
-        _ => OptionalKernel::InverseDynamics,
-    })
+pub(super) fn kernel(input: ParseStream) -> Result<KernelId> {
+    Ok(keyword(input)?.1)
 }

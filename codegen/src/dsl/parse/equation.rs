@@ -2,6 +2,7 @@
 
 use super::expression::expression;
 use super::words::{accept_word, colon, docs, equals, keyword, name};
+use crate::dsl::vocabulary::ActivityWord;
 use crate::dsl::{Activity, Equation};
 use syn::parse::{ParseStream, Result};
 
@@ -25,6 +26,8 @@ pub(super) fn initially(input: ParseStream) -> Result<Option<Activity>> {
     if !accept_word(input, "initially")? {
         return Ok(None);
     }
-    let word = keyword(input, &["active", "released"])?;
-    Ok(Some(if word == "active" { Activity::Active } else { Activity::Released }))
+    Ok(Some(match keyword(input)?.1 {
+        ActivityWord::Active => Activity::Active,
+        ActivityWord::Released => Activity::Released,
+    }))
 }

@@ -5,6 +5,7 @@ use super::expression::expression;
 use super::lines::{ended, lines};
 use super::words::{accept_word, docs, equals, keyword, name};
 use crate::dsl::region::here;
+use crate::dsl::vocabulary::ActionWord;
 use crate::dsl::{Action, Activity, Direction, Event, Region};
 use syn::parse::{ParseStream, Result};
 use syn::{Ident, LitInt, Token};
@@ -41,29 +42,31 @@ fn direction(input: ParseStream) -> Result<Option<Direction>> {
 
 fn action(input: ParseStream) -> Result<Action> {
     docs(input)?;
-    let word = keyword(input, &["record", "stop", "set", "swap", "activate", "release", "impact"])?;
-    match word.to_string().as_str() {
-        "record" => Ok(Action::Record),
-        "stop" => stop(input, Region::from(&word)),
-        "set" => set(input),
-        "swap" => {
+    let (word, action) = keyword(input)?;
+    match action {
+        ActionWord::Record => Ok(Action::Record),
+        ActionWord::Stop => stop(input, Region::from(&word)),
+        ActionWord::Set => set(input),
+        ActionWord::Swap => {
             let first = name(input, "a coordinate: `swap q1, q2;`")?;
             if input.parse::<Option<Token![,]>>()?.is_none() {
                 return Err(here(input, "two coordinates are swapped: `swap q1, q2;`"));
             }
             Ok(Action::Swap(first, name(input, "a coordinate: `swap q1, q2;`")?))
         }
-        "impact" => {
+        ActionWord::Impact => {
             let constraint = name(input, "the name of a constraint: `impact floor restitution e;`")?;
             let restitution = if accept_word(input, "restitution")? { Some(expression(input)?) } else { None };
             Ok(Action::Impact { constraint, restitution })
         }
-        _ => {
-            let constraint = name(input, &format!("the name of a constraint: `{word} contact;`"))?;
-            let to = if word == "activate" { Activity::Active } else { Activity::Released };
-            Ok(Action::Switch { constraint, to })
-        }
+        ActionWord::Activate => switch(input, &word, Activity::Active),
+        ActionWord::Release => switch(input, &word, Activity::Released),
     }
+}
+
+fn switch(input: ParseStream, word: &Ident, to: Activity) -> Result<Action> {
+    let constraint = name(input, &format!("the name of a constraint: `{word} contact;`"))?;
+    Ok(Action::Switch { constraint, to })
 }
 
 fn stop(input: ParseStream, place: Region) -> Result<Action> {

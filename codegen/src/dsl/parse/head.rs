@@ -1,8 +1,8 @@
 //! The head of a declaration.
 
-use super::blocks::BLOCKS;
 use super::words::{docs, name};
 use crate::dsl::region::here;
+use crate::dsl::vocabulary::{Block, Word};
 use crate::dsl::{Head, limits};
 use proc_macro2::{TokenStream, TokenTree};
 use syn::ext::IdentExt;
@@ -28,7 +28,7 @@ pub(super) fn head(input: ParseStream) -> Result<Head> {
     let docs = docs(input)?;
     let visibility: Visibility = input.parse()?;
     let name = name(input, FORM).map_err(|e| syn::Error::new(e.span(), FORM))?;
-    if BLOCKS.iter().any(|block| name == block) {
+    if Block::of(&name.to_string()).is_some() {
         return Err(syn::Error::new(name.span(), FORM));
     }
     let taken = match name.unraw().to_string().as_str() {

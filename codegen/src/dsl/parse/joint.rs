@@ -5,6 +5,7 @@ use super::expression::expression;
 use super::spatial_joint::{rolling, spatial_joint};
 use super::words::{accept_word, colon, docs, expect_word, keyword, name};
 use crate::dsl::region::here;
+use crate::dsl::vocabulary::JointWord;
 use crate::dsl::{Expression, Guide, Joint, JointKind, Kind, SpatialKind};
 use syn::Ident;
 use syn::ext::IdentExt;
@@ -18,23 +19,29 @@ pub(super) fn joint(input: ParseStream) -> Result<Joint> {
     let docs = docs(input)?;
     let name = name(input, FORM)?;
     colon(input, FORM)?;
-    let known = ["pin", "link", "slot", "slide", "gear", "rack", "cam", "roll"];
-    let word = keyword(input, &[&known, SpatialKind::WORDS.as_slice()].concat())?;
-    if let Some(kind) = SpatialKind::of(&word.to_string()) {
-        let joint = spatial_joint(input, kind)?;
-        return Ok(Joint { docs, name, kind: JointKind::Spatial(Box::new(joint)), initially: initially(input)? });
-    }
-    let kind = match word.to_string().as_str() {
-        "pin" => pin(input)?,
-        "link" => link(input)?,
-        "slot" => JointKind::Slot(expression(input)?, guide(input, "slot P through O along beta;")?),
-        "slide" => JointKind::Slide(body(input)?, guide(input, "slide rod through O along beta;")?),
-        "gear" => gear(input)?,
-        "rack" => rack(input)?,
-        "cam" => cam(input)?,
-        _ => roll(input)?,
+    let kind = match keyword(input)?.1 {
+        JointWord::Pin => pin(input)?,
+        JointWord::Link => link(input)?,
+        JointWord::Slot => JointKind::Slot(expression(input)?, guide(input, "slot P through O along beta;")?),
+        JointWord::Slide => JointKind::Slide(body(input)?, guide(input, "slide rod through O along beta;")?),
+        JointWord::Gear => gear(input)?,
+        JointWord::Rack => rack(input)?,
+        JointWord::Cam => cam(input)?,
+        JointWord::Roll => roll(input)?,
+        JointWord::Ball => spatial(input, SpatialKind::Ball)?,
+        JointWord::Revolute => spatial(input, SpatialKind::Revolute)?,
+        JointWord::Cylindrical => spatial(input, SpatialKind::Cylindrical)?,
+        JointWord::Prismatic => spatial(input, SpatialKind::Prismatic)?,
+        JointWord::Universal => spatial(input, SpatialKind::Universal)?,
+        JointWord::Planar => spatial(input, SpatialKind::Planar)?,
+        JointWord::Screw => spatial(input, SpatialKind::Screw)?,
+        JointWord::Weld => spatial(input, SpatialKind::Weld)?,
     };
     Ok(Joint { docs, name, kind, initially: initially(input)? })
+}
+
+fn spatial(input: ParseStream, kind: SpatialKind) -> Result<JointKind> {
+    Ok(JointKind::Spatial(Box::new(spatial_joint(input, kind)?)))
 }
 
 fn body(input: ParseStream) -> Result<Ident> {

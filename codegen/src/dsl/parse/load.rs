@@ -3,26 +3,25 @@
 use super::expression::expression;
 use super::words::{accept_word, docs, expect_word, keyword};
 use crate::dsl::region::here;
+use crate::dsl::vocabulary::{LoadWord, RestWord};
 use crate::dsl::{Element, Expression, Extent, Kind, Law, Load, Region};
 use syn::parse::{ParseStream, Result};
 use syn::{Ident, Token};
-
-const WORDS: [&str; 8] = ["force", "torque", "gravity", "potential", "dissipation", "spring", "damper", "friction"];
 
 const SPRING: &str = "spring k, length l0 from A to B;` or `spring k, rest phi0 between alpha and beta;";
 
 pub(super) fn load(input: ParseStream) -> Result<Load> {
     docs(input)?;
-    let word = keyword(input, &WORDS)?;
-    match word.to_string().as_str() {
-        "force" => force(input, &word),
-        "torque" => torque(input, &word),
-        "gravity" => Ok(Load::Gravity { keyword: (&word).into(), acceleration: expression(input)? }),
-        "potential" => Ok(Load::Potential(expression(input)?)),
-        "dissipation" => Ok(Load::Dissipation(expression(input)?)),
-        "spring" => spring(input, &word),
-        "friction" => friction(input, &word),
-        _ => {
+    let (word, load) = keyword(input)?;
+    match load {
+        LoadWord::Force => force(input, &word),
+        LoadWord::Torque => torque(input, &word),
+        LoadWord::Gravity => Ok(Load::Gravity { keyword: (&word).into(), acceleration: expression(input)? }),
+        LoadWord::Potential => Ok(Load::Potential(expression(input)?)),
+        LoadWord::Dissipation => Ok(Load::Dissipation(expression(input)?)),
+        LoadWord::Spring => spring(input, &word),
+        LoadWord::Friction => friction(input, &word),
+        LoadWord::Damper => {
             let law = Law::Damper(expression(input)?);
             element(input, &word, law, "damper c from A to B;")
         }
@@ -54,19 +53,19 @@ fn spring(input: ParseStream, word: &Ident) -> Result<Load> {
     if input.parse::<Option<Token![,]>>()?.is_none() {
         return Err(here(input, format!("a spring needs a `length` or a `rest` where it exerts no force: `{SPRING}`")));
     }
-    let measure = keyword(input, &["length", "rest"])?;
+    let (word_of_rest, measure) = keyword(input)?;
     let rest = expression(input)?;
     let load = element(input, word, Law::Spring(law, rest), SPRING)?;
     let between_points = matches!(&load, Load::Element(e) if matches!(e.extent, Extent::Distance(..)));
-    match (between_points, measure == "length") {
-        (true, false) => {
-            Err(syn::Error::new(measure.span(), format!("a spring between points has a `length`: `{SPRING}`")))
+    match (between_points, measure) {
+        (true, RestWord::Rest) => {
+            Err(syn::Error::new(word_of_rest.span(), format!("between points a spring has a `length`: `{SPRING}`")))
         }
-        (false, true) => Err(syn::Error::new(
-            measure.span(),
+        (false, RestWord::Length) => Err(syn::Error::new(
+            word_of_rest.span(),
             format!("a `length` belongs to a spring between points; write `rest` here: `{SPRING}`"),
         )),
-        _ => Ok(load),
+        (true, RestWord::Length) | (false, RestWord::Rest) => Ok(load),
     }
 }
 

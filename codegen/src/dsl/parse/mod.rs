@@ -1,7 +1,6 @@
 //! The blocks of a declaration. A mistake in one line does not hide the next.
 
 mod block;
-mod blocks;
 mod equation;
 mod event;
 mod expression;
@@ -19,8 +18,9 @@ pub use unit::parse_unit;
 
 use super::Declaration;
 use super::region::here;
+use super::vocabulary::{Block, Word};
 use crate::mistakes::Mistakes;
-use blocks::BLOCKS;
+use crate::nearest;
 use head::head;
 use lines::{ended, lines, skip_line};
 use proc_macro2::TokenStream;
@@ -70,51 +70,59 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
         declaration.lets.push(ended(block::definition)(input)?);
         return Ok(());
     }
-    let list = || BLOCKS.map(|word| format!("`{word}`")).join(", ");
+    let list = || words::list::<Block>();
     let word = Ident::parse_any(input)
         .map_err(|e| syn::Error::new(e.span(), format!("expected `let` or a block: {}", list())))?;
-    if !BLOCKS.iter().any(|block| word == block) {
-        let near = crate::nearest::block(&word.to_string(), &BLOCKS);
+    let Some(block) = Block::of(&word.to_string()) else {
+        let near = near(&word.to_string());
         return Err(syn::Error::new(word.span(), format!("`{word}` is not a block{near}; blocks are {}", list())));
-    }
+    };
     if !input.peek(syn::token::Brace) {
         return Err(here(input, format!("expected `{{`: `{word} {{ .. }}`")));
     }
     let content;
     syn::braced!(content in input);
     let d = declaration;
-    match word.to_string().as_str() {
-        "coordinates" => {
+    match block {
+        Block::Coordinates => {
             d.coordinates.extend(mistakes.note(lines(&content, ended(block::coordinate))).into_iter().flatten())
         }
-        "parameters" => {
+        Block::Parameters => {
             d.parameters.extend(mistakes.note(lines(&content, ended(block::parameter))).into_iter().flatten())
         }
-        "bodies" => d.bodies.extend(mistakes.note(lines(&content, ended(block::body))).into_iter().flatten()),
-        "loads" => d.loads.extend(mistakes.note(lines(&content, ended(load::load))).into_iter().flatten()),
-        "constraints" => {
+        Block::Bodies => d.bodies.extend(mistakes.note(lines(&content, ended(block::body))).into_iter().flatten()),
+        Block::Loads => d.loads.extend(mistakes.note(lines(&content, ended(load::load))).into_iter().flatten()),
+        Block::Constraints => {
             d.constraints.extend(mistakes.note(lines(&content, ended(equation::constraint))).into_iter().flatten())
         }
-        "initial" => d.initial.extend(mistakes.note(lines(&content, ended(block::initial))).into_iter().flatten()),
-        "events" => d.events.extend(mistakes.note(lines(&content, event::event)).into_iter().flatten()),
-        "outputs" => d.outputs.extend(mistakes.note(lines(&content, block::output_group)).into_iter().flatten()),
-        "inputs" => d.inputs.extend(mistakes.note(lines(&content, ended(block::input))).into_iter().flatten()),
-        "kernels" => {
+        Block::Initial => d.initial.extend(mistakes.note(lines(&content, ended(block::initial))).into_iter().flatten()),
+        Block::Events => d.events.extend(mistakes.note(lines(&content, event::event)).into_iter().flatten()),
+        Block::Outputs => d.outputs.extend(mistakes.note(lines(&content, block::output_group)).into_iter().flatten()),
+        Block::Inputs => d.inputs.extend(mistakes.note(lines(&content, ended(block::input))).into_iter().flatten()),
+        Block::Kernels => {
             let kernels = mistakes.note(lines(&content, ended(block::kernel))).into_iter().flatten();
             d.kernels.get_or_insert_default().extend(kernels);
         }
-        "tables" => d.tables.extend(mistakes.note(lines(&content, table::table)).into_iter().flatten()),
-        "joints" => d.joints.extend(mistakes.note(lines(&content, ended(joint::joint))).into_iter().flatten()),
-        "auxiliary" => {
+        Block::Tables => d.tables.extend(mistakes.note(lines(&content, table::table)).into_iter().flatten()),
+        Block::Joints => d.joints.extend(mistakes.note(lines(&content, ended(joint::joint))).into_iter().flatten()),
+        Block::Auxiliary => {
             d.auxiliary.extend(mistakes.note(lines(&content, ended(block::auxiliary))).into_iter().flatten())
         }
-        "speeds" => {
+        Block::Speeds => {
             for (speed, definition) in mistakes.note(lines(&content, ended(block::speed))).into_iter().flatten() {
                 d.speeds.push(speed);
                 d.lets.push(definition);
             }
         }
-        _ => d.drawing.extend(mistakes.note(lines(&content, ended(block::shape))).into_iter().flatten()),
+        Block::Drawing => d.drawing.extend(mistakes.note(lines(&content, ended(block::shape))).into_iter().flatten()),
     }
     Ok(())
+}
+
+/// ` (did you mean `bodies`?)`, or nothing where no block is near.
+fn near(word: &str) -> String {
+    match Block::often_called(word) {
+        Some(usual) => format!(" (did you mean `{}`?)", usual.text()),
+        None => nearest::suggestion(word, Block::texts()),
+    }
 }

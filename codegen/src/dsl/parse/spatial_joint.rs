@@ -15,7 +15,13 @@ pub(super) fn spatial_joint(input: ParseStream, kind: SpatialKind) -> Result<Spa
             expect_word(input, "pitch", "screw nut at P axis n to bolt at Q axis n pitch p;")?;
             Some(expression(input)?)
         }
-        _ => None,
+        SpatialKind::Ball
+        | SpatialKind::Revolute
+        | SpatialKind::Cylindrical
+        | SpatialKind::Prismatic
+        | SpatialKind::Universal
+        | SpatialKind::Planar
+        | SpatialKind::Weld => None,
     };
     Ok(SpatialJoint { kind, first, second, pitch })
 }

@@ -5,6 +5,7 @@ use super::lines::{ended, lines};
 use super::unit::optional_unit;
 use super::words::{accept_word, docs, equals, expect_word, keyword, name};
 use crate::dsl::region::here;
+use crate::dsl::vocabulary::TableWord;
 use crate::dsl::{Between, Ends, Expression, Outside, Region, Table};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
@@ -12,7 +13,6 @@ use syn::{Ident, Token};
 
 const FORM: &str = "a table is written `lift [mm] over [deg] = cubic, periodic { 0, 0; 90, 10; 360, 0; }`";
 const ROW: &str = "a row is an argument and a value: `90, 10;`";
-const WORDS: [&str; 8] = ["linear", "cubic", "monotone", "natural", "clamped", "held", "continued", "periodic"];
 
 /// Reads a table.
 pub(super) fn table(input: ParseStream) -> Result<Table> {
@@ -73,17 +73,17 @@ struct Words {
 impl Words {
     fn read(&mut self, input: ParseStream) -> Result<()> {
         loop {
-            let word = keyword(input, &WORDS)?;
+            let (word, says) = keyword(input)?;
             let at = Region::from(&word);
-            let twice = match word.to_string().as_str() {
-                "linear" => self.between.replace(Between::Linear).is_some(),
-                "cubic" => self.between.replace(Between::Cubic).is_some(),
-                "monotone" => self.between.replace(Between::Monotone).is_some(),
-                "natural" => self.ends.replace((Ends::Natural, at)).is_some(),
-                "clamped" => self.ends.replace((Ends::Clamped, at)).is_some(),
-                "held" => self.outside.replace(Outside::Held).is_some(),
-                "continued" => self.outside.replace(Outside::Continued).is_some(),
-                _ => self.outside.replace(Outside::Periodic).is_some(),
+            let twice = match says {
+                TableWord::Linear => self.between.replace(Between::Linear).is_some(),
+                TableWord::Cubic => self.between.replace(Between::Cubic).is_some(),
+                TableWord::Monotone => self.between.replace(Between::Monotone).is_some(),
+                TableWord::Natural => self.ends.replace((Ends::Natural, at)).is_some(),
+                TableWord::Clamped => self.ends.replace((Ends::Clamped, at)).is_some(),
+                TableWord::Held => self.outside.replace(Outside::Held).is_some(),
+                TableWord::Continued => self.outside.replace(Outside::Continued).is_some(),
+                TableWord::Periodic => self.outside.replace(Outside::Periodic).is_some(),
             };
             if twice {
                 let message = format!("`{word}` repeats or contradicts an earlier word; give one word of each kind");

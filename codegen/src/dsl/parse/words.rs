@@ -2,6 +2,7 @@
 
 use crate::dsl::Region;
 use crate::dsl::region::here;
+use crate::dsl::vocabulary::Word;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 use syn::{Attribute, Ident, Token};
@@ -51,14 +52,22 @@ pub(super) fn colon(input: ParseStream, advice: &str) -> Result<()> {
     Ok(())
 }
 
-/// The word that says what a clause is, one of those expected.
-pub(super) fn keyword(input: ParseStream, expected: &[&str]) -> Result<Ident> {
-    let list = || expected.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
-    let word = Ident::parse_any(input).map_err(|e| syn::Error::new(e.span(), format!("expected one of {}", list())))?;
-    if expected.iter().any(|e| word == e) {
-        return Ok(word);
+/// The word that says what a line or a clause is, one of those of its place.
+pub(super) fn keyword<W: Word>(input: ParseStream) -> Result<(Ident, W)> {
+    let word =
+        Ident::parse_any(input).map_err(|e| syn::Error::new(e.span(), format!("expected one of {}", list::<W>())))?;
+    match W::of(&word.to_string()) {
+        Some(known) => Ok((word, known)),
+        None => {
+            let message = format!("`{word}` is not known here; expected one of {}", list::<W>());
+            Err(syn::Error::new(word.span(), message))
+        }
     }
-    Err(syn::Error::new(word.span(), format!("`{word}` is not known here; expected one of {}", list())))
+}
+
+/// The words of a place, to be told.
+pub(super) fn list<W: Word>() -> String {
+    W::texts().into_iter().map(|text| format!("`{text}`")).collect::<Vec<_>>().join(", ")
 }
 
 pub(super) fn accept_word(input: ParseStream, word: &str) -> Result<bool> {

@@ -1,13 +1,10 @@
 //! Which names a part of a declaration defines.
 
 use super::words::*;
+use crate::dsl::vocabulary::{Block, Word};
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use std::collections::BTreeMap;
 use syn::{Error, Result};
-
-/// Blocks in which the first word of every line is a name. In all blocks a word before a colon is a name, and a free
-/// body has coordinates.
-const NAMING: [&str; 7] = ["coordinates", "parameters", "inputs", "tables", "auxiliary", "outputs", "speeds"];
 
 /// Words that introduce a line or a clause, and those with a meaning everywhere.
 const WORDS: &str = "mass inertia angle at on along radius about force torque gravity guess line slider ground point circle spring \
@@ -31,9 +28,11 @@ pub(super) fn declared(tokens: &[TokenTree]) -> BTreeMap<String, Ident> {
         match (token, tokens.get(at + 1)) {
             (TokenTree::Ident(word), Some(TokenTree::Ident(name))) if word == "let" => add(name, &mut names),
             (TokenTree::Ident(block), Some(TokenTree::Group(lines))) if lines.delimiter() == Delimiter::Brace => {
-                let names_lead = NAMING.iter().any(|naming| block == naming);
+                // In all blocks, a word before a colon is a name too, and a free body has coordinates.
+                let block = Block::of(&block.to_string());
+                let names_lead = block.is_some_and(Block::names_lead);
                 let lines = list(lines.stream());
-                let lines = if block == "tables" { without_rows(lines) } else { lines };
+                let lines = if block == Some(Block::Tables) { without_rows(lines) } else { lines };
                 in_block(&lines, names_lead, &mut names);
             }
             _ => {}

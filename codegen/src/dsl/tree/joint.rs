@@ -83,17 +83,6 @@ pub enum SpatialKind {
     Weld,
 }
 
-impl SpatialKind {
-    pub(in crate::dsl) const WORDS: [&str; 8] =
-        ["ball", "revolute", "cylindrical", "prismatic", "universal", "planar", "screw", "weld"];
-
-    pub(in crate::dsl) fn of(word: &str) -> Option<SpatialKind> {
-        use SpatialKind::{Ball, Cylindrical, Planar, Prismatic, Revolute, Screw, Universal, Weld};
-        let kinds = [Ball, Revolute, Cylindrical, Prismatic, Universal, Planar, Screw, Weld];
-        SpatialKind::WORDS.iter().zip(kinds).find(|(known, _)| **known == word).map(|(_, kind)| kind)
-    }
-}
-
 /// A body with a point and an axis, in its own frame.
 pub struct Side {
     /// The body, or `ground`.

@@ -19,6 +19,7 @@ pub use shape::{Mark, Shape};
 pub use table::{Between, Ends, Outside, Table};
 
 use super::{Expression, Region, Unit};
+use crate::kernel_id::KernelId;
 use syn::Ident;
 
 /// A whole `mechanism! { .. }`.
@@ -52,7 +53,7 @@ pub struct Declaration {
     /// `drawing { .. }`
     pub drawing: Vec<Shape>,
     /// `kernels { .. }`: which of the optional kernels are generated; `None` leaves that to the program.
-    pub kernels: Option<Vec<OptionalKernel>>,
+    pub kernels: Option<Vec<KernelId>>,
     /// `auxiliary { .. }`: zero displacements, to find their conjugate forces.
     pub auxiliary: Vec<Auxiliary>,
     /// `joints { .. }`; none once they are written out as coordinates or constraints.
@@ -71,17 +72,6 @@ impl Declaration {
             || self.speeds.iter().any(|speed| speed.unit.is_some())
             || outputs.into_iter().any(|output| output.unit.is_some())
     }
-}
-
-/// A kernel that not everyone needs.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum OptionalKernel {
-    /// `dynamics_jacobian;`
-    DynamicsJacobian,
-    /// `dynamics_sensitivity;`
-    DynamicsSensitivity,
-    /// `inverse_dynamics;`
-    InverseDynamics,
 }
 
 /// `alpha [rad];`

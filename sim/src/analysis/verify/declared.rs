@@ -4,14 +4,16 @@ use super::VerifyError;
 use crate::model::{AnyMechanism, At};
 use codegen::dsl::{self, Declaration};
 use codegen::dynamics::{Lagrange, lagrange};
-use codegen::model::{self, Model, Unit};
+use codegen::model::{self, Model, Resolved, Unit};
 use codegen::oracle::{Measured, Oracle, OracleError, Solution};
+use codegen::symbolic::Graph;
 use sim_kernel::{Description, Input, Mechanism};
 
 /// A declaration, read again, with Lagrange's equations of it.
 pub struct Declared {
     declaration: Declaration,
     pub(super) model: Model,
+    pub(super) graph: Graph,
     pub(super) lagrange: Lagrange,
 }
 
@@ -28,9 +30,9 @@ impl Declared {
         let fail = |e: &dyn std::fmt::Display| VerifyError::Declaration(e.to_string());
         let tokens = description.declaration.parse().map_err(|_| fail(&"its text cannot be read as Rust tokens"))?;
         let declaration = codegen::parse(tokens).map_err(|e| fail(&e))?;
-        let mut model = model::resolve(&declaration).map_err(|e| fail(&e))?;
-        let lagrange = lagrange(&mut model);
-        Ok(Declared { declaration, model, lagrange })
+        let Resolved { model, mut graph, .. } = model::resolve(&declaration).map_err(|e| fail(&e))?;
+        let lagrange = lagrange(&mut graph, &model);
+        Ok(Declared { declaration, model, graph, lagrange })
     }
 
     /// The oracle, with the constraints that the mechanism holds.

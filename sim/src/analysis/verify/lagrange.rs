@@ -121,8 +121,8 @@ fn value(mechanism: &dyn AnyMechanism, declared: &Declared, state: &At<f64>, exp
         let of_time = || (symbol == model.time).then_some(state.time);
         of_parameter().or_else(of_time).unwrap_or(f64::NAN)
     };
-    let course = |i: usize| evaluate(&model.graph, &[model.inputs[i].course], given)[0];
-    evaluate(&model.graph, exprs, |symbol| {
+    let course = |i: usize| evaluate(&declared.graph, &[model.inputs[i].course], given)[0];
+    evaluate(&declared.graph, exprs, |symbol| {
         let of_coordinate = model.coordinates.iter().enumerate().find_map(|(i, c)| match symbol {
             _ if symbol == c.position => Some(state.positions[i]),
             _ if symbol == c.speed => Some(state.speeds[i]),

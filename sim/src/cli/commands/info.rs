@@ -226,7 +226,7 @@ fn kernels(description: &Description) -> Vec<(String, usize, String)> {
     let Some(mut equations) = equations else { return Vec::new() };
     let program = codegen::program::plan(&mut equations);
     let of = |kernel: &codegen::program::Kernel| {
-        (kernel.name.to_owned(), kernel.operations.total(), kernel.operations.to_string())
+        (kernel.id.name().to_owned(), kernel.operations.total(), kernel.operations.to_string())
     };
     program.kernels.iter().map(of).collect()
 }

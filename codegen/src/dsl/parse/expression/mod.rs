@@ -6,6 +6,7 @@ mod choice;
 
 use super::unit::{optional_unit, unbracketed_unit};
 use crate::dsl::region::here;
+use crate::dsl::vocabulary::{BodyWord, LoadWord, RestWord, ShapeWord, Word};
 use crate::dsl::{Expression, Kind, Operator, Region};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
@@ -35,28 +36,11 @@ const FOLLOWING_WORDS: [&str; 20] = [
     "by",
 ];
 
-/// Words that start a clause or a line of the language.
-const LANGUAGE_WORDS: [&str; 19] = [
-    "mass",
-    "inertia",
-    "angle",
-    "attitude",
-    "guess",
-    "dot",
-    "force",
-    "torque",
-    "gravity",
-    "line",
-    "slider",
-    "length",
-    "rest",
-    "spring",
-    "damper",
-    "potential",
-    "dissipation",
-    "friction",
-    "smooth",
-];
+/// Whether a word starts a clause or a line of the language in which expressions stand.
+fn starts_clause(word: &Ident) -> bool {
+    let texts = [BodyWord::texts(), LoadWord::texts(), RestWord::texts(), ShapeWord::texts()].concat();
+    texts.into_iter().chain(["guess", "dot", "smooth"]).any(|text| word == text)
+}
 
 /// What to write instead of words that users would try after an equation.
 const DIRECTION: &str = "crossings in one direction are written `rising` or `falling`: `top: dot(y) = 0 falling;`";
@@ -273,7 +257,7 @@ fn juxtaposition(input: ParseStream, left: &Expression) -> Result<()> {
     if let Some((_, advice)) = ADVICE.iter().find(|(tried, _)| word == tried) {
         return Err(syn::Error::new(word.span(), *advice));
     }
-    if LANGUAGE_WORDS.iter().any(|known| word == known) {
+    if starts_clause(&word) {
         return Err(syn::Error::new(word.span(), format!("`,` or `;` is missing before `{word}`")));
     }
     match &left.kind {
