@@ -25,7 +25,7 @@ pub(crate) struct State {
 
 /// Prints every kernel's values of a state on one line, as bits, under their names.
 const DRIVER: &str = r#"
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::{FixedArray, Mechanism};
 
 fn print(name: &str, values: impl IntoIterator<Item = f64>) {
     print!("{name}");
