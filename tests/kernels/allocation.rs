@@ -5,8 +5,8 @@
 use crate::mechanisms::{Cart, Functions};
 use models::QuickReturn;
 use sim::{
-    Advance, Array, Course, Dop853, EventSearch, ExplicitRungeKutta, FixedArray, Measures, Mechanism, Motion, RK4,
-    Radau5, Stabilisation, State, Stepping, Steps, Tolerance, assemble, declared_start, integrate,
+    Advance, Course, Dop853, EventSearch, ExplicitRungeKutta, FixedArray, Measures, Mechanism, Motion, RK4, Radau5,
+    Stabilisation, State, Stepping, Steps, Tolerance, assemble, declared_start, integrate,
 };
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
