@@ -2,6 +2,7 @@
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
+use codegen::dsl::Source;
 use codegen::{dynamics, emit, model, program};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -21,6 +22,7 @@ fn main() {
 
 fn stages(description: &Description) {
     let tokens: TokenStream = description.declaration.parse().unwrap();
+    let source = Source::of(tokens.clone());
     let mut best = [Duration::MAX; 6];
     for _ in 0..RUNS {
         let clock = Instant::now();
@@ -32,7 +34,7 @@ fn stages(description: &Description) {
         let derived = clock.elapsed();
         let program = program::plan(&mut equations);
         let planned = clock.elapsed();
-        let rust = emit::emit(&declaration.head, description.declaration, &equations, &program, &quote!(sim_kernel));
+        let rust = emit::emit(&declaration.head, &source, &equations, &program, &quote!(sim_kernel));
         let emitted = clock.elapsed();
         assert!(!rust.is_empty());
         let times = [parsed, resolved - parsed, derived - resolved, planned - derived, emitted - planned, emitted];
