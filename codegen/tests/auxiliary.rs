@@ -22,7 +22,10 @@ fn generated(auxiliary: &str, shift: &str, turn: &str, reactions: &str) -> Strin
     let text = DECLARATION.replace("AUXILIARY", auxiliary).replace("SHIFT", shift);
     let text = text.replace("TURN", turn).replace("REACTIONS", reactions);
     let code = codegen::generate_text(&text, "sim_kernel").unwrap();
-    code.lines().filter(|line| !line.contains("declaration: ")).collect::<Vec<_>>().join("\n")
+    code.lines()
+        .filter(|line| !line.contains("declaration: ") && !line.contains("declaration_hash: "))
+        .collect::<Vec<_>>()
+        .join("\n")
 }
 
 /// One function of the code.

@@ -11,13 +11,17 @@ use std::path::Path;
 use syn::{ImplItem, Item, TraitItem, TraitItemFn};
 
 /// Functions of the traits that are no kernels: of parameters and the like, and those that other functions of the trait give.
-const NO_KERNELS: [&str; 11] = [
+const NO_KERNELS: [&str; 15] = [
     "activities",
     "defaults",
+    "description",
     "inputs",
+    "m",
+    "n",
     "on",
     "parameters",
     "prepared_velocities",
+    "rows_left",
     "set_inputs",
     "velocity_variables",
     "with_activities",

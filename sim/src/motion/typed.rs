@@ -34,7 +34,7 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
         vector(&self.0.constraint_magnitudes(time, &array(self.0.n(), q)))
     }
     fn constraint_jacobian(&self, time: f64, q: &[f64]) -> DMatrix<f64> {
-        matrix::<M::LQ, M::Q>(&self.0.constraint_jacobian(time, &array(self.0.n(), q)))
+        matrix::<M::LQ, M::Q>(&self.0.constraint_jacobian(time, &array(self.0.n(), q)), self.0.n())
     }
     fn constraint_time_derivative(&self, time: f64, q: &[f64]) -> DVector<f64> {
         vector(&self.0.constraint_time_derivative(time, &array(self.0.n(), q)))
@@ -43,7 +43,7 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
         let linear = self.0.constraint_linearization(time, &array(self.0.n(), q));
         Linear {
             values: vector(&linear.values),
-            jacobian: matrix::<M::LQ, M::Q>(&linear.jacobian),
+            jacobian: matrix::<M::LQ, M::Q>(&linear.jacobian, self.0.n()),
             time_derivative: vector(&linear.time_derivative),
         }
     }
@@ -51,7 +51,7 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
         vector(&self.0.constraint_convective(time, &array(self.0.n(), q), &array(self.0.n(), qd)))
     }
     fn mass_matrix(&self, time: f64, q: &[f64]) -> DMatrix<f64> {
-        matrix::<M::QQ, M::Q>(&self.0.mass_matrix(time, &array(self.0.n(), q)))
+        matrix::<M::QQ, M::Q>(&self.0.mass_matrix(time, &array(self.0.n(), q)), self.0.n())
     }
     fn convective_forces(&self, time: f64, q: &[f64], qd: &[f64]) -> DVector<f64> {
         vector(&self.0.convective_forces(time, &array(self.0.n(), q), &array(self.0.n(), qd)))
@@ -97,7 +97,7 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
     fn accelerate_with(&self, parameters: &[f64], inputs: &[Input], at: At<f64>) -> Result<DVector<f64>, Failure> {
         let mut set = self.0.inputs();
         set.as_mut().copy_from_slice(inputs);
-        let mechanism = self.0.with_parameters(array(self.0.n(), parameters)).with_inputs(set);
+        let mechanism = self.0.with_parameters(self.0.parameters().like(|i| parameters[i])).with_inputs(set);
         let solved = accelerate(&mechanism, at.time, &array(self.0.n(), at.positions), &array(self.0.n(), at.speeds))?;
         Ok(stacked(solved.accelerations.as_ref(), solved.multipliers.as_ref()))
     }
@@ -107,7 +107,7 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
     fn by_state(&self, time: f64, q: &[f64], qd: &[f64]) -> Option<[DMatrix<f64>; 2]> {
         let found = self.0.dynamics_jacobian(time, &array(self.0.n(), q), &array(self.0.n(), qd));
         let of = |accelerations: &M::QQ, multipliers: &M::LQ| {
-            below(matrix::<M::QQ, M::Q>(accelerations), matrix::<M::LQ, M::Q>(multipliers))
+            below(matrix::<M::QQ, M::Q>(accelerations, self.0.n()), matrix::<M::LQ, M::Q>(multipliers, self.0.n()))
         };
         (!found.refused).then(|| {
             [
@@ -166,8 +166,7 @@ fn vector<A: Array<f64>>(values: &A) -> DVector<f64> {
     DVector::from_column_slice(values.as_ref())
 }
 
-fn matrix<A: Array<R>, R: Array<f64>>(rows: &A) -> DMatrix<f64> {
-    let columns = rows.iter().next().map_or(0, Array::len);
+fn matrix<A: Array<R>, R: Array<f64>>(rows: &A, columns: usize) -> DMatrix<f64> {
     let mut matrix = DMatrix::zeros(rows.len(), columns);
     for i in 0..rows.len() {
         set_row(&mut matrix, i, rows[i].as_ref());

@@ -168,7 +168,7 @@ impl<M: Mechanism> Simulation<M> {
     /// As [`step`](Simulation::step), and [`What::NotFinite`] if the time is not finite.
     pub fn advance_to(&mut self, time: f64) -> Result<(), Failure> {
         if time.is_nan() {
-            let what = What::NotFinite { quantity: "the time to go on to".to_owned() };
+            let what = What::NotFinite { quantity: "the time to advance to".to_owned() };
             return Err(Failure::at(self.mechanism(), what, self.state.time, &self.state.positions));
         }
         self.check_sound()?;

@@ -59,7 +59,7 @@ fn spring(input: ParseStream, word: &Ident) -> Result<Load> {
     let between_points = matches!(&load, Load::Element(e) if matches!(e.extent, Extent::Distance(..)));
     match (between_points, measure) {
         (true, RestWord::Rest) => {
-            Err(syn::Error::new(word_of_rest.span(), format!("between points a spring has a `length`: `{SPRING}`")))
+            Err(syn::Error::new(word_of_rest.span(), format!("a spring between points has a `length`: `{SPRING}`")))
         }
         (false, RestWord::Length) => Err(syn::Error::new(
             word_of_rest.span(),
