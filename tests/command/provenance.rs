@@ -121,7 +121,7 @@ fn a_table_of_text_has_comments_on_request() {
     let file = commented.join("damaged.csv");
     fs::write(&file, "# one\n# two\nt [s],x [m]\n0,1\n1,word\n").unwrap();
     let said = stderr(&sim(&["plot", file.to_str().unwrap(), "x"]));
-    assert!(said.contains("line 5: `word` is no number"), "{said}");
+    assert!(said.contains("line 5: `word` is not a number"), "{said}");
 }
 
 /// Figures of other commands, and matrices: the command is the user's own, without where to.
