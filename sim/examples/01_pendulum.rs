@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example 01_pendulum`
 
-use sim::{Mechanism, Settings, declared_start, mechanism, run};
+use sim::{Settings, declared_start, mechanism, run};
 
 mechanism! {
     /// A point mass on a rod without mass.
@@ -22,7 +22,7 @@ mechanism! {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // A mechanism is its parameters: a struct with a field for each, in SI units.
-    let pendulum = Pendulum { l: 0.5, ..Pendulum::defaults() };
+    let pendulum = Pendulum { l: 0.5, ..Pendulum::default() };
     let found = run(pendulum, &declared_start(&pendulum), &Settings::new(3.0))?;
     if let Some(failure) = found.trajectory.failure {
         return Err(failure.into());

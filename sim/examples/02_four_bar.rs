@@ -3,11 +3,11 @@
 //! `cargo run --release --example 02_four_bar`
 
 use models::FourBar;
-use sim::{Mechanism, Settings, Table, declared_start, run, show, summary};
+use sim::{Settings, Table, declared_start, run, show, summary};
 use std::path::Path;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let four_bar = FourBar { T: 3.0, ..FourBar::defaults() };
+    let four_bar = FourBar { T: 3.0, ..FourBar::default() };
     // Where the crank starts is given; assembly finds the other angles near their guesses.
     let mut start = declared_start(&four_bar);
     start.positions[0] = 0.5;

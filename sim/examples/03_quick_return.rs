@@ -3,10 +3,10 @@
 //! `cargo run --release --example 03_quick_return`
 
 use models::QuickReturn;
-use sim::{Mechanism, Settings, Table, declared_start, run};
+use sim::{Settings, Table, declared_start, run};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let machine = QuickReturn::defaults();
+    let machine = QuickReturn::default();
     let found = run(machine, &declared_start(&machine), &Settings::new(2.0))?;
     let period = found.period().ok_or("no full turn within the run")?;
     println!("a turn takes {period:.12} s");

@@ -25,7 +25,7 @@ fn verlet<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &mut State
 
 /// Angle and speed of the crank.
 fn crank_after(time: f64, steps: usize) -> Result<[f64; 2], Failure> {
-    let mechanism = FourBar::defaults();
+    let mechanism = FourBar::default();
     let mut state = assemble(&mechanism, &declared_start(&mechanism))?;
     let measures = Measures::at(&mechanism, state.time, &state.positions);
     for _ in 0..steps {

@@ -5,7 +5,7 @@
 //! `cargo run --release --example 05_own_load`
 
 use models::FourBar;
-use sim::{Failure, Mechanism, Method, Settings, Start, declared_start, run};
+use sim::{Failure, Method, Settings, Start, declared_start, run};
 
 /// Keeps the crank's speed, by proportion and integral.
 struct Controller {
@@ -24,7 +24,7 @@ impl Controller {
 
 fn main() -> Result<(), Failure> {
     let (mut controller, h) = (Controller { wanted: 12.0, sum: 0.0 }, 1e-3);
-    let mut four_bar = FourBar::defaults();
+    let mut four_bar = FourBar::default();
     let mut start = declared_start(&four_bar);
     for sample in 0..3000 {
         four_bar.T = controller.torque(start.speeds[0], h);

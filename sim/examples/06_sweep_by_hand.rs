@@ -4,11 +4,11 @@
 
 use models::QuickReturn;
 use sim::show::{Curve, Plot, Size, panels};
-use sim::{Failure, Mechanism, Settings, Table, declared_start, run};
+use sim::{Failure, Settings, Table, declared_start, run};
 use std::path::Path;
 
 fn stroke_and_period(crank: f64) -> Result<(f64, f64), Failure> {
-    let machine = QuickReturn { O2A: crank, ..QuickReturn::defaults() };
+    let machine = QuickReturn { O2A: crank, ..QuickReturn::default() };
     let found = run(machine, &declared_start(&machine), &Settings::new(2.0))?;
     let table = Table::of(&found.mechanism, &found.trajectory);
     let x6 = table.column("x6").map_or(&[][..], |column| &column.values);

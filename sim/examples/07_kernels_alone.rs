@@ -21,10 +21,9 @@ mod controller {
 }
 
 use models::FourBar;
-use sim_kernel::Mechanism;
 
 fn main() {
-    let four_bar = FourBar::defaults();
+    let four_bar = FourBar::default();
     let closed = sim::assemble(&four_bar, &sim::declared_start(&four_bar));
     let Ok(state) = closed else { return println!("the linkage cannot be closed") };
     let (q, qd) = (state.positions, state.speeds);

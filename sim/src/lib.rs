@@ -64,7 +64,8 @@ pub use record::DeadPoint;
 pub use record::table::{Column, Table};
 pub use run::{Controller, DOUBTFUL_BALANCE, NotRestored, Run, Simulation, dead_points, run, run_controlled};
 pub use sim_kernel::{
-    self, Array, Description, Dual, Dynamics, FixedArray, GeneralizedSpeeds, Input, Lanes, Mechanism, Scalar, mechanism,
+    self, Array, Compiled, Description, Dual, Dynamics, FixedArray, GeneralizedSpeeds, Input, Lanes, Mechanism, Scalar,
+    mechanism,
 };
 pub use start::assemble::{Start, assemble, branches, declared_start};
 pub use start::dyads::{Branches, Form, Loop};

@@ -1,12 +1,12 @@
 //! Loops that close in closed form.
 
 use models::{Andrews, FourBar, QuickReturn, QuickReturnRatio, SliderCrank};
-use sim::{Array, Form, Mechanism, Start, assemble, branches, declared_start, mechanism};
+use sim::{Array, Compiled, Form, Start, assemble, branches, declared_start, mechanism};
 use std::f64::consts::{FRAC_PI_2, PI};
 use tests::Random;
 
 /// Every configuration holds the constraints to rounding; their number.
-fn count<M: Mechanism>(mechanism: &M, start: &Start<M>) -> usize {
+fn count<M: Compiled>(mechanism: &M, start: &Start<M>) -> usize {
     let found = branches(mechanism, start);
     for q in &found.positions {
         for residual in mechanism.constraints(0.0, q).iter() {

@@ -1,7 +1,7 @@
 //! Where mechanisms rest, and where that cannot be said.
 
 use models::{CartPole, DoublePendulum, Pendulum};
-use sim::{Mechanism, State, What, assemble, declared_start, equilibrium, linearize, mechanism};
+use sim::{Compiled, State, What, assemble, declared_start, equilibrium, linearize, mechanism};
 
 mechanism! {
     /// A four-bar of three free bodies.

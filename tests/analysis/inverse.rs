@@ -2,7 +2,7 @@
 
 use crate::sweeps::driven;
 use models::{FourBar, QuickReturn, SliderCrank};
-use sim::{Driven, Mechanism, accelerate, assemble, declared_start, inverse_dynamics};
+use sim::{Compiled, Driven, accelerate, assemble, declared_start, inverse_dynamics};
 use std::f64::consts::{PI, TAU};
 
 /// The derivative of a function, by central differences of order 6 (Fornberg, 1988).
@@ -83,7 +83,7 @@ fn the_torque_on_crank_2_balances_the_energy_of_quick_return() {
 }
 
 /// Under the torque that was found, as a load, the mechanism moves as it was driven.
-fn moves_as_driven<M: Mechanism>(mechanism: M, drive: &str, rate: f64, second: f64, with_torque: impl Fn(f64) -> M) {
+fn moves_as_driven<M: Compiled>(mechanism: M, drive: &str, rate: f64, second: f64, with_torque: impl Fn(f64) -> M) {
     let state = assemble(&mechanism, &declared_start(&mechanism)).unwrap();
     let driven = Driven::find(&M::DESCRIPTION, drive).unwrap();
     let found = inverse_dynamics(&mechanism, 0.0, &state.positions, &[driven], &[rate], &[second]).unwrap();

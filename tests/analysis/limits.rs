@@ -3,7 +3,7 @@
 use crate::sweeps::{driven, sweep};
 use models::{BouncingBall, DoublePendulum, FourBar, SliderCrank, TumblingQuaternion};
 use sim::{
-    Driven, Mechanism, Method, Rows, Settings, Start, Sweep, What, dead_points, declared_start, kinematics, mechanism,
+    Compiled, Driven, Method, Rows, Settings, Start, Sweep, What, dead_points, declared_start, kinematics, mechanism,
 };
 use std::f64::consts::PI;
 
@@ -269,7 +269,7 @@ fn released_constraints_are_no_part_of_positions() {
     let run = sim::run(ball, &declared_start(&ball), &Settings::new(1.0)).unwrap();
     assert!(run.trajectory.failure.is_none() && !run.events.is_empty());
     assert!(dead_points(&run).is_empty());
-    let held = vec![(Driven::find(&<BouncingBall as Mechanism>::DESCRIPTION, "y").unwrap(), 0.5)];
+    let held = vec![(Driven::find(&<BouncingBall as Compiled>::DESCRIPTION, "y").unwrap(), 0.5)];
     let sweep = Sweep { held, ..sweep::<BouncingBall>("x", [0.0, 1.0], 2.0, 10) };
     let found = kinematics(ball, &declared_start(&ball), &sweep).unwrap();
     assert_eq!((&found.trajectory.failure, found.values.len()), (&None, 11));

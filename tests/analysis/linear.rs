@@ -2,7 +2,7 @@
 
 use models::{CartPole, DoublePendulum, FourBar, Pendulum};
 use nalgebra::DMatrix;
-use sim::{Control, Input, Mechanism, Start, State, What, assemble, declared_start, equilibrium, linearize, mechanism};
+use sim::{Compiled, Control, Input, Start, State, What, assemble, declared_start, equilibrium, linearize, mechanism};
 
 mechanism! {
     /// A cart on a spring and a damper, pushed by a force, with a pendulum hung from it.

@@ -2,7 +2,7 @@
 
 use crate::sweeps::{driven, output};
 use models::{QuickReturn, SliderCrank};
-use sim::{Mechanism, mechanism};
+use sim::{Compiled, mechanism};
 use std::f64::consts::{PI, TAU};
 
 /// One row or 720, a turn or three of them (318 in `figures -- numbers`): a quarter of what is asked for, 1e-9 of the range, where
@@ -121,6 +121,6 @@ fn a_drive_that_is_a_constraint_is_swept() {
             assert!((-2.0 * sample.multipliers[1] - force).abs() < 1e-12 && sample.power.is_finite());
         }
     }
-    let declared = &<Prescribed as Mechanism>::DESCRIPTION;
+    let declared = &<Prescribed as Compiled>::DESCRIPTION;
     assert_eq!(declared.constraints.len(), 2);
 }

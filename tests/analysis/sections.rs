@@ -1,9 +1,9 @@
 //! Poincaré sections and periods.
 
 use models::{DoublePendulum, Pendulum};
-use sim::{Crossing, Mechanism, Method, Section, Sectioning, Settings, Start, declared_start, mechanism, poincare};
+use sim::{Compiled, Crossing, Method, Section, Sectioning, Settings, Start, declared_start, mechanism, poincare};
 
-fn section<M: Mechanism>(
+fn section<M: Compiled>(
     mechanism: M,
     start: &Start<M>,
     event: &str,

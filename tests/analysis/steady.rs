@@ -1,7 +1,7 @@
 //! Small motions about steady ones, by closed forms.
 
 use models::{Pendulum, Top};
-use sim::{Control, Linearization, Mechanism, assemble, declared_start, linearize, mechanism};
+use sim::{Compiled, Control, Linearization, assemble, declared_start, linearize, mechanism};
 
 mechanism! {
     /// A top that stands upright and spins, in angles of which the last is its spin.
@@ -45,7 +45,7 @@ mechanism! {
     }
 }
 
-fn about_start<M: Mechanism>(mechanism: &M) -> Linearization<M> {
+fn about_start<M: Compiled>(mechanism: &M) -> Linearization<M> {
     let state = assemble(mechanism, &declared_start(mechanism)).unwrap();
     let inputs: [Control; 0] = [];
     let found = linearize(mechanism, &state, &inputs).unwrap();

@@ -1,11 +1,11 @@
 //! Mechanisms driven through a range, against their geometry.
 
 use models::{FourBar, QuickReturn, SliderCrank};
-use sim::{Driven, Kinematics, Mechanism, Sweep, declared_start, kinematics, mechanism};
+use sim::{Compiled, Driven, Kinematics, Sweep, declared_start, kinematics, mechanism};
 use std::f64::consts::{PI, TAU};
 
 /// Drives a coordinate or output from the declared start.
-pub(crate) fn driven<M: Mechanism>(
+pub(crate) fn driven<M: Compiled>(
     mechanism: M,
     name: &str,
     [from, to]: [f64; 2],
@@ -15,12 +15,12 @@ pub(crate) fn driven<M: Mechanism>(
     kinematics(mechanism, &declared_start(&mechanism), &sweep::<M>(name, [from, to], speed, steps)).unwrap()
 }
 
-pub(crate) fn sweep<M: Mechanism>(name: &str, [from, to]: [f64; 2], speed: f64, steps: usize) -> Sweep {
+pub(crate) fn sweep<M: Compiled>(name: &str, [from, to]: [f64; 2], speed: f64, steps: usize) -> Sweep {
     Sweep { driven: Driven::find(&M::DESCRIPTION, name).unwrap(), from, to, speed, steps, held: Vec::new() }
 }
 
 /// The place of an output.
-pub(crate) fn output<M: Mechanism>(name: &str) -> usize {
+pub(crate) fn output<M: Compiled>(name: &str) -> usize {
     M::DESCRIPTION.outputs.iter().position(|output| output.name == name).unwrap()
 }
 

@@ -2,7 +2,7 @@
 
 use codegen::kernel_id::KernelId;
 use models::RobotArm;
-use sim::{Mechanism, accelerate};
+use sim::{Compiled, Mechanism, accelerate};
 use std::hint::black_box;
 use tests::{Random, shortest};
 

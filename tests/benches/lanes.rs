@@ -4,7 +4,9 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use models::{Andrews, QuickReturn, QuickReturnRatio};
-use sim::{Dynamics, FixedArray, Lanes, Mechanism, Scalar, State, Vectors, Work, accelerate_each_with};
+use sim::{
+    Array, Compiled, Dynamics, FixedArray, Lanes, Mechanism, Scalar, State, Vectors, Work, accelerate_each_with,
+};
 use std::hint::black_box;
 use tests::{run, shortest};
 
@@ -29,7 +31,7 @@ fn main() {
     dynamics("andrews", Andrews::default(), 0.03);
 }
 
-fn dynamics<M: Mechanism>(name: &str, mechanism: M, end: f64) {
+fn dynamics<M: Compiled>(name: &str, mechanism: M, end: f64) {
     let found = run(mechanism, end, 4095).unwrap();
     let samples = &found.trajectory.samples;
     let states: Vec<State<M>> = (0..STATES).map(|i| samples[i * 7 % samples.len()].state).collect();
@@ -71,22 +73,22 @@ type Q<M> = <InLanes<M> as Mechanism<Lanes<8>>>::Q;
 /// What the kernel finds for eight trajectories.
 type Solved<M> = Dynamics<Lanes<8>, Q<M>, <InLanes<M> as Mechanism<Lanes<8>>>::L>;
 
-fn in_lanes<M: Mechanism>(states: &[State<M>]) -> Vec<[Q<M>; 2]> {
+fn in_lanes<M: Compiled>(states: &[State<M>]) -> Vec<[Q<M>; 2]> {
     let chunk = |states: &[State<M>]| {
-        let q = Q::<M>::from_fn(|i| Lanes::from_fn(|lane| states[lane].positions[i]));
-        [q, Q::<M>::from_fn(|i| Lanes::from_fn(|lane| states[lane].speeds[i]))]
+        let q = Q::<M>::with_len(M::Q::LEN, |i| Lanes::from_fn(|lane| states[lane].positions[i]));
+        [q, Q::<M>::with_len(M::Q::LEN, |i| Lanes::from_fn(|lane| states[lane].speeds[i]))]
     };
     states.chunks_exact(8).map(chunk).collect()
 }
 
 /// The kernel where the states of the trajectories stay in lanes, as in an integration of eight of them.
-struct Resident<'a, M: Mechanism> {
+struct Resident<'a, M: Compiled> {
     prepared: &'a <InLanes<M> as Mechanism<Lanes<8>>>::Prepared,
     states: &'a [[Q<M>; 2]],
     found: &'a mut [Option<Solved<M>>],
 }
 
-impl<M: Mechanism> Work for Resident<'_, M> {
+impl<M: Compiled> Work for Resident<'_, M> {
     type Output = ();
 
     #[inline(always)]
@@ -98,7 +100,7 @@ impl<M: Mechanism> Work for Resident<'_, M> {
 }
 
 #[inline(never)]
-fn one<M: Mechanism>(prepared: &M::Prepared, state: &State<M>) -> Dynamics<f64, M::Q, M::L> {
+fn one<M: Compiled>(prepared: &M::Prepared, state: &State<M>) -> Dynamics<f64, M::Q, M::L> {
     M::prepared_dynamics(prepared, state.time, &state.positions, &state.speeds)
 }
 

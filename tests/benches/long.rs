@@ -6,7 +6,7 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use models::{FourBar, Pendulum, QuickReturn};
-use sim::{Mechanism, Method, Rows, Settings, State};
+use sim::{Compiled, Method, Rows, Settings, State};
 use std::time::Instant;
 use tests::run_with;
 
@@ -23,7 +23,7 @@ fn main() {
 }
 
 /// By DOP853 at several tolerances and by RK4 with equal steps.
-fn periods<M: Mechanism>(name: &str, mechanism: M) {
+fn periods<M: Compiled>(name: &str, mechanism: M) {
     let (period, steps) = (period(mechanism), 1e5);
     println!("{name}: a period is {period:.4} s");
     for rtol in [1e-8, 1e-10, 1e-12] {
@@ -33,7 +33,7 @@ fn periods<M: Mechanism>(name: &str, mechanism: M) {
 }
 
 /// Twice the time between the first two turns of the first coordinate, or the time of one revolution.
-fn period<M: Mechanism>(mechanism: M) -> f64 {
+fn period<M: Compiled>(mechanism: M) -> f64 {
     let settings = Settings { rows: Rows::Even(20_000), ..Settings::new(20.0) };
     let samples = run_with(mechanism, &settings).unwrap().trajectory.samples;
     let start = samples[0].state.positions[0];
@@ -46,7 +46,7 @@ fn period<M: Mechanism>(mechanism: M) -> f64 {
     }
 }
 
-fn over_time<M: Mechanism>(name: &str, mechanism: M, settings: &Settings) {
+fn over_time<M: Compiled>(name: &str, mechanism: M, settings: &Settings) {
     let clock = Instant::now();
     let run = run_with(mechanism, &Settings { rows: Rows::Even(ROWS * 50), ..*settings }).unwrap();
     let seconds = clock.elapsed().as_secs_f64();

@@ -4,7 +4,7 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use models::{QuickReturn, QuickReturnRatio};
-use sim::{Measures, Mechanism};
+use sim::{Compiled, Measures};
 use std::hint::black_box;
 use tests::{Random, run, shortest};
 
@@ -29,7 +29,7 @@ fn per_call(mut f: impl FnMut(usize)) -> f64 {
     shortest(RUNS, || (0..CALLS).for_each(&mut f)).as_secs_f64() * 1e9 / CALLS as f64
 }
 
-fn measure<M: Mechanism>(name: &str, mechanism: M, sine: f64) {
+fn measure<M: Compiled>(name: &str, mechanism: M, sine: f64) {
     let found = run(mechanism, 2.0, 8192).unwrap();
     let samples = &found.trajectory.samples;
     let mut random = Random(1);

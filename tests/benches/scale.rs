@@ -11,7 +11,7 @@
 use codegen::kernel_id::KernelId;
 use codegen::{dynamics, emit, model, program};
 use quote::quote;
-use sim_kernel::Mechanism;
+use sim_kernel::{Compiled, Mechanism};
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -118,7 +118,7 @@ fn per_state(time: Duration) -> f64 {
 
 fn chain_times<M, const N: usize>(by_hand: fn(&Chain, &[f64; N], &[f64; N]) -> [f64; N]) -> Times
 where
-    M: Mechanism<Q = [f64; N], Parameters = [f64; 3]>,
+    M: Compiled<Q = [f64; N], Parameters = [f64; 3]>,
 {
     let mut random = Random(31);
     let states = std::array::from_fn(|_| [3.0, 3.0].map(|size| std::array::from_fn(|_| random.between(-size, size))));
@@ -130,7 +130,7 @@ where
 
 fn four_bar_times<M, const N: usize, const K: usize, const LINKS: usize>() -> Times
 where
-    M: Mechanism<Q = [f64; LINKS], Parameters = [f64; 3]>,
+    M: Compiled<Q = [f64; LINKS], Parameters = [f64; 3]>,
 {
     let mut random = Random(32);
     let states = std::array::from_fn(|_| {

@@ -221,7 +221,7 @@ fn the_program_says_what_it_is() {
 /// A saved simulation names the commit too; one that another commit has saved goes on.
 #[test]
 fn a_saved_simulation_names_its_commit() {
-    use sim::Mechanism;
+    use sim::Compiled;
     let pendulum = models::Pendulum::defaults();
     let start = sim::declared_start(&pendulum);
     let mut simulation = sim::Simulation::new(pendulum, &start, &sim::Settings::new(1.0)).unwrap();

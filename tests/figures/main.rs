@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use sim::show::{Curve, Length, Plot, Pose, Positions, Shapes, ShowError, Size, figures, mechanism, path, plot};
-use sim::{Mechanism, Settings, Table, declared_start, run};
+use sim::{Compiled, Settings, Table, declared_start, run};
 use sim_kernel::Shape;
 
 fn directory(name: &str) -> PathBuf {

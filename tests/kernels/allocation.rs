@@ -5,7 +5,7 @@
 use crate::mechanisms::{Cart, Functions};
 use models::QuickReturn;
 use sim::{
-    Advance, Course, Dop853, EventSearch, ExplicitRungeKutta, FixedArray, Measures, Mechanism, Motion, RK4, Radau5,
+    Advance, Compiled, Course, Dop853, EventSearch, ExplicitRungeKutta, FixedArray, Measures, Motion, RK4, Radau5,
     Stabilisation, State, Stepping, Steps, Tolerance, assemble, declared_start, integrate,
 };
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -46,7 +46,7 @@ fn the_counter_counts() {
 
 #[test]
 fn kernels_do_not_allocate() {
-    fn all_kernels<M: Mechanism>(mechanism: M) {
+    fn all_kernels<M: Compiled>(mechanism: M) {
         let (t, q, qd) = (0.1, M::Q::filled(0.3), M::Q::filled(0.2));
         let lambda = M::L::filled(1.0);
         black_box(mechanism.initial());

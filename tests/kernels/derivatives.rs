@@ -4,7 +4,7 @@
 
 use crate::mechanisms::all_mechanisms;
 use nalgebra::DMatrix;
-use sim::{Array, Dual, FixedArray, Mechanism};
+use sim::{Array, Compiled, Dual, FixedArray, Mechanism};
 use tests::Random;
 
 const STATES: usize = 100;
@@ -22,7 +22,7 @@ fn kernels_of_derivatives_are_those_of_dual_numbers() {
     all_mechanisms!(check_all);
 }
 
-fn check<M: Mechanism>() {
+fn check<M: Compiled>() {
     let name = M::DESCRIPTION.name;
     let is_made = |kernel: &str| M::DESCRIPTION.optional_kernels.contains(&kernel);
     let [by_state, by_parameters] = [is_made("dynamics_jacobian"), is_made("dynamics_sensitivity")];
@@ -89,18 +89,20 @@ enum Direction {
     Parameter(usize),
 }
 
-fn along<M: Mechanism>(mechanism: &M, t: f64, q: &M::Q, qd: &M::Q, direction: Direction) -> Solution {
+fn along<M: Compiled>(mechanism: &M, t: f64, q: &M::Q, qd: &M::Q, direction: Direction) -> Solution {
     let dual = |value: f64, at: Direction| Dual { value, derivative: f64::from(at == direction) };
     let values = mechanism.parameters();
-    let parameters = <OnDual<M> as Mechanism<Dual>>::Parameters::from_fn(|i| dual(values[i], Direction::Parameter(i)));
-    let q = Q::<M>::from_fn(|i| dual(q[i], Direction::Position(i)));
-    let qd = Q::<M>::from_fn(|i| dual(qd[i], Direction::Speed(i)));
+    let parameters = <OnDual<M> as Mechanism<Dual>>::Parameters::with_len(values.len(), |i| {
+        dual(values[i], Direction::Parameter(i))
+    });
+    let q = Q::<M>::with_len(q.len(), |i| dual(q[i], Direction::Position(i)));
+    let qd = Q::<M>::with_len(qd.len(), |i| dual(qd[i], Direction::Speed(i)));
     let solved = mechanism.on(Dual::constant).with_parameters(parameters).dynamics(Dual::constant(t), &q, &qd);
     solved.accelerations.iter().chain(solved.multipliers.iter()).copied().collect()
 }
 
 /// Of the equations of motion, units apart: rows and columns scaled to largest entries of 1.
-fn condition<M: Mechanism>(mechanism: &M, t: f64, q: &M::Q) -> f64 {
+fn condition<M: Compiled>(mechanism: &M, t: f64, q: &M::Q) -> f64 {
     let (n, m) = (M::Q::LEN, M::L::LEN);
     let (mass, jacobian) = (mechanism.mass_matrix(t, q), mechanism.constraint_jacobian(t, q));
     let mut matrix = DMatrix::from_fn(n + m, n + m, |i, j| match (i < n, j < n) {

@@ -1,7 +1,7 @@
 //! Kernels on dual numbers give the derivatives that other kernels are.
 
 use crate::mechanisms::all_mechanisms;
-use sim::{Dual, FixedArray, Lanes, Mechanism, Scalar};
+use sim::{Array, Compiled, Dual, FixedArray, Lanes, Mechanism, Scalar};
 use tests::Random;
 
 type OnDual<M> = <M as Mechanism>::On<Dual>;
@@ -18,7 +18,7 @@ fn derivatives_are_the_kernels_of_derivatives() {
     all_mechanisms!(check_all);
 }
 
-fn check<M: Mechanism>() {
+fn check<M: Compiled>() {
     let mut random = Random(8);
     let mechanism = M::defaults();
     let dual = mechanism.on(Dual::constant);
@@ -28,18 +28,19 @@ fn check<M: Mechanism>() {
         let [q, qd, qdd] = [1.2, 3.0, 9.0].map(|size| M::Q::from_fn(|_| random.between(-size, size)));
         let jacobian = mechanism.constraint_jacobian(t, &q);
         for j in 0..M::Q::LEN {
-            let along = DualQ::<M>::from_fn(|i| Dual { value: q[i], derivative: f64::from(i == j) });
+            let along = DualQ::<M>::with_len(M::Q::LEN, |i| Dual { value: q[i], derivative: f64::from(i == j) });
             let column = M::L::from_fn(|i| if between_speeds(i) { 0.0 } else { jacobian[i][j] });
             close::<M>("C_q", dual.constraints(Dual::constant(t), &along).as_ref(), column.as_ref());
         }
-        let constant = |values: &M::Q| DualQ::<M>::from_fn(|i| Dual::constant(values[i]));
+        let constant = |values: &M::Q| DualQ::<M>::with_len(M::Q::LEN, |i| Dual::constant(values[i]));
         let by_time = dual.constraints(Dual::variable(t), &constant(&q));
         let drift = mechanism.constraint_time_derivative(t, &q);
         let drift = M::L::from_fn(|i| if between_speeds(i) { 0.0 } else { drift[i] });
         close::<M>("C_t", by_time.as_ref(), drift.as_ref());
         // Along the motion: q changes as q', and q' as q''.
-        let moving =
-            |values: &M::Q, rates: &M::Q| DualQ::<M>::from_fn(|i| Dual { value: values[i], derivative: rates[i] });
+        let moving = |values: &M::Q, rates: &M::Q| {
+            DualQ::<M>::with_len(M::Q::LEN, |i| Dual { value: values[i], derivative: rates[i] })
+        };
         let (moving_q, moving_qd) = (moving(&q, &qd), moving(&qd, &qdd));
         // C' = C_q q' + C_t, or w, changes as C_q q'' and the convective terms say.
         let along = dual.constraint_jacobian(Dual::variable(t), &moving_q);
@@ -50,14 +51,14 @@ fn check<M: Mechanism>() {
         let convective = mechanism.constraint_convective(t, &q, &qd);
         let accelerated = |i: usize| (0..M::Q::LEN).map(|j| jacobian[i][j] * qdd[j]).sum::<f64>() + convective[i];
         close::<M>("C''", &rates, M::L::from_fn(accelerated).as_ref());
-        let lambda = <OnDual<M> as Mechanism<Dual>>::L::filled(Dual::constant(0.0));
+        let lambda = <OnDual<M> as Mechanism<Dual>>::L::repeat(M::L::LEN, Dual::constant(0.0));
         let outputs = dual.outputs(Dual::variable(t), &moving_q, &moving_qd, &constant(&qdd), &lambda);
         let rated: Vec<Dual> = M::DESCRIPTION.rated_outputs.iter().map(|i| outputs[*i]).collect();
         close::<M>("output rates", &rated, mechanism.output_rates(t, &q, &qd, &qdd).as_ref());
     }
 }
 
-fn close<M: Mechanism>(kernel: &str, found: &[Dual], expected: &[f64]) {
+fn close<M: Compiled>(kernel: &str, found: &[Dual], expected: &[f64]) {
     assert_eq!(found.len(), expected.len());
     let size = expected.iter().filter(|x| x.is_finite()).fold(1.0f64, |size, x| size.max(x.abs()));
     for (found, expected) in found.iter().zip(expected) {

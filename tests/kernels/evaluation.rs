@@ -4,7 +4,7 @@ use crate::mechanisms::all_mechanisms;
 use codegen::dynamics::EquationsOfMotion;
 use codegen::model::{Shape, Start};
 use codegen::symbolic::{Expr, Symbol, evaluate};
-use sim::{Array, FixedArray, Mechanism};
+use sim::{Array, Compiled, FixedArray};
 use std::collections::HashMap;
 use tests::Random;
 
@@ -16,7 +16,7 @@ fn kernels_are_their_expressions() {
     all_mechanisms!(check_all);
 }
 
-fn check<M: Mechanism>() {
+fn check<M: Compiled>() {
     let equations = codegen::equations(M::DESCRIPTION.declaration.parse().unwrap()).unwrap();
     let mut random = Random(3);
     for _ in 0..100 {
@@ -50,7 +50,7 @@ fn check<M: Mechanism>() {
     }
 }
 
-fn values<M: Mechanism>(
+fn values<M: Compiled>(
     equations: &EquationsOfMotion,
     mechanism: &M,
     t: f64,

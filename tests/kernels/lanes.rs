@@ -3,7 +3,7 @@
 
 use crate::mechanisms::all_mechanisms;
 use crate::oracle::OVERCONSTRAINED;
-use sim::{Array, Dynamics, FixedArray, Lanes, Mechanism, Scalar, State, Vectors, accelerate, accelerate_each_with};
+use sim::{Array, Compiled, Dynamics, FixedArray, Lanes, Scalar, State, Vectors, accelerate, accelerate_each_with};
 use tests::Random;
 
 /// Not a multiple of the number of lanes.
@@ -25,7 +25,7 @@ fn every_mechanism_has_the_same_bits_in_lanes() {
     std::thread::Builder::new().stack_size(1 << 28).spawn(checks).unwrap().join().unwrap();
 }
 
-fn check<M: Mechanism>() {
+fn check<M: Compiled>() {
     let mut random = Random(5);
     let mechanism = M::defaults();
     let mut states: Vec<State<M>> = (0..STATES)
@@ -59,7 +59,7 @@ fn check<M: Mechanism>() {
     }
 }
 
-fn bits<M: Mechanism>(solved: &Dynamics<f64, M::Q, M::L>) -> (Vec<u64>, bool) {
+fn bits<M: Compiled>(solved: &Dynamics<f64, M::Q, M::L>) -> (Vec<u64>, bool) {
     let values = solved.accelerations.iter().chain(solved.multipliers.iter()).chain([&solved.power]);
     (values.map(|value| value.to_bits()).collect(), solved.refused)
 }

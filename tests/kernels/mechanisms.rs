@@ -397,7 +397,7 @@ pub(crate) use all_mechanisms;
 /// The shipped mechanisms and those of this file.
 pub(crate) fn all() -> Vec<&'static Description> {
     macro_rules! descriptions {
-        ($($model:ty),*) => { [$(const { &<$model as sim::Mechanism>::DESCRIPTION }),*] };
+        ($($model:ty),*) => { [$(const { &<$model as sim::Compiled>::DESCRIPTION }),*] };
     }
     [tests::shipped(), own_mechanisms!(descriptions).to_vec()].concat()
 }

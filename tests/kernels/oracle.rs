@@ -11,7 +11,7 @@ use codegen::dsl::{self, Declaration};
 use codegen::model::Unit;
 use codegen::oracle::{Comparison, Measured, Oracle, Solution, State, residual};
 use sim::verify::{computed, observed};
-use sim::{Array, FixedArray, Input, Measures, Mechanism, accelerate, project_positions, project_velocities};
+use sim::{Array, Compiled, FixedArray, Input, Measures, accelerate, project_positions, project_velocities};
 use tests::Random;
 
 const STATES: usize = 1000;
@@ -32,7 +32,7 @@ fn every_kernel_of_every_mechanism_agrees() {
     all_mechanisms!(check_all);
 }
 
-fn check<M: Mechanism>() {
+fn check<M: Compiled>() {
     let name = M::DESCRIPTION.name;
     let declaration = codegen::parse(M::DESCRIPTION.declaration.parse().unwrap()).unwrap();
     let mut random = Random(11);
@@ -79,7 +79,7 @@ fn check<M: Mechanism>() {
 }
 
 /// Moves a state onto the constraints, from anywhere near enough. Gives whether that could be done.
-fn put_on_constraints<M: Mechanism>(mechanism: &M, t: f64, q: &mut M::Q, qd: &mut M::Q) -> bool {
+fn put_on_constraints<M: Compiled>(mechanism: &M, t: f64, q: &mut M::Q, qd: &mut M::Q) -> bool {
     let mut nearer = *q;
     let measures = Measures::at(mechanism, t, q);
     // Projection gives up after ten corrections; from a random state a few more may be needed.
@@ -102,7 +102,7 @@ struct Found {
     residual: Option<f64>,
 }
 
-fn compare<M: Mechanism>(mechanism: &M, declaration: &Declaration, t: f64, q: &M::Q, qd: &M::Q) -> Found {
+fn compare<M: Compiled>(mechanism: &M, declaration: &Declaration, t: f64, q: &M::Q, qd: &M::Q) -> Found {
     let si_factor = |unit: &dsl::Unit| Unit::resolve(unit).unwrap().factor();
     let active = mechanism.activities().iter().map(|activity| *activity != 0.0).collect();
     let oracle = Oracle::new(declaration, &si_factor).with_active(active);

@@ -1,7 +1,7 @@
 //! Matrices of many bodies that few of the others know of, against what they are by hand; and that what is derived of them grows with
 //! the bodies, not with their pairs.
 
-use sim::{Mechanism, mechanism};
+use sim::{Compiled, mechanism};
 use tests::Random;
 
 /// Pairs of bars.

@@ -2,7 +2,7 @@
 //! the energy integral, in 40-digit arithmetic.
 
 use models::Andrews;
-use sim::{Mechanism, Run};
+use sim::{Compiled, Run};
 use tests::{decimal, reference, run};
 
 /// The reference's names of q, q', q'' and lambda.

@@ -1,7 +1,7 @@
 //! The cam by a table against the law that its rows were taken from.
 
 use models::CamFollower;
-use sim::{Mechanism, Method, Run, Settings, Table};
+use sim::{Compiled, Method, Run, Settings, Table};
 use std::f64::consts::{PI, TAU};
 use tests::run_with;
 

@@ -2,7 +2,7 @@
 
 use models::{Andrews, FourBar, QuickReturn, QuickReturnRatio, SliderCrank};
 use nalgebra::{DMatrix, DVector};
-use sim::{Mechanism, Method, Run, Settings, Stabilisation, Table, mechanism};
+use sim::{Compiled, Method, Run, Settings, Stabilisation, Table, mechanism};
 use tests::run_with;
 
 mechanism! {
@@ -68,7 +68,7 @@ mechanism! {
 }
 
 /// The largest difference of positions and speeds, relative to the largest of each column.
-fn difference<M: Mechanism, N: Mechanism>(one: &Run<M>, other: &Run<N>) -> f64 {
+fn difference<M: Compiled, N: Compiled>(one: &Run<M>, other: &Run<N>) -> f64 {
     assert_eq!((&one.trajectory.failure, &other.trajectory.failure), (&None, &None));
     let (one, other) = (Table::of(&one.mechanism, &one.trajectory), Table::of(&other.mechanism, &other.trajectory));
     let columns = 1..=2 * M::DESCRIPTION.coordinates.len();
@@ -83,7 +83,7 @@ fn difference<M: Mechanism, N: Mechanism>(one: &Run<M>, other: &Run<N>) -> f64 {
 
 #[test]
 fn partitioning_and_both_projections_agree_on_every_closed_loop() {
-    fn check<M: Mechanism>(mechanism: M, end: f64) {
+    fn check<M: Compiled>(mechanism: M, end: f64) {
         let settings = Settings::adaptive(Method::Dop853, end, 1e-12);
         let with = |stabilisation| run_with(mechanism, &Settings { stabilisation, ..settings }).unwrap();
         let projected = with(Stabilisation::Projection);

@@ -1,6 +1,6 @@
 //! Springs, dampers, potentials and dissipation functions, against closed forms.
 
-use sim::{Mechanism, Method, Rows, Run, Settings, mechanism};
+use sim::{Compiled, Method, Rows, Run, Settings, mechanism};
 use tests::run_with;
 
 mechanism! {
@@ -91,13 +91,13 @@ mechanism! {
 }
 
 /// 5 s at a relative tolerance of 1e-11, with a row every 5 ms.
-fn run<M: Mechanism>(mechanism: M, end: f64) -> Run<M> {
+fn run<M: Compiled>(mechanism: M, end: f64) -> Run<M> {
     let settings = Settings { rows: Rows::Even(1000), ..Settings::adaptive(Method::Dop853, end, 1e-11) };
     run_with(mechanism, &settings).unwrap()
 }
 
 /// The largest difference of a coordinate from its closed form.
-fn error<M: Mechanism>(run: &Run<M>, i: usize, exact: impl Fn(f64) -> f64) -> f64 {
+fn error<M: Compiled>(run: &Run<M>, i: usize, exact: impl Fn(f64) -> f64) -> f64 {
     assert_eq!(run.trajectory.failure, None);
     let samples = run.trajectory.samples.iter();
     samples.map(|s| (s.state.positions[i] - exact(s.state.time)).abs()).fold(0.0, f64::max)

@@ -57,7 +57,7 @@ mechanism! {
     outputs { fine [m] = x; broken = sqrt((0.5 [m] - x)/1 [m]); }
 }
 
-fn failing<M: sim::Mechanism>(mechanism: M) -> (usize, f64, Failure) {
+fn failing<M: sim::Compiled>(mechanism: M) -> (usize, f64, Failure) {
     let run = run(mechanism, 2.0, 2000).unwrap();
     let last = run.trajectory.samples.last().map_or(0.0, |sample| sample.state.time);
     (run.trajectory.samples.len(), last, run.trajectory.failure.unwrap())

@@ -1,7 +1,7 @@
 //! A mechanism one of whose kernels is spoiled, for tests of what verification sees.
 
 use sim::sim_kernel::{ConstraintLinearization, DynamicsJacobian, Initial};
-use sim::{Description, Dynamics, FixedArray, Mechanism, Scalar};
+use sim::{Compiled, Description, Dynamics, FixedArray, Mechanism, Scalar};
 
 /// What is wrong.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +34,7 @@ pub(crate) struct Faulty<M> {
     pub(crate) fault: Fault,
 }
 
-impl<M: Mechanism> Faulty<M> {
+impl<M: Compiled> Faulty<M> {
     /// The mechanism whose kernels are called.
     fn kernels(&self) -> M {
         match self.fault {
@@ -58,7 +58,7 @@ impl<M: Mechanism> Faulty<M> {
     }
 }
 
-impl<M: Mechanism> Mechanism for Faulty<M> {
+impl<M: Compiled> Mechanism for Faulty<M> {
     type Q = M::Q;
     type L = M::L;
     type Z = M::Z;
@@ -81,9 +81,10 @@ impl<M: Mechanism> Mechanism for Faulty<M> {
     type Prepared = Self;
     type On<T: Scalar> = M::On<T>;
 
-    const DESCRIPTION: Description = M::DESCRIPTION;
-
-    fn defaults() -> Self {
+    fn description(&self) -> &'static Description {
+        self.true_one.description()
+    }
+    fn as_declared(&self) -> Self {
         Faulty { true_one: M::defaults(), fault: Fault::None }
     }
     fn parameters(&self) -> Self::Parameters {

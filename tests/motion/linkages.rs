@@ -2,7 +2,7 @@
 
 use models::{DoublePendulum, FourBar, Pendulum, SliderCrank};
 use serde_json::Value;
-use sim::{Mechanism, Run, Table};
+use sim::{Compiled, Run, Table};
 use tests::{decimal, reference, run};
 
 /// What the project asks of every reference value, relative to the largest of its column.
@@ -19,7 +19,7 @@ pub(crate) fn history(reference: &Value, quantity: &str) -> Vec<(f64, f64)> {
 }
 
 /// Every column of a run that has a history in the reference agrees with it. A sign turns the reference's direction.
-pub(crate) fn compare<M: Mechanism>(run: &Run<M>, reference: &Value, columns: &[(&str, &str, f64)]) {
+pub(crate) fn compare<M: Compiled>(run: &Run<M>, reference: &Value, columns: &[(&str, &str, f64)]) {
     assert_eq!(run.trajectory.failure, None);
     let table = Table::of(&run.mechanism, &run.trajectory);
     for (name, quantity, sign) in columns {

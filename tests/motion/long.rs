@@ -2,11 +2,11 @@
 //! tolerance of each step allows.
 
 use models::{FourBar, QuickReturn};
-use sim::{Mechanism, Method, Rows, Settings};
+use sim::{Compiled, Method, Rows, Settings};
 use tests::run_with;
 
 /// Prints the balance over time; gives the largest residuals and imbalance.
-fn check<M: Mechanism>(mechanism: M, end: f64) -> (f64, f64, f64) {
+fn check<M: Compiled>(mechanism: M, end: f64) -> (f64, f64, f64) {
     let settings = Settings { rows: Rows::Even(500), ..Settings::adaptive(Method::Dop853, end, 1e-12) };
     let run = run_with(mechanism, &settings).unwrap();
     assert_eq!(run.trajectory.failure, None);

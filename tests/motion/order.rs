@@ -2,14 +2,14 @@
 
 use models::{DoublePendulum, FourBar, QuickReturn};
 use sim::{
-    Advance, Course, DOPRI5, Dop853, ExplicitRungeKutta, HEUN, Measures, Mechanism, Method, Motion, RK4, Radau5, Rows,
+    Advance, Compiled, Course, DOPRI5, Dop853, ExplicitRungeKutta, HEUN, Measures, Method, Motion, RK4, Radau5, Rows,
     Settings, Stabilisation, Stepping, Steps, Table, assemble, declared_start, integrate,
 };
 use std::ops::ControlFlow;
 use tests::run_with;
 
 /// Positions and speeds at 17 times, by equal steps.
-fn states<M: Mechanism>(mechanism: M, method: Method, end: f64, steps: usize) -> Vec<Vec<f64>> {
+fn states<M: Compiled>(mechanism: M, method: Method, end: f64, steps: usize) -> Vec<Vec<f64>> {
     let settings = Settings { rows: Rows::Even(16), ..Settings::equal_steps(method, end, steps) };
     let run = run_with(mechanism, &settings).unwrap();
     assert_eq!(run.trajectory.failure, None);
@@ -28,7 +28,7 @@ fn error(found: &[Vec<f64>], exact: &[Vec<f64>]) -> f64 {
 }
 
 /// The order between the finest pair of step counts, each twice the one before, whose errors are above rounding.
-fn observed_order<M: Mechanism>(mechanism: M, method: Method, end: f64, coarsest: usize, floor: f64) -> f64 {
+fn observed_order<M: Compiled>(mechanism: M, method: Method, end: f64, coarsest: usize, floor: f64) -> f64 {
     // Finer than DOP853 needs for its rounding floor.
     let exact = states(mechanism, Method::Dop853, end, 3000);
     let mut steps = coarsest;
@@ -55,7 +55,7 @@ type Span = (f64, usize);
 
 /// Every method to one end but DOPRI5 and DOP853, whose leading terms are alone only where their errors are about to be
 /// rounding: each has an end and a count of steps of its own.
-fn check<M: Mechanism>(mechanism: M, end: f64, dopri5: Span, dop853: Span) {
+fn check<M: Compiled>(mechanism: M, end: f64, dopri5: Span, dop853: Span) {
     for method in Method::ALL {
         // Rounding collects over the steps: thousands of them, or hundreds.
         let ((end, coarsest), floor, tolerance) = match method {

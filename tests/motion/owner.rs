@@ -4,8 +4,8 @@
 use crate::singular::{Parallelogram, ThreeCranks};
 use models::{BouncingBall, CartPole};
 use sim::{
-    Array, Controller, Crossing, Input, Mechanism, Method, Rows, Settings, Simulation, Stabilisation, StopAt, What,
-    declared_start, mechanism, run, run_controlled,
+    Array, Compiled, Controller, Crossing, Input, Mechanism, Method, Rows, Settings, Simulation, Stabilisation, StopAt,
+    What, declared_start, mechanism, run, run_controlled,
 };
 
 mechanism! {
@@ -20,12 +20,12 @@ mechanism! {
     initial { x = x0; dot(x) = v0; }
 }
 
-fn simulation<M: Mechanism>(mechanism: M, settings: &Settings) -> Simulation<M> {
+fn simulation<M: Compiled>(mechanism: M, settings: &Settings) -> Simulation<M> {
     Simulation::new(mechanism, &declared_start(&mechanism), settings).unwrap()
 }
 
 /// Times at which the owner looks that lie inside steps over singular positions cost nothing of what these are good to.
-fn check_advances<M: Mechanism>(mechanism: M, settings: &Settings, pieces: u32, bound: f64) {
+fn check_advances<M: Compiled>(mechanism: M, settings: &Settings, pieces: u32, bound: f64) {
     let mut whole = simulation(mechanism, settings);
     whole.advance_to(settings.end).unwrap();
     let mut advanced = simulation(mechanism, settings);

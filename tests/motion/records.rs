@@ -1,7 +1,7 @@
 //! Which rows are kept of a run, and that they are the same however many there are.
 
 use models::{BouncingBall, QuickReturn};
-use sim::{Mechanism, Method, Rows, Run, Settings, StopAt, mechanism};
+use sim::{Compiled, Method, Rows, Run, Settings, StopAt, mechanism};
 use tests::run_with;
 
 mechanism! {
@@ -16,7 +16,7 @@ mechanism! {
 }
 
 /// The bits of all numbers of a sample.
-fn bits<M: Mechanism>(run: &Run<M>, row: usize) -> Vec<u64> {
+fn bits<M: Compiled>(run: &Run<M>, row: usize) -> Vec<u64> {
     let sample = &run.trajectory.samples[row];
     let (q, qd) = (sample.state.positions.as_ref(), sample.state.speeds.as_ref());
     let (qdd, lambda) = (sample.accelerations.as_ref(), sample.multipliers.as_ref());

@@ -4,7 +4,7 @@
 
 use models::CartPole;
 use sim::{
-    Controller, Input, Mechanism, Method, Run, Sample, Settings, Stabilisation, Table, declared_start, run_controlled,
+    Compiled, Controller, Input, Method, Run, Sample, Settings, Stabilisation, Table, declared_start, run_controlled,
 };
 use std::fs;
 use std::path::PathBuf;
@@ -26,7 +26,7 @@ struct Fingerprint {
 }
 
 impl Fingerprint {
-    fn of<M: Mechanism>(run: &str, found: &Run<M>) -> Fingerprint {
+    fn of<M: Compiled>(run: &str, found: &Run<M>) -> Fingerprint {
         let table = Table::of(&found.mechanism, &found.trajectory);
         let mut hash = Fnv::new();
         for column in &table.columns {
@@ -99,7 +99,7 @@ impl Fnv {
     }
 }
 
-fn of_model<M: Mechanism>() -> [Fingerprint; 3] {
+fn of_model<M: Compiled>() -> [Fingerprint; 3] {
     let implicit =
         Settings { stabilisation: Stabilisation::Partitioning, ..Settings::adaptive(Method::Radau5, 0.5, 1e-6) };
     let of = |run: &str, settings: &Settings| Fingerprint::of::<M>(run, &run_with(M::defaults(), settings).unwrap());

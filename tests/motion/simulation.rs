@@ -4,17 +4,17 @@ use crate::impacts::{Shaken, Stone};
 use crate::singular::{Parallelogram, ThreeCranks};
 use models::{Bennett, BouncingBall, CartPole, FourBar, Pendulum, QuickReturn, Skate, TumblingQuaternion};
 use sim::{
-    Controller, Input, Mechanism, Method, NotRestored, Rows, Sample, Settings, Simulation, Stabilisation, State,
-    StopAt, What, declared_start, run, run_controlled,
+    Compiled, Controller, Input, Method, NotRestored, Rows, Sample, Settings, Simulation, Stabilisation, State, StopAt,
+    What, declared_start, run, run_controlled,
 };
 use tests::Random;
 
-fn simulation<M: Mechanism>(mechanism: M, settings: &Settings) -> Simulation<M> {
+fn simulation<M: Compiled>(mechanism: M, settings: &Settings) -> Simulation<M> {
     Simulation::new(mechanism, &declared_start(&mechanism), settings).unwrap()
 }
 
 /// All bits of a state.
-fn bits<M: Mechanism>(state: &State<M>) -> Vec<u64> {
+fn bits<M: Compiled>(state: &State<M>) -> Vec<u64> {
     let numbers = [&[state.time, state.work][..], state.positions.as_ref(), state.speeds.as_ref()].concat();
     numbers.into_iter().map(f64::to_bits).collect()
 }
@@ -65,7 +65,7 @@ fn rows(found: &sim::Run<BouncingBall>) -> u64 {
 
 /// Saved after any step and restored into a simulation that has not begun, or is elsewhere, a motion goes on as if nothing had
 /// been.
-fn check_saved<M: Mechanism>(mechanism: M, end: f64, random: &mut Random) {
+fn check_saved<M: Compiled>(mechanism: M, end: f64, random: &mut Random) {
     for settings in every_way(end) {
         let mut whole = simulation(mechanism, &settings);
         let (mut saved, mut states) = (vec![whole.save()], vec![bits(whole.state())]);
@@ -175,7 +175,7 @@ fn a_loop_is_closed_by_inputs() {
         let mut controller = Controller::new(0.1, |sample: &Sample<CartPole>| [law(sample)]).unwrap();
         let found = run_controlled(cart, &declared_start(&cart), &settings, &mut controller).unwrap();
         let mut simulation = simulation(cart, &settings);
-        let input = <CartPole as Mechanism>::DESCRIPTION.inputs[0].name;
+        let input = <CartPole as Compiled>::DESCRIPTION.inputs[0].name;
         for period in 0..10 {
             simulation.set_input(input, law(&simulation.sample().unwrap())).unwrap();
             simulation.advance_to(f64::from(period + 1) * 0.1).unwrap();

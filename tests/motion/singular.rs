@@ -1,7 +1,7 @@
 //! Singular positions: motions that go straight on through them, against the same linkage in one coordinate, and motions that
 //! cannot.
 
-use sim::{Mechanism, Method, Rows, Run, Settings, Stabilisation, What, mechanism};
+use sim::{Compiled, Method, Rows, Run, Settings, Stabilisation, What, mechanism};
 use std::f64::consts::PI;
 use tests::run_with;
 
@@ -125,7 +125,7 @@ mechanism! {
 }
 
 /// The largest difference of the first coordinate and its speed, relative to the largest of each.
-fn difference<M: Mechanism, N: Mechanism>(one: &Run<M>, other: &Run<N>) -> f64 {
+fn difference<M: Compiled, N: Compiled>(one: &Run<M>, other: &Run<N>) -> f64 {
     assert_eq!((&one.trajectory.failure, &other.trajectory.failure), (&None, &None));
     assert_eq!(one.trajectory.samples.len(), other.trajectory.samples.len());
     let pairs = || one.trajectory.samples.iter().zip(&other.trajectory.samples);
@@ -140,7 +140,7 @@ fn difference<M: Mechanism, N: Mechanism>(one: &Run<M>, other: &Run<N>) -> f64 {
 }
 
 /// The motion is that of the linkage alone, and every singular position on the way is reported, with its constraint.
-fn check<M: Mechanism, N: Mechanism>(mechanism: M, alone: N, constraint: &str, angles: impl Fn(usize) -> f64) {
+fn check<M: Compiled, N: Compiled>(mechanism: M, alone: N, constraint: &str, angles: impl Fn(usize) -> f64) {
     let end = 3.0;
     let even = |settings: Settings| Settings { rows: Rows::Even(300), ..settings };
     let exact = run_with(alone, &even(Settings::adaptive(Method::Dop853, end, 1e-13))).unwrap();

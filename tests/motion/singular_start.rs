@@ -41,7 +41,7 @@ mechanism! {
     initial { crank = at; dot(crank) = 10; guess coupler = 0; guess rocker = at; guess middle = at; }
 }
 
-fn found<M: sim::Mechanism>(mechanism: M) -> (usize, Vec<&'static str>, Vec<&'static str>) {
+fn found<M: sim::Compiled>(mechanism: M) -> (usize, Vec<&'static str>, Vec<&'static str>) {
     let state = assemble(&mechanism, &declared_start(&mechanism)).unwrap();
     let found = mobility(&mechanism, 0.0, &state.positions);
     (found.degrees_of_freedom, found.dependent, found.singular)

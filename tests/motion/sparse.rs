@@ -1,7 +1,7 @@
 //! Chains of free bodies, whose rows of C_q are stored by the entries that need not be 0.
 
 use sim::{
-    Array, FixedArray, Measures, Mechanism, Method, Rows, Settings, project, project_positions, project_velocities,
+    Array, Compiled, FixedArray, Measures, Method, Rows, Settings, project, project_positions, project_velocities,
 };
 use tests::{Random, run_with};
 
@@ -109,7 +109,7 @@ sim::mechanism! {
 }
 
 /// Every entry of C_q that the sparse rows leave out is 0, and they have all others.
-fn sparse_entries_are_those_of_c_q<M: Mechanism>(mechanism: M) {
+fn sparse_entries_are_those_of_c_q<M: Compiled>(mechanism: M) {
     let (rows, mut random) = (M::DESCRIPTION.sparsity, Random(3));
     assert_eq!(rows.len(), M::L::LEN);
     // Two rows for each pin, and each has to do with the next one.
@@ -136,7 +136,7 @@ fn sparse_entries_are_all_of_c_q() {
 }
 
 /// Projection with sparse rows, beside the two projections with dense ones, from states off the constraints.
-fn sparse_projection_is_the_dense_one<M: Mechanism>(mechanism: M) {
+fn sparse_projection_is_the_dense_one<M: Compiled>(mechanism: M) {
     let start = run_with(mechanism, &Settings { rows: Rows::Even(1), ..Settings::adaptive(Method::Dop853, 0.1, 1e-9) });
     let state = start.unwrap().trajectory.samples[0].state;
     let (measures, mut random) = (Measures::at(&mechanism, 0.0, &state.positions), Random(4));
@@ -169,7 +169,7 @@ fn sparse_projection_is_that_of_dense_rows() {
 }
 
 /// The angles at the end of a swing, at a tolerance of 1e-12.
-fn swung<M: Mechanism>(mechanism: M, end: f64) -> Vec<f64> {
+fn swung<M: Compiled>(mechanism: M, end: f64) -> Vec<f64> {
     let settings = Settings::adaptive(Method::Dop853, end, 1e-12);
     let run = run_with(mechanism, &Settings { rows: Rows::Even(1), ..settings }).unwrap();
     let end = run.trajectory.samples[1].state;

@@ -1,7 +1,7 @@
 //! The column of the work that loads and drives have done.
 
 use models::BouncingBall;
-use sim::{Column, Mechanism, Method, Run, Settings, Table, mechanism};
+use sim::{Column, Compiled, Method, Run, Settings, Table, mechanism};
 use tests::run_with;
 
 mechanism! {
@@ -36,7 +36,7 @@ mechanism! {
     loads { force [F, 0] at [work, 0]; }
 }
 
-fn run<M: Mechanism>(end: f64) -> (Run<M>, Table) {
+fn run<M: Compiled>(end: f64) -> (Run<M>, Table) {
     let settings = Settings::adaptive(Method::Dop853, end, 1e-10);
     let run = run_with(M::defaults(), &settings).unwrap();
     let table = Table::of(&run.mechanism, &run.trajectory);

@@ -1,7 +1,7 @@
 //! A universal joint that closes a loop of two hinges: rows of it that nothing moves are redundant, and the motion has a closed form.
 
 use crate::common::{apart, column};
-use sim::{Mechanism, Settings, Stabilisation, mechanism};
+use sim::{Compiled, Settings, Stabilisation, mechanism};
 use tests::run_with;
 
 mechanism! {
@@ -34,7 +34,7 @@ mechanism! {
 
 /// The ratio of speeds is cos(beta)/(1 - sin(beta)^2 sin(a)^2), where the fork of the first shaft is across the plane of the shafts at
 /// a = 0 (Wittenburg, Dynamics of Multibody Systems, 2008, section 5.1), and J (a'^2 + b'^2) is constant.
-fn check<M: Mechanism + Copy>(mechanism: M) {
+fn check<M: Compiled + Copy>(mechanism: M) {
     let (sin, cos) = 30f64.to_radians().sin_cos();
     let ratio = |a: f64| cos / (1.0 - (sin * a.sin()).powi(2));
     let speed = |a: f64| 10.0 * ((1.0 + ratio(0.0).powi(2)) / (1.0 + ratio(a).powi(2))).sqrt();

@@ -2,7 +2,7 @@
 //! functions solve, and of others against the same mechanism without.
 
 use crate::torque_free::{Closed, of_quaternion, product, transposed};
-use sim::{Mechanism, Method, Rows, Run, Settings, Stabilisation, Table, mechanism};
+use sim::{Compiled, Method, Rows, Run, Settings, Stabilisation, Table, mechanism};
 use tests::run_with;
 
 /// A mechanism twice: with generalised speeds, and without.
@@ -113,7 +113,7 @@ fn closed() -> Closed {
 }
 
 /// The satellite, or the same without generalised speeds, as it turns in the closed form.
-fn turning<M: Mechanism>(settings: &Settings) -> Run<M> {
+fn turning<M: Compiled>(settings: &Settings) -> Run<M> {
     let mut parameters = M::defaults().parameters();
     let [w1, _, w3] = closed().spin(0.0);
     parameters.as_mut()[4..].copy_from_slice(&[w1, w3]);
@@ -123,7 +123,7 @@ fn turning<M: Mechanism>(settings: &Settings) -> Run<M> {
 }
 
 /// How far angular velocity and attitude are off at most, in any row.
-fn off<M: Mechanism>(run: &Run<M>) -> [f64; 2] {
+fn off<M: Compiled>(run: &Run<M>) -> [f64; 2] {
     let (closed, table) = (closed(), Table::of(&run.mechanism, &run.trajectory));
     let start = transposed(closed.attitude(0.0));
     let value = |name: &str, row: usize| table.column(name).unwrap().values[row];
@@ -195,7 +195,7 @@ fn equal_steps_keep_their_order() {
 }
 
 /// The largest difference of all columns of two runs but the time, beside the largest number in each.
-fn apart<A: Mechanism, B: Mechanism>(a: &Run<A>, b: &Run<B>) -> f64 {
+fn apart<A: Compiled, B: Compiled>(a: &Run<A>, b: &Run<B>) -> f64 {
     assert_eq!((&a.trajectory.failure, &b.trajectory.failure), (&None, &None));
     let [a, b] = [Table::of(&a.mechanism, &a.trajectory), Table::of(&b.mechanism, &b.trajectory)];
     assert_eq!((a.columns.len(), a.times().len()), (b.columns.len(), b.times().len()));
@@ -208,7 +208,7 @@ fn apart<A: Mechanism, B: Mechanism>(a: &Run<A>, b: &Run<B>) -> f64 {
     differences.fold(0.0, f64::max)
 }
 
-fn compare<A: Mechanism, B: Mechanism>(end: f64, bound: f64) {
+fn compare<A: Compiled, B: Compiled>(end: f64, bound: f64) {
     let settings = |method, rtol| Settings { rows: Rows::Even(100), ..Settings::adaptive(method, end, rtol) };
     let expected = run_with(B::defaults(), &settings(Method::Dop853, 1e-13)).unwrap();
     let projections =
@@ -259,7 +259,7 @@ fn what_generalised_speeds_do_not_determine_is_passed() {
 }
 
 /// A pendulum from an angle and its rate.
-fn thrown<M: Mechanism>(start: [f64; 2], settings: &Settings) -> Run<M> {
+fn thrown<M: Compiled>(start: [f64; 2], settings: &Settings) -> Run<M> {
     let mut parameters = M::defaults().parameters();
     parameters.as_mut()[3..].copy_from_slice(&start);
     run_with(M::defaults().with_parameters(parameters), settings).unwrap()

@@ -3,7 +3,7 @@
 //! used, so that nothing that writes out joints is shared; kernels, oracle and Lagrange's equations all have that in common.
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, Unit, UnitQuaternion, Vector3};
-use sim::{Mechanism, accelerate, mechanism};
+use sim::{Compiled, accelerate, mechanism};
 use std::f64::consts::TAU;
 use tests::Random;
 
@@ -156,7 +156,7 @@ fn posed(kind: Kind, numbers: &mut Random) -> (Body, Body, Joint) {
     (a, b, Joint { t1, t2, n, m, first, second })
 }
 
-fn check<M: Mechanism>(kind: Kind) {
+fn check<M: Compiled>(kind: Kind) {
     let mechanism = M::defaults();
     let mut numbers = Random(23);
     for _ in 0..20 {

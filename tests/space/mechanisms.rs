@@ -113,7 +113,7 @@ pub(crate) use all_mechanisms;
 /// What they say of themselves.
 pub(crate) fn all() -> Vec<&'static Description> {
     macro_rules! descriptions {
-        ($($model:ty),*) => { vec![$(const { &<$model as sim::Mechanism>::DESCRIPTION }),*] };
+        ($($model:ty),*) => { vec![$(const { &<$model as sim::Compiled>::DESCRIPTION }),*] };
     }
     all_mechanisms!(descriptions)
 }

@@ -4,7 +4,7 @@
 use codegen::kernel_id::KernelId;
 use codegen::program::{Kernel, plan};
 use sim::sim_kernel::{GeneralizedSpeeds, Kinematics, SpeedDynamics};
-use sim::{Array, Dual, FixedArray, Mechanism, mechanism};
+use sim::{Array, Compiled, Dual, FixedArray, Mechanism, mechanism};
 use tests::Random;
 
 mechanism! {
@@ -168,7 +168,7 @@ fn apart(found: &[f64], expected: &[f64]) -> f64 {
 /// u of a state that moves with q' and q''.
 fn rates_of_speeds<M>(mechanism: &M, t: f64, q: &M::Q, qd: &M::Q, qdd: &M::Q) -> Vec<f64>
 where
-    M: Mechanism,
+    M: Compiled,
     M::On<Dual>: GeneralizedSpeeds<Dual>,
 {
     let dual = mechanism.on(Dual::constant);
@@ -181,7 +181,7 @@ where
 
 /// A random place. Quaternions are longer than 1/2: of shorter ones rows of angular velocities and of norms differ in
 /// size.
-fn place<M: Mechanism>(mechanism: &M, random: &mut Random) -> M::Q {
+fn place<M: Compiled>(mechanism: &M, random: &mut Random) -> M::Q {
     loop {
         let q = M::Q::from_fn(|_| random.between(-1.2, 1.2));
         let norms = mechanism.constraints(0.0, &q);

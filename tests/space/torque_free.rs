@@ -2,7 +2,7 @@
 
 use crate::elliptic::{jacobi, quarter};
 use models::{Tumbling, TumblingQuaternion};
-use sim::{Mechanism, Method, Run, Settings, Table};
+use sim::{Compiled, Method, Run, Settings, Table};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use tests::run_with;
 
@@ -114,7 +114,7 @@ pub(crate) fn of_quaternion([a, b, c, d]: [f64; 4]) -> [f64; 9] {
     ]
 }
 
-fn columns<M: Mechanism, const N: usize>(run: &Run<M>, names: [&str; N]) -> Vec<[f64; N]> {
+fn columns<M: Compiled, const N: usize>(run: &Run<M>, names: [&str; N]) -> Vec<[f64; N]> {
     assert_eq!(run.trajectory.failure, None);
     let table = Table::of(&run.mechanism, &run.trajectory);
     let columns = names.map(|name| table.column(name).unwrap().values.clone());
@@ -133,7 +133,7 @@ fn furthest<const N: usize>(found: impl Iterator<Item = ([f64; N], [f64; N])>) -
 }
 
 /// Runs a body for a hundred periods and compares: momentum and energy, angular velocity, and attitude.
-fn check<M: Mechanism>(mechanism: M, closed: &Closed, what: &str, attitude: impl Fn(&Run<M>) -> Vec<[f64; 9]>) {
+fn check<M: Compiled>(mechanism: M, closed: &Closed, what: &str, attitude: impl Fn(&Run<M>) -> Vec<[f64; 9]>) {
     // The error of 1e-14 a step makes what is asked for after some tens of thousands of steps.
     let settings = Settings::adaptive(Method::Dop853, PERIODS * closed.period(), 1e-14);
     let run = run_with(mechanism, &settings).unwrap();

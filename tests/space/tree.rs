@@ -5,7 +5,7 @@ use crate::common::{apart, column};
 use crate::linkages::rssr_rocker;
 use codegen::kernel_id::KernelId;
 use models::RobotArm;
-use sim::{Mechanism, Method, Settings, accelerate, mechanism};
+use sim::{Compiled, Mechanism, Method, Settings, accelerate, mechanism};
 use std::f64::consts::TAU;
 use tests::{Random, run_with};
 
@@ -135,7 +135,7 @@ fn quaternion(r: &[f64]) -> [f64; 4] {
 }
 
 /// A random state in which quaternions have length 1 and keep it.
-fn state<M: Mechanism>(random: &mut Random) -> (M::Q, M::Q)
+fn state<M: Compiled>(random: &mut Random) -> (M::Q, M::Q)
 where
     M::Q: Default + AsMut<[f64]>,
 {

@@ -1,7 +1,7 @@
 //! How far the extremes of a sweep depend on its rows and its range.
 
 use models::QuickReturn;
-use sim::{Driven, Extremes, Mechanism, Range, Sweep, declared_start, kinematics};
+use sim::{Compiled, Driven, Extremes, Range, Sweep, declared_start, kinematics};
 use std::f64::consts::{PI, TAU};
 
 /// What it is, the largest difference between the extremes of any column and those of a turn in 720 rows, as a part of their
@@ -32,10 +32,10 @@ fn extremes(to: f64, steps: usize) -> Extremes {
 }
 
 fn none() -> Extremes {
-    let outputs = <QuickReturn as Mechanism>::DESCRIPTION.outputs.len();
+    let outputs = <QuickReturn as Compiled>::DESCRIPTION.outputs.len();
     let ranges = vec![None; outputs];
     Extremes {
-        multipliers: vec![None; <QuickReturn as Mechanism>::DESCRIPTION.constraints.len()],
+        multipliers: vec![None; <QuickReturn as Compiled>::DESCRIPTION.constraints.len()],
         forces: vec![None],
         transmission: None,
         time_ratios: vec![None; outputs],

@@ -8,7 +8,7 @@ pub mod house;
 pub mod spectra;
 
 use serde_json::Value;
-use sim::{Description, Mechanism, Method, Run, Settings, declared_start};
+use sim::{Compiled, Description, Mechanism, Method, Run, Settings, declared_start};
 use std::time::{Duration, Instant};
 
 /// A file of `tests/reference`.
@@ -41,11 +41,12 @@ pub fn run<M: Mechanism>(mechanism: M, end: f64, steps: usize) -> Result<Run<M>,
 /// # Errors
 /// If it cannot be assembled.
 pub fn run_with<M: Mechanism>(mechanism: M, settings: &Settings) -> Result<Run<M>, sim::Failure> {
-    sim::run(mechanism, &declared_start(&mechanism), settings)
+    let start = declared_start(&mechanism);
+    sim::run(mechanism, &start, settings)
 }
 
 macro_rules! descriptions {
-    ($($model:ty),*) => { vec![$(const { &<$model as Mechanism>::DESCRIPTION }),*] };
+    ($($model:ty),*) => { vec![$(const { &<$model as Compiled>::DESCRIPTION }),*] };
 }
 
 /// What every shipped mechanism says of itself.

@@ -20,6 +20,8 @@ pub(super) fn description(
     let (name, type_name, docs) = (kebab_case(&model.name), &model.name, &model.docs);
     let Source { text: declaration, hash: declaration_hash } = source;
     let coordinates = coordinates(model, path);
+    let lengths = model.coordinates.iter().filter(|c| is_length(&c.unit)).count();
+    let mixes_lengths = 0 < lengths && lengths < model.coordinates.len();
     let parameters = model.parameters.iter().map(|p| quantity(&p.name, &p.unit, &p.docs));
     let inputs = model.inputs.iter().map(|input| quantity(&input.name, &input.unit, &input.docs));
     let constraints = model.constraints.iter().map(|c| quantity(&c.name, &c.unit, ""));
@@ -50,6 +52,7 @@ pub(super) fn description(
             declaration: #declaration,
             declaration_hash: #declaration_hash,
             coordinates: &[#(#coordinates),*],
+            mixes_lengths: #mixes_lengths,
             parameters: &[#(#parameters),*],
             inputs: &[#(#inputs),*],
             constraints: &[#(#constraints),*],
@@ -66,6 +69,10 @@ pub(super) fn description(
             drawing: &[#(#drawing),*],
         }
     }
+}
+
+fn is_length(unit: &Unit) -> bool {
+    *unit.dimension() == Dimension::length()
 }
 
 /// Coordinates with their speeds and accelerations, and how each starts.
@@ -123,7 +130,7 @@ fn drawing(model: &Model, path: &TokenStream) -> Vec<TokenStream> {
 
 /// A named quantity.
 pub(super) fn quantity(name: &str, unit: &Unit, docs: &str, path: &TokenStream) -> TokenStream {
-    let (text, factor, is_length) = (unit.text(), unit.factor(), *unit.dimension() == Dimension::length());
+    let (text, factor, is_length) = (unit.text(), unit.factor(), is_length(unit));
     quote! { #path::Quantity { name: #name, unit: #text, factor: #factor, is_length: #is_length, docs: #docs } }
 }
 

@@ -28,7 +28,7 @@ pub(super) fn implementation(
     let name = ident(&model.name);
     let (types, other) = (concrete.definitions(Trait::Mechanism), other_scalar(&model.name));
     let description = description(equations, program, source, path);
-    let parameters = parameters(equations, path);
+    let (defaults, parameters) = (defaults(equations, path), parameters(model, path));
     let inputs = inputs(model, path);
     let switched = switched(model);
     let velocity_variables = speeds::velocity_variables(equations, path);
@@ -39,7 +39,14 @@ pub(super) fn implementation(
             #types
             type On<#other: #path::Scalar> = #name<#other>;
 
-            const DESCRIPTION: #path::Description = #description;
+            #[inline(always)]
+            fn description(&self) -> &'static #path::Description {
+                const { &<Self as #path::Compiled<S>>::DESCRIPTION }
+            }
+
+            fn as_declared(&self) -> Self {
+                <Self as #path::Compiled<S>>::defaults()
+            }
 
             #parameters
 
@@ -51,30 +58,46 @@ pub(super) fn implementation(
 
             #forwards
         }
+
+        #[allow(clippy::all, clippy::pedantic)]
+        impl<S: #path::Scalar> #path::Compiled<S> for #name<S> {
+            const DESCRIPTION: #path::Description = #description;
+
+            #defaults
+        }
+    }
+}
+
+/// The declared values.
+fn defaults(equations: &EquationsOfMotion, path: &TokenStream) -> TokenStream {
+    let EquationsOfMotion { model, graph, .. } = equations;
+    let fields = model.parameters.iter().map(|p| ident(&p.name));
+    let inputs = model.inputs.iter().map(|input| ident(&input.name));
+    let activities = model.conditionals.iter().map(|c| ident(&c.field));
+    let starts = model.conditionals.iter().map(|c| match c.initially_active {
+        true => quote! { S::from_f64(1.0) },
+        false => quote! { S::from_f64(0.0) },
+    });
+    let marker = has_no_fields(model).then(|| quote! { scalar: ::core::marker::PhantomData });
+    let values: Vec<Expr> = model.parameters.iter().map(|p| p.default).collect();
+    let values = evaluate(graph, &values, |_| f64::NAN);
+    quote! {
+        fn defaults() -> Self {
+            Self { #(#fields: S::from_f64(#values),)* #(#inputs: #path::Input::Declared,)* #(#activities: #starts,)* #marker }
+        }
     }
 }
 
 /// Reading, changing and converting parameters.
-fn parameters(equations: &EquationsOfMotion, path: &TokenStream) -> TokenStream {
-    let EquationsOfMotion { model, graph, .. } = equations;
+fn parameters(model: &Model, path: &TokenStream) -> TokenStream {
     let (name, other) = (ident(&model.name), other_scalar(&model.name));
     let p = size(model.parameters.len());
     let fields: Vec<_> = model.parameters.iter().map(|p| ident(&p.name)).collect();
     let places = (0..fields.len()).map(size);
     let inputs: Vec<_> = model.inputs.iter().map(|input| ident(&input.name)).collect();
     let activities: Vec<_> = model.conditionals.iter().map(|c| ident(&c.field)).collect();
-    let starts = model.conditionals.iter().map(|c| match c.initially_active {
-        true => quote! { S::from_f64(1.0) },
-        false => quote! { S::from_f64(0.0) },
-    });
     let marker = has_no_fields(model).then(|| quote! { scalar: ::core::marker::PhantomData });
-    let defaults: Vec<Expr> = model.parameters.iter().map(|p| p.default).collect();
-    let defaults = evaluate(graph, &defaults, |_| f64::NAN);
     quote! {
-        fn defaults() -> Self {
-            Self { #(#fields: S::from_f64(#defaults),)* #(#inputs: #path::Input::Declared,)* #(#activities: #starts,)* #marker }
-        }
-
         fn parameters(&self) -> [S; #p] {
             [#(self.#fields),*]
         }

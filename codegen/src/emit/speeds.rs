@@ -18,8 +18,10 @@ pub(super) fn velocity_variables(equations: &EquationsOfMotion, path: &TokenStre
     let n = size(equations.model.coordinates.len());
     equations.speeds.as_ref().map(|_| {
         quote! {
-            const ROWS_LEFT: ::core::option::Option<&'static [::core::primitive::usize]> =
-                ::core::option::Option::Some(<Self as #path::GeneralizedSpeeds<S>>::ROWS);
+            #[inline(always)]
+            fn rows_left(&self) -> ::core::option::Option<&'static [::core::primitive::usize]> {
+                ::core::option::Option::Some(<Self as #path::GeneralizedSpeeds<S>>::ROWS)
+            }
 
             #[inline(always)]
             fn velocity_variables(&self, t: S, q: &[S; #n], qd: &[S; #n]) -> [S; #n] {

@@ -31,15 +31,29 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
             #types
             type On<#other: #path::Scalar> = #name<#other>;
 
-            const DESCRIPTION: #path::Description = #path::Description {
-                name: "", type_name: "", docs: "", declaration: "", declaration_hash: "", coordinates: &[], parameters: &[], inputs: &[], constraints: &[],
-                speed_constraints: &[], norm_constraints: &[], sparsity: &[],
-                conditionals: &[], events: &[], outputs: &[], rated_outputs: &[], figures: &[], optional_kernels: &[], dimension: 2, drawing: &[],
-            };
+            fn description(&self) -> &'static #path::Description {
+                const { &<Self as #path::Compiled<S>>::DESCRIPTION }
+            }
+
+            fn as_declared(&self) -> Self {
+                *self
+            }
 
             #functions
 
             #kernels
+        }
+
+        impl<S: #path::Scalar> #path::Compiled<S> for #name<S> {
+            const DESCRIPTION: #path::Description = #path::Description {
+                name: "", type_name: "", docs: "", declaration: "", declaration_hash: "", coordinates: &[], mixes_lengths: false, parameters: &[],
+                inputs: &[], constraints: &[], speed_constraints: &[], norm_constraints: &[], sparsity: &[],
+                conditionals: &[], events: &[], outputs: &[], rated_outputs: &[], figures: &[], optional_kernels: &[], dimension: 2, drawing: &[],
+            };
+
+            fn defaults() -> Self {
+                Self(::core::marker::PhantomData)
+            }
         }
 
         #speeds
@@ -50,9 +64,6 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
 fn functions(head: &Head, path: &TokenStream) -> TokenStream {
     let (name, other) = (&head.name, other_scalar(&head.name.to_string()));
     quote! {
-        fn defaults() -> Self {
-            Self(::core::marker::PhantomData)
-        }
         fn parameters(&self) -> [S; 0] {
             []
         }

@@ -91,7 +91,7 @@ fn mechanism(head: &Head, equations: &EquationsOfMotion, path: &TokenStream) -> 
         impl<S: #path::Scalar> ::core::default::Default for #name<S> {
             /// The declared values.
             fn default() -> Self {
-                <Self as #path::Mechanism<S>>::defaults()
+                <Self as #path::Compiled<S>>::defaults()
             }
         }
     }

@@ -25,7 +25,7 @@ pub(crate) struct State {
 
 /// Prints every kernel's values of a state on one line, as bits, under their names.
 const DRIVER: &str = r#"
-use sim_kernel::{FixedArray, Mechanism};
+use sim_kernel::{FixedArray, Mechanism, Compiled};
 
 fn print(name: &str, values: impl IntoIterator<Item = f64>) {
     print!("{name}");
@@ -39,7 +39,7 @@ fn rows<R: AsRef<[f64]>>(rows: impl AsRef<[R]>) -> Vec<f64> {
     rows.as_ref().iter().flat_map(|row| row.as_ref().to_vec()).collect()
 }
 
-fn evaluate<M: Mechanism>(t: f64, p: &[f64], q: &[f64], qd: &[f64], qdd: &[f64]) {
+fn evaluate<M: Compiled>(t: f64, p: &[f64], q: &[f64], qd: &[f64], qdd: &[f64]) {
     let mechanism = M::defaults().with_parameters(M::Parameters::from_fn(|i| p[i]));
     let [q, qd, qdd] = &[q, qd, qdd].map(|values| M::Q::from_fn(|i| values[i]));
     let vector = |values: &dyn AsRef<[f64]>| values.as_ref().to_vec();

@@ -5,7 +5,7 @@ use core::fmt::Debug;
 use core::ops::{Index, IndexMut};
 
 /// The elements of arrays.
-pub trait Element: Copy + Debug {
+pub trait Element: Clone + Debug {
     /// A value to begin with.
     const BLANK: Self;
 }
@@ -22,7 +22,8 @@ impl<T: Element, const N: usize> Element for [T; N] {
     const BLANK: [T; N] = [T::BLANK; N];
 }
 
-/// An array whose length is given by its mechanism, named by an associated type because `[S; Self::N]` cannot be.
+/// An array whose length is given by its mechanism: at compile time, by an associated type because `[S; Self::N]` cannot
+/// be named, or at run time.
 pub trait Array<T: Element>: Element + AsRef<[T]> + AsMut<[T]> + Index<usize, Output = T> + IndexMut<usize> {
     /// The array of `f(0), f(1), ..` with this length, which must be that of the type if the type has one.
     fn with_len(len: usize, f: impl FnMut(usize) -> T) -> Self;
@@ -30,7 +31,7 @@ pub trait Array<T: Element>: Element + AsRef<[T]> + AsMut<[T]> + Index<usize, Ou
     /// The array of equal elements, with this length.
     #[inline(always)]
     fn repeat(len: usize, value: T) -> Self {
-        Self::with_len(len, |_| value)
+        Self::with_len(len, |_| value.clone())
     }
 
     /// The array of `f(0), f(1), ..` with the length of this one.
@@ -59,7 +60,7 @@ pub trait Array<T: Element>: Element + AsRef<[T]> + AsMut<[T]> + Index<usize, Ou
 }
 
 /// An array whose length is that of its type.
-pub trait FixedArray<T: Element>: Array<T> {
+pub trait FixedArray<T: Element>: Array<T> + Copy {
     /// The number of elements.
     const LEN: usize;
 
@@ -76,7 +77,7 @@ pub trait FixedArray<T: Element>: Array<T> {
     }
 }
 
-impl<T: Element, const N: usize> FixedArray<T> for [T; N] {
+impl<T: Element + Copy, const N: usize> FixedArray<T> for [T; N] {
     const LEN: usize = N;
 }
 
@@ -96,8 +97,7 @@ impl<T: Element, const N: usize> Array<T> for [T; N] {
 
     #[inline(always)]
     fn repeat(len: usize, value: T) -> Self {
-        debug_assert_eq!(len, N, "an array of another length");
-        [value; N]
+        Self::with_len(len, |_| value.clone())
     }
 
     #[inline(always)]

@@ -18,6 +18,8 @@ pub struct Description {
     pub declaration_hash: &'static str,
     /// Generalised coordinates.
     pub coordinates: &'static [Coordinate],
+    /// Whether some coordinates are lengths and some are not.
+    pub mixes_lengths: bool,
     /// Parameters.
     pub parameters: &'static [Quantity],
     /// Inputs.

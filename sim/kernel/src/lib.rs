@@ -23,7 +23,7 @@ pub use dual::Dual;
 pub use input::Input;
 pub use lanes::{LaneMask, Lanes};
 pub use mechanism::{
-    ConstraintLinearization, Dynamics, DynamicsJacobian, DynamicsSensitivity, Initial, Kinematics, Mechanism,
+    Compiled, ConstraintLinearization, Dynamics, DynamicsJacobian, DynamicsSensitivity, Initial, Kinematics, Mechanism,
     pivot_is_refused,
 };
 pub use scalar::{Mask, Scalar};

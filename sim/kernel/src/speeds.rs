@@ -1,12 +1,12 @@
 //! Motion in generalised speeds, for mechanisms that declare some.
 
-use crate::{Array, FixedArray, Kinematics, Mechanism, Quantity, Scalar};
+use crate::{Array, Compiled, FixedArray, Kinematics, Quantity, Scalar};
 
 /// A mechanism whose declaration names generalised speeds u = W q' + w: its state is (q, u), governed by q' = N u + n
 /// and Kane's equations for u'. Norms of quaternions and constraints between speeds hold for every u.
 ///
 /// k is the number of generalised speeds, r that of the remaining constraints. All quantities are in SI units.
-pub trait GeneralizedSpeeds<S: Scalar = f64>: Mechanism<S> {
+pub trait GeneralizedSpeeds<S: Scalar = f64>: Compiled<S> {
     /// Generalised speeds or their rates: k.
     type U: FixedArray<S>;
     /// Multipliers of the remaining constraints: r.
@@ -40,14 +40,14 @@ pub trait GeneralizedSpeeds<S: Scalar = f64>: Mechanism<S> {
     }
 }
 
-/// [`Mechanism::velocity_variables`] where generalised speeds are declared.
+/// [`crate::Mechanism::velocity_variables`] where generalised speeds are declared.
 #[inline(always)]
 pub fn velocity_variables<S: Scalar, M: GeneralizedSpeeds<S>>(mechanism: &M, t: S, q: &M::Q, qd: &M::Q) -> M::Q {
     let speeds = mechanism.generalized_speeds(t, q, qd);
     qd.like(|i| if i < speeds.len() { speeds[i] } else { S::ZERO })
 }
 
-/// [`Mechanism::prepared_velocities`] where generalised speeds are declared.
+/// [`crate::Mechanism::prepared_velocities`] where generalised speeds are declared.
 #[inline(always)]
 pub fn prepared_velocities<S: Scalar, M: GeneralizedSpeeds<S>>(
     prepared: &M::Prepared,

@@ -68,24 +68,21 @@ pub fn poincare<M: Mechanism>(
     // Crossings in both directions alternate.
     let most = if section.crossing.is_some() { 2 * section.count } else { section.count };
     let stop = Some(StopAt { event: section.event, occurrence: most });
-    let found = run(mechanism, start, &Settings { rows: Rows::Even(1), stop, ..*settings })?;
+    let found = run(mechanism.clone(), start, &Settings { rows: Rows::Even(1), stop, ..*settings })?;
     let is_wanted = |event: &&Occurrence<M>| {
         event.event == section.event && section.crossing.is_none_or(|crossing| event.crossing == crossing)
     };
     let (mut samples, mut phases) = (Vec::new(), Vec::new());
     for event in found.events.iter().filter(is_wanted).take(section.count) {
         let phase = phase_before(&found.trajectory, &event.state);
-        let mechanism = phase.map_or(mechanism, |phase| phase.mechanism);
-        phases.extend(phase.map(|phase| Phase { first: samples.len(), ..*phase }));
-        let measures = Measures::at(&mechanism, event.state.time, &event.state.positions);
-        samples.push(Motion::new(mechanism, settings.stabilisation, measures).sample(event.state)?);
+        let mechanism = phase.map_or(&mechanism, |phase| &phase.mechanism);
+        phases.extend(phase.map(|phase| Phase { first: samples.len(), ..phase.clone() }));
+        let measures = Measures::at(mechanism, event.state.time, &event.state.positions);
+        samples.push(Motion::new(mechanism.clone(), settings.stabilisation, measures).sample(event.state)?);
     }
     let states: Vec<At<f64>> = samples.iter().map(At::sample).collect();
-    Ok(Section {
-        mechanism,
-        period: period(mechanism.description(), &states),
-        trajectory: Trajectory { samples, phases, failure: found.trajectory.failure },
-    })
+    let period = period(mechanism.description(), &states);
+    Ok(Section { mechanism, period, trajectory: Trajectory { samples, phases, failure: found.trajectory.failure } })
 }
 
 /// The phase that an event ends or lies in.

@@ -3,10 +3,10 @@
 use crate::cli::quantity::{parse_quantity, split_assignment};
 use crate::cli::{Stop, unknown};
 use crate::{Start, declared_start};
-use sim_kernel::{Description, Input, Mechanism};
+use sim_kernel::{Compiled, Description, Input, Mechanism};
 
 /// The mechanism with the parameters that the user sets.
-pub(super) fn mechanism_with<M: Mechanism>(description: &Description, settings: &[String]) -> Result<M, Stop> {
+pub(super) fn mechanism_with<M: Compiled>(description: &Description, settings: &[String]) -> Result<M, Stop> {
     let mut parameters = M::defaults().parameters();
     set(parameters.as_mut(), description, settings)?;
     Ok(M::defaults().with_parameters(parameters))

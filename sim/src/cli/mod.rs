@@ -33,7 +33,7 @@ use clap::{FromArgMatches, Parser};
 use codegen::nearest;
 use commands::{compare, generate, info, kinematics, linearize, list, new, plot, poincare, run, statics, verify};
 use files::run_file::RunFile;
-use sim_kernel::{Description, Mechanism};
+use sim_kernel::{Compiled, Description};
 use std::ffi::OsString;
 use std::io::Write;
 use std::process::ExitCode;
@@ -53,7 +53,7 @@ pub struct Entry {
 }
 
 /// Registers a mechanism with [`main`].
-pub fn entry<M: Mechanism>() -> Entry {
+pub fn entry<M: Compiled>() -> Entry {
     Entry {
         description: const { &M::DESCRIPTION },
         run: run::run_command::<M>,

@@ -47,7 +47,7 @@ pub fn act<M: Mechanism>(
     event: &'static Event,
     occurrence: usize,
 ) -> Result<Change<M>, Failure> {
-    let mut change = Change::none(*mechanism, *before);
+    let mut change = Change::none(mechanism.clone(), *before);
     for step in event.steps {
         match step {
             Step::Stop(after) => change.ends |= occurrence >= *after,
@@ -68,7 +68,8 @@ fn kinetic_energy<M: Mechanism>(mechanism: &M, state: &State<M>) -> f64 {
 impl<M: Mechanism> Change<M> {
     /// None.
     pub(crate) fn none(mechanism: M, state: State<M>) -> Change<M> {
-        Change { mechanism, state, impulses: M::L::repeat(mechanism.m(), 0.0), energy_taken: 0.0, ends: false }
+        let impulses = M::L::repeat(mechanism.m(), 0.0);
+        Change { mechanism, state, impulses, energy_taken: 0.0, ends: false }
     }
 
     /// All of it as bytes, or from them.
@@ -112,7 +113,7 @@ impl<M: Mechanism> Change<M> {
         for Switch { conditional, active } in switches {
             activities[*conditional] = f64::from(u8::from(*active));
         }
-        self.mechanism = self.mechanism.with_activities(activities);
+        self.mechanism = self.mechanism.clone().with_activities(activities);
         self.settle(event)
     }
 
@@ -130,14 +131,14 @@ impl<M: Mechanism> Change<M> {
             let rows = described.first_row..described.first_row + described.rows;
             rows.for_each(|row| restitution[row] = coefficient);
         }
-        let struck = self.mechanism.with_activities(activities);
+        let struck = self.mechanism.clone().with_activities(activities);
         self.check_closed(&struck, event)?;
         self.push(&struck, |row, rate| (1.0 + restitution[row]) * rate)
     }
 
     /// Brings the state onto the constraints that hold.
     fn settle(&mut self, event: &'static Event) -> Result<(), Failure> {
-        let mechanism = self.mechanism;
+        let mechanism = self.mechanism.clone();
         self.check_closed(&mechanism, event)?;
         let measures = Measures::at(&mechanism, self.state.time, &self.state.positions);
         project_positions(&mechanism, &measures, self.state.time, &mut self.state.positions)?;

@@ -9,13 +9,21 @@ use sim_kernel::event::Event;
 use sim_kernel::{Array, Mechanism};
 
 /// The conditions at one time.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub(super) struct Point<M: Mechanism> {
     pub(super) time: f64,
     pub(super) values: M::Events,
     /// The rates of the values in time.
     pub(super) rates: M::Events,
 }
+
+impl<M: Mechanism> Clone for Point<M> {
+    fn clone(&self) -> Point<M> {
+        *self
+    }
+}
+
+impl<M: Mechanism> Copy for Point<M> {}
 
 /// The value of a condition at a time inside a step.
 pub(super) fn value<M: Mechanism>(step: &mut Step<M>, time: f64, event: usize) -> Result<f64, Failure> {

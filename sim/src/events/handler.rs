@@ -253,7 +253,7 @@ impl<M: Mechanism> EventHandler<M> {
 
     /// Carries out the actions of the occurrences from here on, in order.
     fn act_from(&mut self, mechanism: &M, at: usize) -> Result<(), Failure> {
-        let mut mechanism = *mechanism;
+        let mut mechanism = mechanism.clone();
         let mut state = self.search.found[at].state;
         let mut changes = false;
         for index in at..self.search.found.len() {
@@ -266,7 +266,7 @@ impl<M: Mechanism> EventHandler<M> {
             self.last[event] = state.time;
             self.note_time(&mechanism, &state, name, self.counts[event])?;
             let change = act(&mechanism, &state, described, self.counts[event])?;
-            (mechanism, state) = (change.mechanism, change.state);
+            (mechanism, state) = (change.mechanism.clone(), change.state);
             self.has_ended |= change.ends;
             self.energy_taken += change.energy_taken;
             changes |= described.steps.iter().any(|step| !matches!(step, event::Step::Stop(_)));

@@ -61,7 +61,7 @@ impl<M: Mechanism> Occurrence<M> {
         bytes.index(&mut crossing, CROSSINGS.len())?;
         self.crossing = CROSSINGS[crossing];
         bytes.state(&mut self.state)?;
-        bytes.option(&mut self.change, || *blank, |bytes, change| change.transfer(bytes))
+        bytes.option(&mut self.change, || blank.clone(), |bytes, change| change.transfer(bytes))
     }
 }
 

@@ -13,7 +13,7 @@ use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 
 /// Conditions with their first two derivatives in time.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub(crate) struct Onset<M: Mechanism> {
     values: M::Events,
     rates: M::Events,
@@ -25,6 +25,14 @@ pub(crate) struct Onset<M: Mechanism> {
     d: f64,
     tolerance: f64,
 }
+
+impl<M: Mechanism> Clone for Onset<M> {
+    fn clone(&self) -> Onset<M> {
+        *self
+    }
+}
+
+impl<M: Mechanism> Copy for Onset<M> {}
 
 /// Constraints are held to 1e-12.
 const OFFSET: f64 = 4e-12;

@@ -59,13 +59,21 @@ pub trait Advance<M: Mechanism> {
 }
 
 /// The end of a step.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct Attempt<M: Mechanism> {
     /// The state at its end.
     pub end: State<M>,
     /// The estimate of its error in units of the tolerance; 0 if there is none.
     pub error: f64,
 }
+
+impl<M: Mechanism> Clone for Attempt<M> {
+    fn clone(&self) -> Attempt<M> {
+        *self
+    }
+}
+
+impl<M: Mechanism> Copy for Attempt<M> {}
 
 impl Tolerance {
     /// The norm of an error of positions and speeds in units of the tolerance: root of the mean square.

@@ -60,7 +60,7 @@ pub struct Radau5<M: Mechanism> {
 }
 
 /// d(q'')/dq and d(q'')/dq'.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Blocks<M: Mechanism> {
     by_positions: M::QQ,
     by_speeds: M::QQ,
@@ -71,7 +71,7 @@ impl<M: Mechanism> Radau5<M> {
     pub fn new(mechanism: &M) -> Radau5<M> {
         let n = mechanism.n();
         let zero = M::QQ::repeat(n, M::Q::repeat(n, 0.0));
-        let jacobian = Blocks { by_positions: zero, by_speeds: zero };
+        let jacobian = Blocks { by_positions: zero.clone(), by_speeds: zero };
         Radau5 {
             stages: [Rates::zero(n); 3],
             last: 0.0,

@@ -21,7 +21,7 @@ pub(crate) fn is_speed_row<M: Mechanism>(mechanism: &M, row: usize) -> bool {
 #[inline(always)]
 pub(crate) fn between_positions<M: Mechanism>(mechanism: &M, jacobian: &M::LQ) -> M::LQ {
     match has_speed_rows(mechanism) {
-        false => *jacobian,
+        false => jacobian.clone(),
         true => jacobian.like(|i| if is_speed_row(mechanism, i) { jacobian[i].like(|_| 0.0) } else { jacobian[i] }),
     }
 }

@@ -59,10 +59,10 @@ fn solve_motion<M: Mechanism>(
     let fail =
         |unknown: usize| Failure::at(mechanism, What::Singular { unknown: unknown_name(mechanism, unknown) }, time, q);
     let solved = solve(matrix, rhs);
-    let undetermined = || solved.undetermined();
-    match undetermined().find(|unknown| *unknown < mechanism.n()) {
+    let acceleration = solved.undetermined().find(|unknown| *unknown < mechanism.n());
+    match acceleration {
         Some(acceleration) => Err(fail(acceleration)),
-        None if !solved.is_consistent => Err(fail(undetermined().next().unwrap_or(0))),
+        None if !solved.is_consistent => Err(fail(solved.undetermined().next().unwrap_or(0))),
         None => Ok(solved),
     }
 }

@@ -11,7 +11,7 @@ use sim_kernel::Array;
 pub(crate) fn least_norm<A: Array<Q>, Q: Array<f64>, L: Array<f64>>(mut columns: A, multipliers: &L, rank: usize) -> L {
     let (m, n) = (columns.len(), columns.iter().next().map_or(0, Array::len));
     (0..n).for_each(|j| scale(&mut columns, j));
-    let (mut rest, mut shortest) = (*multipliers, multipliers.like(|_| 0.0));
+    let (mut rest, mut shortest) = (multipliers.clone(), multipliers.like(|_| 0.0));
     for k in 0..rank.min(n) {
         let length = |j: &usize| inner(&columns, *j, *j);
         let Some(longest) = (k..n).max_by(|a, b| length(a).total_cmp(&length(b))) else { break };

@@ -11,11 +11,11 @@ use crate::model::conditional::released_rows;
 use crate::motion::lengths::measure;
 use crate::numerics::arrays::array;
 use crate::state::saved::{Bytes, Damaged};
-use sim_kernel::{Array, Description, Mechanism};
+use sim_kernel::{Array, Mechanism};
 
 /// The scales of a mechanism's coordinates and constraints, and the ranks of its constraint Jacobian, found once at the
 /// start of a motion.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct Measures<M: Mechanism> {
     /// For each coordinate the change that counts as 1: the mechanism's own length for lengths, and 1 for all others, n.
     coordinates: M::Q,
@@ -26,6 +26,14 @@ pub struct Measures<M: Mechanism> {
     /// Whether some of the constraints that hold are redundant.
     is_redundant: bool,
 }
+
+impl<M: Mechanism> Clone for Measures<M> {
+    fn clone(&self) -> Measures<M> {
+        *self
+    }
+}
+
+impl<M: Mechanism> Copy for Measures<M> {}
 
 impl<M: Mechanism> Measures<M> {
     /// Those of a mechanism at a position, with known degrees of freedom.
@@ -93,7 +101,7 @@ impl<M: Mechanism> Measures<M> {
     #[inline(always)]
     pub(crate) fn columns(&self, mechanism: &M, jacobian: &M::LQ) -> M::LQ {
         match mixes_lengths(mechanism) {
-            false => *jacobian,
+            false => jacobian.clone(),
             true => jacobian.like(|i| jacobian[i].like(|j| jacobian[i][j] * self.coordinates[j])),
         }
     }
@@ -120,15 +128,6 @@ impl<M: Mechanism> Measures<M> {
 
 /// Whether the coordinates contain both lengths and others, so that they have different scales.
 #[inline(always)]
-pub(crate) fn mixes_lengths<M: Mechanism>(_mechanism: &M) -> bool {
-    const { lengths_are_mixed(&M::DESCRIPTION) }
-}
-
-const fn lengths_are_mixed(description: &Description) -> bool {
-    let (coordinates, mut lengths, mut j) = (description.coordinates, 0, 0);
-    while j < coordinates.len() {
-        lengths += coordinates[j].position.is_length as usize;
-        j += 1;
-    }
-    0 < lengths && lengths < coordinates.len()
+pub(crate) fn mixes_lengths<M: Mechanism>(mechanism: &M) -> bool {
+    mechanism.description().mixes_lengths
 }

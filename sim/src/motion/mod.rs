@@ -181,7 +181,7 @@ impl<M: Mechanism> Motion<M> {
     fn difference_quotients(&self, at: &Sample<M>) -> Result<(M::QQ, M::QQ), Failure> {
         let n = self.mechanism.n();
         let zero = M::QQ::repeat(n, M::Q::repeat(n, 0.0));
-        let (mut by_positions, mut by_speeds) = (zero, zero);
+        let (mut by_positions, mut by_speeds) = (zero.clone(), zero);
         for j in 0..n {
             let (mut moved, mut hastened) = (at.state, at.state);
             let step = |x: f64| f64::EPSILON.sqrt() * x.abs().max(self.measures.coordinates()[j]);

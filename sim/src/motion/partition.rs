@@ -53,7 +53,7 @@ impl<M: Mechanism> Partition<M> {
         self.positions =
             Across::new(mechanism, measures, between_positions(mechanism, jacobian), measures.rank_of_positions());
         if has_speed_rows(mechanism) {
-            self.speeds = Across::new(mechanism, measures, *jacobian, measures.rank());
+            self.speeds = Across::new(mechanism, measures, jacobian.clone(), measures.rank());
         }
     }
 

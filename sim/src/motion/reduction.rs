@@ -12,7 +12,7 @@ use crate::motion::measures::Measures;
 use sim_kernel::{Array, Mechanism};
 
 /// K: each of its rows combines the declared constraints to one reduced constraint; the last rows are zero.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Reduction<M: Mechanism> {
     combinations: M::LL,
 }
@@ -30,7 +30,7 @@ impl<M: Mechanism> Reduction<M> {
         for i in 0..m {
             scaled[i].as_mut().iter_mut().for_each(|entry| *entry *= inverse_lengths[i]);
         }
-        let space = row_space(scaled, rank);
+        let space = row_space(scaled.clone(), rank);
         // U: an orthonormal basis of the columns of A Q', by rows.
         let mut combinations = M::LL::repeat(m, M::L::repeat(m, 0.0));
         for k in 0..rank.min(m) {
@@ -91,7 +91,7 @@ pub(crate) fn row_space<A: Array<R>, R: Array<f64>>(mut rows: A, rank: usize) ->
         rows.as_mut().swap(k, longest);
         // They have been subtracted once, below.
         orthonormalise(rows.as_mut(), k, 1);
-        let direction = rows[k];
+        let direction = rows[k].clone();
         for i in k + 1..rows.len() {
             remove(&mut rows[i], &direction);
         }

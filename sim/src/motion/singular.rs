@@ -207,7 +207,10 @@ impl<'a, M: Mechanism> Followed<'a, M> {
     fn rows(&self, time: f64, q: &M::Q) -> M::LQ {
         let jacobian = self.motion.mechanism().constraint_jacobian(time, q);
         let columns = self.motion.measures().columns(self.motion.mechanism(), &jacobian);
-        self.reduction.as_ref().map_or(columns, |reduction| reduction.rows(&columns))
+        match &self.reduction {
+            Some(reduction) => reduction.rows(&columns),
+            None => columns,
+        }
     }
 
     /// The length of the independent part of a row, relative to its greatest length so far; for combinations, relative
@@ -283,10 +286,10 @@ pub(crate) fn weakest_constraint<M: Mechanism>(motion: &Motion<M>, state: &State
 /// The part of each row that is orthogonal to those before it; zero for one that depends on them everywhere. The k-th
 /// row is given with the index of the first row that it need not be orthogonal to.
 fn independent_parts<A: Array<Q>, Q: Array<f64>>(jacobian: &A, row: impl Fn(usize) -> (usize, usize)) -> A {
-    let mut parts = *jacobian;
+    let mut parts = jacobian.clone();
     for k in 0..jacobian.len() {
         let (i, first) = row(k);
-        let mut part = parts[i];
+        let mut part = parts[i].clone();
         // Twice, to remove the rounding of the first subtraction.
         for (j, _) in (first..k).chain(first..k).map(&row) {
             let square = inner(&parts[j], &parts[j]);

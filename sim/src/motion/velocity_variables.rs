@@ -16,8 +16,16 @@ use sim_kernel::{Array, Dual, Mechanism};
 type DualQ<M> = <<M as Mechanism>::On<Dual> as Mechanism<Dual>>::Q;
 
 /// A state with its velocity variables in the place of its speeds.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub(crate) struct Integrated<M: Mechanism>(State<M>);
+
+impl<M: Mechanism> Clone for Integrated<M> {
+    fn clone(&self) -> Integrated<M> {
+        *self
+    }
+}
+
+impl<M: Mechanism> Copy for Integrated<M> {}
 
 impl<M: Mechanism> Integrated<M> {
     /// Its time.

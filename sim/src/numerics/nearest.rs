@@ -18,7 +18,7 @@ pub(crate) struct Known<A> {
 ///
 /// Forsythe, Journal of the Society for Industrial and Applied Mathematics 5 (1957), pp. 74-88: polynomials that are orthogonal
 /// over the fractions, by recurrence.
-pub(crate) fn nearest_polynomial<A: Array<f64>>(
+pub(crate) fn nearest_polynomial<A: Array<f64> + Copy>(
     known: &[Known<A>],
     at: f64,
     none: A,

@@ -87,9 +87,9 @@ impl<M: Mechanism> Recorded for Run<M> {
     fn outcome(&self) -> Outcome {
         let samples = &self.trajectory.samples;
         Outcome {
-            description: const { &M::DESCRIPTION },
+            description: self.mechanism.description(),
             parameters: list(&self.mechanism.parameters()),
-            defaults: list(&M::defaults().parameters()),
+            defaults: list(&self.mechanism.as_declared().parameters()),
             settings: self.settings,
             start: (!samples.is_empty()).then(|| self.row(0)),
             reached: samples.last().map_or(0.0, |sample| sample.state.time),

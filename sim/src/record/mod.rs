@@ -116,7 +116,7 @@ impl<M: Mechanism> Recorder<M> {
 
 impl<M: Mechanism> Watch<M> for Recorder<M> {
     fn starts(&mut self, motion: &Motion<M>, sample: &Sample<M>, energy_taken: f64) {
-        let (mechanism, first) = (*motion.mechanism(), self.samples.len());
+        let (mechanism, first) = (motion.mechanism().clone(), self.samples.len());
         self.phases.push(Phase { mechanism, first, energy_taken });
         self.push(*sample);
         self.dead_points.iter_mut().for_each(DeadPoints::restart);

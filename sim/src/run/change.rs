@@ -72,8 +72,8 @@ impl<M: Mechanism> Simulation<M> {
     }
 
     fn change_to(&mut self, parameters: M::Parameters) -> Result<(), Failure> {
-        let (before, state) = (*self.mechanism(), self.state);
-        let mechanism = before.with_parameters(parameters);
+        let (before, state) = (self.mechanism().clone(), self.state);
+        let mechanism = before.with_parameters(parameters.clone());
         check_masses(&mechanism, state.time, &state.positions)?;
         check_inertias(&mechanism, state.time, &state.positions)?;
         let state = if moves_constraints(&before, &mechanism, &state) { self.closed(&parameters)? } else { state };
@@ -85,7 +85,7 @@ impl<M: Mechanism> Simulation<M> {
         let old = self.mechanism().parameters();
         let with = |part: f64| {
             let mixed = |i: usize| old[i] + part * (parameters[i] - old[i]);
-            let parameters = if part == 1.0 { *parameters } else { parameters.like(mixed) };
+            let parameters = if part == 1.0 { parameters.clone() } else { parameters.like(mixed) };
             self.mechanism().with_parameters(parameters)
         };
         let (mut state, mut done, mut part) = (self.state, 0.0, 1.0f64);

@@ -103,7 +103,7 @@ fn run_with<M: Mechanism>(
     settings: &Settings,
     controller: Option<&mut Controller<M>>,
 ) -> Result<Run<M>, Failure> {
-    let mut simulation = Simulation::new(mechanism, start, settings)?;
+    let mut simulation = Simulation::new(mechanism.clone(), start, settings)?;
     let first = *simulation.state();
     let mobility = simulation.mobility().clone();
     let mut recorder = Recorder::new(settings, first.time);

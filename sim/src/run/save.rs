@@ -115,7 +115,7 @@ impl<M: Mechanism> Simulation<M> {
 
     /// All of it as bytes, or from them.
     fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
-        let mechanism = *self.motion.mechanism();
+        let mechanism = self.motion.mechanism().clone();
         bytes.number(&mut self.begin)?;
         self.mobility.transfer(&mechanism, bytes)?;
         bytes.state(&mut self.state)?;
@@ -125,7 +125,7 @@ impl<M: Mechanism> Simulation<M> {
         let course = self.course(self.settings.end);
         Stepper::transfer(&mut self.stepper, bytes, (&course, self.integrator.method()), &mechanism, &self.state)?;
         bytes.flag(&mut self.begins_phase)?;
-        self.events.transfer(bytes, &Change::none(*self.motion.mechanism(), self.state))?;
+        self.events.transfer(bytes, &Change::none(mechanism.clone(), self.state))?;
         self.steps.transfer(&mechanism, bytes)?;
         bytes.tally(&mut self.evaluations)
     }

@@ -78,6 +78,8 @@ impl<M: Mechanism> Simulation<M> {
         let mobility = mobility(&mechanism, state.time, &state.positions);
         mobility.check_regular(&mechanism, state.time, &state.positions)?;
         let measures = Measures::with_mobility(&mechanism, state.time, &state.positions, &mobility);
+        let integrator = Integrator::new(&mechanism, settings.method);
+        let events = EventHandler::new(&mechanism, settings, state.time);
         Ok(Simulation {
             settings: *settings,
             begin: state.time,
@@ -85,10 +87,10 @@ impl<M: Mechanism> Simulation<M> {
             state,
             measures,
             motion: Motion::new(mechanism, settings.stabilisation, measures),
-            integrator: Integrator::new(&mechanism, settings.method),
+            integrator,
             stepper: None,
             begins_phase: true,
-            events: EventHandler::new(&mechanism, settings, state.time),
+            events,
             steps: Steps::default(),
             evaluations: 0,
             failure: None,
@@ -112,9 +114,10 @@ impl<M: Mechanism> Simulation<M> {
     pub fn sample(&self) -> Result<Sample<M>, Failure> {
         match &self.stepper {
             Some(stepper) => stepper.sample(&self.motion, self.integrator.clone().method()),
-            None => {
-                first_sample(&Motion::new(*self.mechanism(), self.settings.stabilisation, self.measures), self.state)
-            }
+            None => first_sample(
+                &Motion::new(self.mechanism().clone(), self.settings.stabilisation, self.measures),
+                self.state,
+            ),
         }
     }
 
@@ -263,7 +266,7 @@ impl<M: Mechanism> Simulation<M> {
         let found = mobility(&mechanism, state.time, &state.positions);
         self.measures = Measures::with_mobility(&mechanism, state.time, &state.positions, &found);
         self.start_anew(mechanism);
-        found.check_regular(&mechanism, state.time, &state.positions)
+        found.check_regular(self.mechanism(), state.time, &state.positions)
     }
 
     /// Makes the next step start a motion of this mechanism.

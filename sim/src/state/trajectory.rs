@@ -4,7 +4,7 @@ use crate::Failure;
 use sim_kernel::{Array, Dynamics, Mechanism};
 
 /// The integrated variables: the state of a mechanism, and the work done on it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct State<M: Mechanism> {
     /// t, in seconds.
     pub time: f64,
@@ -15,6 +15,14 @@ pub struct State<M: Mechanism> {
     /// The work of loads and drives since the start, in joules.
     pub work: f64,
 }
+
+impl<M: Mechanism> Clone for State<M> {
+    fn clone(&self) -> State<M> {
+        *self
+    }
+}
+
+impl<M: Mechanism> Copy for State<M> {}
 
 impl<M: Mechanism> State<M> {
     /// The state at `time` after a change of `factor` times some rates.
@@ -37,7 +45,7 @@ impl<M: Mechanism> State<M> {
 }
 
 /// A state with the quantities that follow from it, all at one time.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct Sample<M: Mechanism> {
     /// The state.
     pub state: State<M>,
@@ -50,6 +58,14 @@ pub struct Sample<M: Mechanism> {
     /// The inputs that all of this follows from.
     pub inputs: M::Inputs,
 }
+
+impl<M: Mechanism> Clone for Sample<M> {
+    fn clone(&self) -> Sample<M> {
+        *self
+    }
+}
+
+impl<M: Mechanism> Copy for Sample<M> {}
 
 impl<M: Mechanism> Sample<M> {
     /// A state with the solution of the equations of motion there, at these inputs.
@@ -65,7 +81,7 @@ impl<M: Mechanism> Sample<M> {
 }
 
 /// The rate of each part of a state, or a change of it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct Rates<M: Mechanism> {
     /// Of the positions: q'.
     pub positions: M::Q,
@@ -74,6 +90,14 @@ pub struct Rates<M: Mechanism> {
     /// Of the work: the power, in watts.
     pub work: f64,
 }
+
+impl<M: Mechanism> Clone for Rates<M> {
+    fn clone(&self) -> Rates<M> {
+        *self
+    }
+}
+
+impl<M: Mechanism> Copy for Rates<M> {}
 
 impl<M: Mechanism> Rates<M> {
     /// No change of a state with so many coordinates.

@@ -59,7 +59,7 @@ pub struct BouncingBall<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> ::core::default::Default for BouncingBall<S> {
     /// The declared values.
     fn default() -> Self {
-        <Self as sim_kernel::Mechanism<S>>::defaults()
+        <Self as sim_kernel::Compiled<S>>::defaults()
     }
 }
 /// Coordinates of [`BouncingBall`] by name, in SI units; also for their speeds and accelerations.
@@ -482,207 +482,12 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
     type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = BouncingBallPrepared<S>;
     type On<T: sim_kernel::Scalar> = BouncingBall<T>;
-    const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
-        name: "bouncing-ball",
-        type_name: "BouncingBall",
-        docs: "A ball that falls on a floor and bounces, each time to a lesser height.",
-        declaration: "/// A ball that falls on a floor and bounces, each time to a lesser height.\npub BouncingBall;\n\ncoordinates {\n    /// How far it has rolled.\n    x [m];\n    /// Height of its centre above the floor.\n    y [m];\n}\n\nparameters {\n    m [kg] = 0.06;\n    /// Radius.\n    r [m] = 0.033;\n    /// Height from which it falls.\n    h [m] = 1;\n    /// The ratio of its speeds after and before an impact.\n    rebound = 0.9;\n    /// Its speed along the floor.\n    v [m/s] = 0.4;\n    g [m/s^2] = 9.81;\n}\n\nlet P = [x, y];\n\nbodies { ball: mass m at P; }\nloads { gravity [0, -g]; }\nconstraints {\n    /// It holds for the instant of an impact.\n    floor: P.y = r initially released;\n}\ninitial { x = 0; y = r + h; dot(x) = v; dot(y) = 0; }\n\nevents {\n    /// The ball meets the floor.\n    landing: P.y = r falling { impact floor restitution rebound; }\n    /// It is at its highest.\n    top: dot(P.y) = 0 falling;\n}\n\noutputs {\n    /// Height of the ball above the floor\n    height [m] = P.y - r;\n    /// Speed upwards\n    climb [m/s] = dot(P.y);\n    /// Kinetic and potential energy\n    energy [J] = m*inner(dot(P), dot(P))/2 + m*g*(P.y - r);\n}\n\ndrawing {\n    curve [-0.2 [m], 0], [2 [m], 0];\n    circle P radius r;\n}\n",
-        declaration_hash: "8f22326163e0882b3fe6343a9abd0306",
-        coordinates: &[
-            sim_kernel::Coordinate {
-                position: sim_kernel::Quantity {
-                    name: "x",
-                    unit: "m",
-                    factor: 1f64,
-                    is_length: true,
-                    docs: "How far it has rolled.",
-                },
-                speed: sim_kernel::Quantity {
-                    name: "x_dot",
-                    unit: "m/s",
-                    factor: 1f64,
-                    is_length: false,
-                    docs: "",
-                },
-                acceleration: sim_kernel::Quantity {
-                    name: "x_ddot",
-                    unit: "m/s^2",
-                    factor: 1f64,
-                    is_length: false,
-                    docs: "",
-                },
-                start: sim_kernel::Start::Given,
-                speed_given: true,
-            },
-            sim_kernel::Coordinate {
-                position: sim_kernel::Quantity {
-                    name: "y",
-                    unit: "m",
-                    factor: 1f64,
-                    is_length: true,
-                    docs: "Height of its centre above the floor.",
-                },
-                speed: sim_kernel::Quantity {
-                    name: "y_dot",
-                    unit: "m/s",
-                    factor: 1f64,
-                    is_length: false,
-                    docs: "",
-                },
-                acceleration: sim_kernel::Quantity {
-                    name: "y_ddot",
-                    unit: "m/s^2",
-                    factor: 1f64,
-                    is_length: false,
-                    docs: "",
-                },
-                start: sim_kernel::Start::Given,
-                speed_given: true,
-            },
-        ],
-        parameters: &[
-            sim_kernel::Quantity {
-                name: "m",
-                unit: "kg",
-                factor: 1f64,
-                is_length: false,
-                docs: "",
-            },
-            sim_kernel::Quantity {
-                name: "r",
-                unit: "m",
-                factor: 1f64,
-                is_length: true,
-                docs: "Radius.",
-            },
-            sim_kernel::Quantity {
-                name: "h",
-                unit: "m",
-                factor: 1f64,
-                is_length: true,
-                docs: "Height from which it falls.",
-            },
-            sim_kernel::Quantity {
-                name: "rebound",
-                unit: "1",
-                factor: 1f64,
-                is_length: false,
-                docs: "The ratio of its speeds after and before an impact.",
-            },
-            sim_kernel::Quantity {
-                name: "v",
-                unit: "m/s",
-                factor: 1f64,
-                is_length: false,
-                docs: "Its speed along the floor.",
-            },
-            sim_kernel::Quantity {
-                name: "g",
-                unit: "m/s^2",
-                factor: 1f64,
-                is_length: false,
-                docs: "",
-            },
-        ],
-        inputs: &[],
-        constraints: &[
-            sim_kernel::Quantity {
-                name: "floor",
-                unit: "N",
-                factor: 1f64,
-                is_length: false,
-                docs: "",
-            },
-        ],
-        speed_constraints: &[],
-        norm_constraints: &[],
-        sparsity: &[],
-        conditionals: &[
-            sim_kernel::event::Conditional {
-                name: "floor",
-                first_row: 0,
-                rows: 1,
-                initially_active: false,
-            },
-        ],
-        events: &[
-            sim_kernel::event::Event {
-                name: "landing",
-                direction: sim_kernel::event::Direction::Falling,
-                on_forces: false,
-                steps: &[
-                    sim_kernel::event::Step::Impact(
-                        &[
-                            sim_kernel::event::Hit {
-                                conditional: 0,
-                                restitution: 0,
-                            },
-                        ],
-                    ),
-                ],
-            },
-            sim_kernel::event::Event {
-                name: "top",
-                direction: sim_kernel::event::Direction::Falling,
-                on_forces: false,
-                steps: &[],
-            },
-        ],
-        outputs: &[
-            sim_kernel::Quantity {
-                name: "height",
-                unit: "m",
-                factor: 1f64,
-                is_length: true,
-                docs: "Height of the ball above the floor",
-            },
-            sim_kernel::Quantity {
-                name: "climb",
-                unit: "m/s",
-                factor: 1f64,
-                is_length: false,
-                docs: "Speed upwards",
-            },
-            sim_kernel::Quantity {
-                name: "energy",
-                unit: "J",
-                factor: 1f64,
-                is_length: false,
-                docs: "Kinetic and potential energy",
-            },
-        ],
-        rated_outputs: &[0, 1, 2],
-        figures: &[
-            sim_kernel::Figure {
-                name: "height",
-                title: "Height of the ball above the floor",
-                len: 1,
-            },
-            sim_kernel::Figure {
-                name: "climb",
-                title: "Speed upwards",
-                len: 1,
-            },
-            sim_kernel::Figure {
-                name: "energy",
-                title: "Kinetic and potential energy",
-                len: 1,
-            },
-        ],
-        optional_kernels: &["dynamics_jacobian"],
-        dimension: 2,
-        drawing: &[sim_kernel::Shape::Curve(2), sim_kernel::Shape::Circle],
-    };
-    fn defaults() -> Self {
-        Self {
-            m: S::from_f64(0.06f64),
-            r: S::from_f64(0.033f64),
-            h: S::from_f64(1f64),
-            rebound: S::from_f64(0.9f64),
-            v: S::from_f64(0.4f64),
-            g: S::from_f64(9.81f64),
-            floor_activity: S::from_f64(0.0),
-        }
+    #[inline(always)]
+    fn description(&self) -> &'static sim_kernel::Description {
+        const { &<Self as sim_kernel::Compiled<S>>::DESCRIPTION }
+    }
+    fn as_declared(&self) -> Self {
+        <Self as sim_kernel::Compiled<S>>::defaults()
     }
     fn parameters(&self) -> [S; 6] {
         [self.m, self.r, self.h, self.rebound, self.v, self.g]
@@ -835,5 +640,211 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
     #[inline(always)]
     fn event_values(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 1] {
         self.event_values(t, q, qd)
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for BouncingBall<S> {
+    const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
+        name: "bouncing-ball",
+        type_name: "BouncingBall",
+        docs: "A ball that falls on a floor and bounces, each time to a lesser height.",
+        declaration: "/// A ball that falls on a floor and bounces, each time to a lesser height.\npub BouncingBall;\n\ncoordinates {\n    /// How far it has rolled.\n    x [m];\n    /// Height of its centre above the floor.\n    y [m];\n}\n\nparameters {\n    m [kg] = 0.06;\n    /// Radius.\n    r [m] = 0.033;\n    /// Height from which it falls.\n    h [m] = 1;\n    /// The ratio of its speeds after and before an impact.\n    rebound = 0.9;\n    /// Its speed along the floor.\n    v [m/s] = 0.4;\n    g [m/s^2] = 9.81;\n}\n\nlet P = [x, y];\n\nbodies { ball: mass m at P; }\nloads { gravity [0, -g]; }\nconstraints {\n    /// It holds for the instant of an impact.\n    floor: P.y = r initially released;\n}\ninitial { x = 0; y = r + h; dot(x) = v; dot(y) = 0; }\n\nevents {\n    /// The ball meets the floor.\n    landing: P.y = r falling { impact floor restitution rebound; }\n    /// It is at its highest.\n    top: dot(P.y) = 0 falling;\n}\n\noutputs {\n    /// Height of the ball above the floor\n    height [m] = P.y - r;\n    /// Speed upwards\n    climb [m/s] = dot(P.y);\n    /// Kinetic and potential energy\n    energy [J] = m*inner(dot(P), dot(P))/2 + m*g*(P.y - r);\n}\n\ndrawing {\n    curve [-0.2 [m], 0], [2 [m], 0];\n    circle P radius r;\n}\n",
+        declaration_hash: "8f22326163e0882b3fe6343a9abd0306",
+        coordinates: &[
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "x",
+                    unit: "m",
+                    factor: 1f64,
+                    is_length: true,
+                    docs: "How far it has rolled.",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "x_dot",
+                    unit: "m/s",
+                    factor: 1f64,
+                    is_length: false,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "x_ddot",
+                    unit: "m/s^2",
+                    factor: 1f64,
+                    is_length: false,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: true,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "y",
+                    unit: "m",
+                    factor: 1f64,
+                    is_length: true,
+                    docs: "Height of its centre above the floor.",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "y_dot",
+                    unit: "m/s",
+                    factor: 1f64,
+                    is_length: false,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "y_ddot",
+                    unit: "m/s^2",
+                    factor: 1f64,
+                    is_length: false,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: true,
+            },
+        ],
+        mixes_lengths: false,
+        parameters: &[
+            sim_kernel::Quantity {
+                name: "m",
+                unit: "kg",
+                factor: 1f64,
+                is_length: false,
+                docs: "",
+            },
+            sim_kernel::Quantity {
+                name: "r",
+                unit: "m",
+                factor: 1f64,
+                is_length: true,
+                docs: "Radius.",
+            },
+            sim_kernel::Quantity {
+                name: "h",
+                unit: "m",
+                factor: 1f64,
+                is_length: true,
+                docs: "Height from which it falls.",
+            },
+            sim_kernel::Quantity {
+                name: "rebound",
+                unit: "1",
+                factor: 1f64,
+                is_length: false,
+                docs: "The ratio of its speeds after and before an impact.",
+            },
+            sim_kernel::Quantity {
+                name: "v",
+                unit: "m/s",
+                factor: 1f64,
+                is_length: false,
+                docs: "Its speed along the floor.",
+            },
+            sim_kernel::Quantity {
+                name: "g",
+                unit: "m/s^2",
+                factor: 1f64,
+                is_length: false,
+                docs: "",
+            },
+        ],
+        inputs: &[],
+        constraints: &[
+            sim_kernel::Quantity {
+                name: "floor",
+                unit: "N",
+                factor: 1f64,
+                is_length: false,
+                docs: "",
+            },
+        ],
+        speed_constraints: &[],
+        norm_constraints: &[],
+        sparsity: &[],
+        conditionals: &[
+            sim_kernel::event::Conditional {
+                name: "floor",
+                first_row: 0,
+                rows: 1,
+                initially_active: false,
+            },
+        ],
+        events: &[
+            sim_kernel::event::Event {
+                name: "landing",
+                direction: sim_kernel::event::Direction::Falling,
+                on_forces: false,
+                steps: &[
+                    sim_kernel::event::Step::Impact(
+                        &[
+                            sim_kernel::event::Hit {
+                                conditional: 0,
+                                restitution: 0,
+                            },
+                        ],
+                    ),
+                ],
+            },
+            sim_kernel::event::Event {
+                name: "top",
+                direction: sim_kernel::event::Direction::Falling,
+                on_forces: false,
+                steps: &[],
+            },
+        ],
+        outputs: &[
+            sim_kernel::Quantity {
+                name: "height",
+                unit: "m",
+                factor: 1f64,
+                is_length: true,
+                docs: "Height of the ball above the floor",
+            },
+            sim_kernel::Quantity {
+                name: "climb",
+                unit: "m/s",
+                factor: 1f64,
+                is_length: false,
+                docs: "Speed upwards",
+            },
+            sim_kernel::Quantity {
+                name: "energy",
+                unit: "J",
+                factor: 1f64,
+                is_length: false,
+                docs: "Kinetic and potential energy",
+            },
+        ],
+        rated_outputs: &[0, 1, 2],
+        figures: &[
+            sim_kernel::Figure {
+                name: "height",
+                title: "Height of the ball above the floor",
+                len: 1,
+            },
+            sim_kernel::Figure {
+                name: "climb",
+                title: "Speed upwards",
+                len: 1,
+            },
+            sim_kernel::Figure {
+                name: "energy",
+                title: "Kinetic and potential energy",
+                len: 1,
+            },
+        ],
+        optional_kernels: &["dynamics_jacobian"],
+        dimension: 2,
+        drawing: &[sim_kernel::Shape::Curve(2), sim_kernel::Shape::Circle],
+    };
+    fn defaults() -> Self {
+        Self {
+            m: S::from_f64(0.06f64),
+            r: S::from_f64(0.033f64),
+            h: S::from_f64(1f64),
+            rebound: S::from_f64(0.9f64),
+            v: S::from_f64(0.4f64),
+            g: S::from_f64(9.81f64),
+            floor_activity: S::from_f64(0.0),
+        }
     }
 }

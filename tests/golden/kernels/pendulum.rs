@@ -35,7 +35,7 @@ pub struct Pendulum<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> ::core::default::Default for Pendulum<S> {
     /// The declared values.
     fn default() -> Self {
-        <Self as sim_kernel::Mechanism<S>>::defaults()
+        <Self as sim_kernel::Compiled<S>>::defaults()
     }
 }
 /// Coordinates of [`Pendulum`] by name, in SI units; also for their speeds and accelerations.
@@ -426,145 +426,12 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
     type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = PendulumPrepared<S>;
     type On<T: sim_kernel::Scalar> = Pendulum<T>;
-    const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
-        name: "pendulum",
-        type_name: "Pendulum",
-        docs: "A point mass on a rod without mass, let go from rest at its amplitude.",
-        declaration: "/// A point mass on a rod without mass, let go from rest at its amplitude.\npub Pendulum;\n\ncoordinates {\n    /// Angle of the rod from the vertical.\n    phi [rad];\n}\n\nparameters {\n    /// Length of the rod.\n    l [m] = 1;\n    /// Mass of the bob.\n    m [kg] = 1;\n    g [m/s^2] = 9.81;\n    /// Where it is let go.\n    amplitude [deg] = 90;\n}\n\nlet O = [0, 0];\nlet P = l*[sin(phi), -cos(phi)];\n\nbodies { bob: mass m at P; }\nloads { gravity [0, -g]; }\ninitial { phi = amplitude; }\n\nevents {\n    /// The bob passes its lowest point.\n    bottom: phi = 0;\n    /// The bob stands still.\n    rest: dot(phi) = 0;\n}\n\noutputs {\n    /// angle of the rod\n    angle [deg] = phi;\n    /// speed of the bob\n    speed [m/s] = l*dot(phi);\n    /// force in the rod, positive in tension\n    tension [N] = m*(l*dot(phi)^2 + g*cos(phi));\n}\n\ndrawing {\n    ground O;\n    line O, P;\n    circle P radius l/20;\n}\n",
-        declaration_hash: "9df940c645f5acc94d477a4bcf2c3411",
-        coordinates: &[
-            sim_kernel::Coordinate {
-                position: sim_kernel::Quantity {
-                    name: "phi",
-                    unit: "rad",
-                    factor: 1f64,
-                    is_length: false,
-                    docs: "Angle of the rod from the vertical.",
-                },
-                speed: sim_kernel::Quantity {
-                    name: "phi_dot",
-                    unit: "rad/s",
-                    factor: 1f64,
-                    is_length: false,
-                    docs: "",
-                },
-                acceleration: sim_kernel::Quantity {
-                    name: "phi_ddot",
-                    unit: "rad/s^2",
-                    factor: 1f64,
-                    is_length: false,
-                    docs: "",
-                },
-                start: sim_kernel::Start::Given,
-                speed_given: false,
-            },
-        ],
-        parameters: &[
-            sim_kernel::Quantity {
-                name: "l",
-                unit: "m",
-                factor: 1f64,
-                is_length: true,
-                docs: "Length of the rod.",
-            },
-            sim_kernel::Quantity {
-                name: "m",
-                unit: "kg",
-                factor: 1f64,
-                is_length: false,
-                docs: "Mass of the bob.",
-            },
-            sim_kernel::Quantity {
-                name: "g",
-                unit: "m/s^2",
-                factor: 1f64,
-                is_length: false,
-                docs: "",
-            },
-            sim_kernel::Quantity {
-                name: "amplitude",
-                unit: "deg",
-                factor: 0.017453292519943295f64,
-                is_length: false,
-                docs: "Where it is let go.",
-            },
-        ],
-        inputs: &[],
-        constraints: &[],
-        speed_constraints: &[],
-        norm_constraints: &[],
-        sparsity: &[],
-        conditionals: &[],
-        events: &[
-            sim_kernel::event::Event {
-                name: "bottom",
-                direction: sim_kernel::event::Direction::Both,
-                on_forces: false,
-                steps: &[],
-            },
-            sim_kernel::event::Event {
-                name: "rest",
-                direction: sim_kernel::event::Direction::Both,
-                on_forces: false,
-                steps: &[],
-            },
-        ],
-        outputs: &[
-            sim_kernel::Quantity {
-                name: "angle",
-                unit: "deg",
-                factor: 0.017453292519943295f64,
-                is_length: false,
-                docs: "angle of the rod",
-            },
-            sim_kernel::Quantity {
-                name: "speed",
-                unit: "m/s",
-                factor: 1f64,
-                is_length: false,
-                docs: "speed of the bob",
-            },
-            sim_kernel::Quantity {
-                name: "tension",
-                unit: "N",
-                factor: 1f64,
-                is_length: false,
-                docs: "force in the rod, positive in tension",
-            },
-        ],
-        rated_outputs: &[0, 1, 2],
-        figures: &[
-            sim_kernel::Figure {
-                name: "angle",
-                title: "angle of the rod",
-                len: 1,
-            },
-            sim_kernel::Figure {
-                name: "speed",
-                title: "speed of the bob",
-                len: 1,
-            },
-            sim_kernel::Figure {
-                name: "tension",
-                title: "force in the rod, positive in tension",
-                len: 1,
-            },
-        ],
-        optional_kernels: &["dynamics_jacobian"],
-        dimension: 2,
-        drawing: &[
-            sim_kernel::Shape::Ground(1),
-            sim_kernel::Shape::Line(2),
-            sim_kernel::Shape::Circle,
-        ],
-    };
-    fn defaults() -> Self {
-        Self {
-            l: S::from_f64(1f64),
-            m: S::from_f64(1f64),
-            g: S::from_f64(9.81f64),
-            amplitude: S::from_f64(1.5707963267948966f64),
-        }
+    #[inline(always)]
+    fn description(&self) -> &'static sim_kernel::Description {
+        const { &<Self as sim_kernel::Compiled<S>>::DESCRIPTION }
+    }
+    fn as_declared(&self) -> Self {
+        <Self as sim_kernel::Compiled<S>>::defaults()
     }
     fn parameters(&self) -> [S; 4] {
         [self.l, self.m, self.g, self.amplitude]
@@ -699,5 +566,149 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
     #[inline(always)]
     fn initial(&self) -> sim_kernel::Initial<[S; 1]> {
         self.initial()
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Pendulum<S> {
+    const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
+        name: "pendulum",
+        type_name: "Pendulum",
+        docs: "A point mass on a rod without mass, let go from rest at its amplitude.",
+        declaration: "/// A point mass on a rod without mass, let go from rest at its amplitude.\npub Pendulum;\n\ncoordinates {\n    /// Angle of the rod from the vertical.\n    phi [rad];\n}\n\nparameters {\n    /// Length of the rod.\n    l [m] = 1;\n    /// Mass of the bob.\n    m [kg] = 1;\n    g [m/s^2] = 9.81;\n    /// Where it is let go.\n    amplitude [deg] = 90;\n}\n\nlet O = [0, 0];\nlet P = l*[sin(phi), -cos(phi)];\n\nbodies { bob: mass m at P; }\nloads { gravity [0, -g]; }\ninitial { phi = amplitude; }\n\nevents {\n    /// The bob passes its lowest point.\n    bottom: phi = 0;\n    /// The bob stands still.\n    rest: dot(phi) = 0;\n}\n\noutputs {\n    /// angle of the rod\n    angle [deg] = phi;\n    /// speed of the bob\n    speed [m/s] = l*dot(phi);\n    /// force in the rod, positive in tension\n    tension [N] = m*(l*dot(phi)^2 + g*cos(phi));\n}\n\ndrawing {\n    ground O;\n    line O, P;\n    circle P radius l/20;\n}\n",
+        declaration_hash: "9df940c645f5acc94d477a4bcf2c3411",
+        coordinates: &[
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "phi",
+                    unit: "rad",
+                    factor: 1f64,
+                    is_length: false,
+                    docs: "Angle of the rod from the vertical.",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "phi_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    is_length: false,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "phi_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    is_length: false,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: false,
+            },
+        ],
+        mixes_lengths: false,
+        parameters: &[
+            sim_kernel::Quantity {
+                name: "l",
+                unit: "m",
+                factor: 1f64,
+                is_length: true,
+                docs: "Length of the rod.",
+            },
+            sim_kernel::Quantity {
+                name: "m",
+                unit: "kg",
+                factor: 1f64,
+                is_length: false,
+                docs: "Mass of the bob.",
+            },
+            sim_kernel::Quantity {
+                name: "g",
+                unit: "m/s^2",
+                factor: 1f64,
+                is_length: false,
+                docs: "",
+            },
+            sim_kernel::Quantity {
+                name: "amplitude",
+                unit: "deg",
+                factor: 0.017453292519943295f64,
+                is_length: false,
+                docs: "Where it is let go.",
+            },
+        ],
+        inputs: &[],
+        constraints: &[],
+        speed_constraints: &[],
+        norm_constraints: &[],
+        sparsity: &[],
+        conditionals: &[],
+        events: &[
+            sim_kernel::event::Event {
+                name: "bottom",
+                direction: sim_kernel::event::Direction::Both,
+                on_forces: false,
+                steps: &[],
+            },
+            sim_kernel::event::Event {
+                name: "rest",
+                direction: sim_kernel::event::Direction::Both,
+                on_forces: false,
+                steps: &[],
+            },
+        ],
+        outputs: &[
+            sim_kernel::Quantity {
+                name: "angle",
+                unit: "deg",
+                factor: 0.017453292519943295f64,
+                is_length: false,
+                docs: "angle of the rod",
+            },
+            sim_kernel::Quantity {
+                name: "speed",
+                unit: "m/s",
+                factor: 1f64,
+                is_length: false,
+                docs: "speed of the bob",
+            },
+            sim_kernel::Quantity {
+                name: "tension",
+                unit: "N",
+                factor: 1f64,
+                is_length: false,
+                docs: "force in the rod, positive in tension",
+            },
+        ],
+        rated_outputs: &[0, 1, 2],
+        figures: &[
+            sim_kernel::Figure {
+                name: "angle",
+                title: "angle of the rod",
+                len: 1,
+            },
+            sim_kernel::Figure {
+                name: "speed",
+                title: "speed of the bob",
+                len: 1,
+            },
+            sim_kernel::Figure {
+                name: "tension",
+                title: "force in the rod, positive in tension",
+                len: 1,
+            },
+        ],
+        optional_kernels: &["dynamics_jacobian"],
+        dimension: 2,
+        drawing: &[
+            sim_kernel::Shape::Ground(1),
+            sim_kernel::Shape::Line(2),
+            sim_kernel::Shape::Circle,
+        ],
+    };
+    fn defaults() -> Self {
+        Self {
+            l: S::from_f64(1f64),
+            m: S::from_f64(1f64),
+            g: S::from_f64(9.81f64),
+            amplitude: S::from_f64(1.5707963267948966f64),
+        }
     }
 }

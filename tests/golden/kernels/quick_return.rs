@@ -127,7 +127,7 @@ pub struct QuickReturn<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> ::core::default::Default for QuickReturn<S> {
     /// The declared values.
     fn default() -> Self {
-        <Self as sim_kernel::Mechanism<S>>::defaults()
+        <Self as sim_kernel::Compiled<S>>::defaults()
     }
 }
 /// Coordinates of [`QuickReturn`] by name, in SI units; also for their speeds and accelerations.
@@ -1085,6 +1085,194 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
     type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = QuickReturnPrepared<S>;
     type On<T: sim_kernel::Scalar> = QuickReturn<T>;
+    #[inline(always)]
+    fn description(&self) -> &'static sim_kernel::Description {
+        const { &<Self as sim_kernel::Compiled<S>>::DESCRIPTION }
+    }
+    fn as_declared(&self) -> Self {
+        <Self as sim_kernel::Compiled<S>>::defaults()
+    }
+    fn parameters(&self) -> [S; 17] {
+        [
+            self.O2A,
+            self.O4B,
+            self.BC,
+            self.O4O2,
+            self.O4G4,
+            self.BG5,
+            self.yc,
+            self.m3,
+            self.m4,
+            self.m5,
+            self.m6,
+            self.J2,
+            self.J3,
+            self.J4,
+            self.J5,
+            self.F,
+            self.T,
+        ]
+    }
+    fn with_parameters(&self, parameters: [S; 17]) -> Self {
+        Self {
+            O2A: parameters[0],
+            O4B: parameters[1],
+            BC: parameters[2],
+            O4O2: parameters[3],
+            O4G4: parameters[4],
+            BG5: parameters[5],
+            yc: parameters[6],
+            m3: parameters[7],
+            m4: parameters[8],
+            m5: parameters[9],
+            m6: parameters[10],
+            J2: parameters[11],
+            J3: parameters[12],
+            J4: parameters[13],
+            J5: parameters[14],
+            F: parameters[15],
+            T: parameters[16],
+            ..*self
+        }
+    }
+    fn on<T: sim_kernel::Scalar>(
+        &self,
+        convert: impl ::core::ops::Fn(S) -> T,
+    ) -> QuickReturn<T> {
+        QuickReturn {
+            O2A: convert(self.O2A),
+            O4B: convert(self.O4B),
+            BC: convert(self.BC),
+            O4O2: convert(self.O4O2),
+            O4G4: convert(self.O4G4),
+            BG5: convert(self.BG5),
+            yc: convert(self.yc),
+            m3: convert(self.m3),
+            m4: convert(self.m4),
+            m5: convert(self.m5),
+            m6: convert(self.m6),
+            J2: convert(self.J2),
+            J3: convert(self.J3),
+            J4: convert(self.J4),
+            J5: convert(self.J5),
+            F: convert(self.F),
+            T: convert(self.T),
+        }
+    }
+    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
+        []
+    }
+    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
+        Self { ..*self }
+    }
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
+    #[inline(always)]
+    fn prepare(&self) -> QuickReturnPrepared<S> {
+        self.prepare()
+    }
+    #[inline(always)]
+    fn prepared_dynamics(
+        prepared: &Self::Prepared,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+    ) -> sim_kernel::Dynamics<S, [S; 3], [S; 2]> {
+        prepared.dynamics(t, q, qd)
+    }
+    #[inline(always)]
+    fn dynamics_jacobian(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+    ) -> sim_kernel::DynamicsJacobian<S, [[S; 3]; 3], [[S; 3]; 2]> {
+        self.prepare().dynamics_jacobian(t, q, qd)
+    }
+    #[inline(always)]
+    fn mass_matrix(&self, t: S, q: &[S; 3]) -> [[S; 3]; 3] {
+        self.mass_matrix(t, q)
+    }
+    #[inline(always)]
+    fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
+        self.convective_forces(t, q, qd)
+    }
+    #[inline(always)]
+    fn generalized_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
+        self.generalized_forces(t, q, qd)
+    }
+    #[inline(always)]
+    fn constraints(&self, t: S, q: &[S; 3]) -> [S; 2] {
+        self.constraints(t, q)
+    }
+    #[inline(always)]
+    fn constraint_magnitudes(&self, t: S, q: &[S; 3]) -> [S; 2] {
+        self.constraint_magnitudes(t, q)
+    }
+    #[inline(always)]
+    fn constraint_jacobian(&self, t: S, q: &[S; 3]) -> [[S; 3]; 2] {
+        self.constraint_jacobian(t, q)
+    }
+    #[inline(always)]
+    fn constraint_time_derivative(&self, t: S, q: &[S; 3]) -> [S; 2] {
+        self.constraint_time_derivative(t, q)
+    }
+    #[inline(always)]
+    fn constraint_convective(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 2] {
+        self.constraint_convective(t, q, qd)
+    }
+    #[inline(always)]
+    fn constraint_linearization(
+        &self,
+        t: S,
+        q: &[S; 3],
+    ) -> sim_kernel::ConstraintLinearization<[S; 2], [[S; 3]; 2]> {
+        self.constraint_linearization(t, q)
+    }
+    #[inline(always)]
+    fn kinetic_energy(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> S {
+        self.kinetic_energy(t, q, qd)
+    }
+    #[inline(always)]
+    fn power(&self, t: S, q: &[S; 3], qd: &[S; 3], qdd: &[S; 3], lambda: &[S; 2]) -> S {
+        self.power(t, q, qd, qdd, lambda)
+    }
+    #[inline(always)]
+    fn outputs(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+        lambda: &[S; 2],
+    ) -> [S; 10] {
+        self.outputs(t, q, qd, qdd, lambda).into()
+    }
+    #[inline(always)]
+    fn output_rates(&self, t: S, q: &[S; 3], qd: &[S; 3], qdd: &[S; 3]) -> [S; 7] {
+        self.output_rates(t, q, qd, qdd).into()
+    }
+    #[inline(always)]
+    fn events(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+        lambda: &[S; 2],
+    ) -> [S; 1] {
+        self.events(t, q, qd, qdd, lambda)
+    }
+    #[inline(always)]
+    fn drawing(&self, t: S, q: &[S; 3]) -> [S; 24] {
+        self.drawing(t, q)
+    }
+    #[inline(always)]
+    fn initial(&self) -> sim_kernel::Initial<[S; 3]> {
+        self.initial()
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for QuickReturn<S> {
     const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
         name: "quick-return",
         type_name: "QuickReturn",
@@ -1168,6 +1356,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
                 speed_given: false,
             },
         ],
+        mixes_lengths: false,
         parameters: &[
             sim_kernel::Quantity {
                 name: "O2A",
@@ -1454,183 +1643,5 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
             F: S::from_f64(1000f64),
             T: S::from_f64(0f64),
         }
-    }
-    fn parameters(&self) -> [S; 17] {
-        [
-            self.O2A,
-            self.O4B,
-            self.BC,
-            self.O4O2,
-            self.O4G4,
-            self.BG5,
-            self.yc,
-            self.m3,
-            self.m4,
-            self.m5,
-            self.m6,
-            self.J2,
-            self.J3,
-            self.J4,
-            self.J5,
-            self.F,
-            self.T,
-        ]
-    }
-    fn with_parameters(&self, parameters: [S; 17]) -> Self {
-        Self {
-            O2A: parameters[0],
-            O4B: parameters[1],
-            BC: parameters[2],
-            O4O2: parameters[3],
-            O4G4: parameters[4],
-            BG5: parameters[5],
-            yc: parameters[6],
-            m3: parameters[7],
-            m4: parameters[8],
-            m5: parameters[9],
-            m6: parameters[10],
-            J2: parameters[11],
-            J3: parameters[12],
-            J4: parameters[13],
-            J5: parameters[14],
-            F: parameters[15],
-            T: parameters[16],
-            ..*self
-        }
-    }
-    fn on<T: sim_kernel::Scalar>(
-        &self,
-        convert: impl ::core::ops::Fn(S) -> T,
-    ) -> QuickReturn<T> {
-        QuickReturn {
-            O2A: convert(self.O2A),
-            O4B: convert(self.O4B),
-            BC: convert(self.BC),
-            O4O2: convert(self.O4O2),
-            O4G4: convert(self.O4G4),
-            BG5: convert(self.BG5),
-            yc: convert(self.yc),
-            m3: convert(self.m3),
-            m4: convert(self.m4),
-            m5: convert(self.m5),
-            m6: convert(self.m6),
-            J2: convert(self.J2),
-            J3: convert(self.J3),
-            J4: convert(self.J4),
-            J5: convert(self.J5),
-            F: convert(self.F),
-            T: convert(self.T),
-        }
-    }
-    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
-        []
-    }
-    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
-        Self { ..*self }
-    }
-    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
-    #[inline(always)]
-    fn prepare(&self) -> QuickReturnPrepared<S> {
-        self.prepare()
-    }
-    #[inline(always)]
-    fn prepared_dynamics(
-        prepared: &Self::Prepared,
-        t: S,
-        q: &[S; 3],
-        qd: &[S; 3],
-    ) -> sim_kernel::Dynamics<S, [S; 3], [S; 2]> {
-        prepared.dynamics(t, q, qd)
-    }
-    #[inline(always)]
-    fn dynamics_jacobian(
-        &self,
-        t: S,
-        q: &[S; 3],
-        qd: &[S; 3],
-    ) -> sim_kernel::DynamicsJacobian<S, [[S; 3]; 3], [[S; 3]; 2]> {
-        self.prepare().dynamics_jacobian(t, q, qd)
-    }
-    #[inline(always)]
-    fn mass_matrix(&self, t: S, q: &[S; 3]) -> [[S; 3]; 3] {
-        self.mass_matrix(t, q)
-    }
-    #[inline(always)]
-    fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
-        self.convective_forces(t, q, qd)
-    }
-    #[inline(always)]
-    fn generalized_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
-        self.generalized_forces(t, q, qd)
-    }
-    #[inline(always)]
-    fn constraints(&self, t: S, q: &[S; 3]) -> [S; 2] {
-        self.constraints(t, q)
-    }
-    #[inline(always)]
-    fn constraint_magnitudes(&self, t: S, q: &[S; 3]) -> [S; 2] {
-        self.constraint_magnitudes(t, q)
-    }
-    #[inline(always)]
-    fn constraint_jacobian(&self, t: S, q: &[S; 3]) -> [[S; 3]; 2] {
-        self.constraint_jacobian(t, q)
-    }
-    #[inline(always)]
-    fn constraint_time_derivative(&self, t: S, q: &[S; 3]) -> [S; 2] {
-        self.constraint_time_derivative(t, q)
-    }
-    #[inline(always)]
-    fn constraint_convective(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 2] {
-        self.constraint_convective(t, q, qd)
-    }
-    #[inline(always)]
-    fn constraint_linearization(
-        &self,
-        t: S,
-        q: &[S; 3],
-    ) -> sim_kernel::ConstraintLinearization<[S; 2], [[S; 3]; 2]> {
-        self.constraint_linearization(t, q)
-    }
-    #[inline(always)]
-    fn kinetic_energy(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> S {
-        self.kinetic_energy(t, q, qd)
-    }
-    #[inline(always)]
-    fn power(&self, t: S, q: &[S; 3], qd: &[S; 3], qdd: &[S; 3], lambda: &[S; 2]) -> S {
-        self.power(t, q, qd, qdd, lambda)
-    }
-    #[inline(always)]
-    fn outputs(
-        &self,
-        t: S,
-        q: &[S; 3],
-        qd: &[S; 3],
-        qdd: &[S; 3],
-        lambda: &[S; 2],
-    ) -> [S; 10] {
-        self.outputs(t, q, qd, qdd, lambda).into()
-    }
-    #[inline(always)]
-    fn output_rates(&self, t: S, q: &[S; 3], qd: &[S; 3], qdd: &[S; 3]) -> [S; 7] {
-        self.output_rates(t, q, qd, qdd).into()
-    }
-    #[inline(always)]
-    fn events(
-        &self,
-        t: S,
-        q: &[S; 3],
-        qd: &[S; 3],
-        qdd: &[S; 3],
-        lambda: &[S; 2],
-    ) -> [S; 1] {
-        self.events(t, q, qd, qdd, lambda)
-    }
-    #[inline(always)]
-    fn drawing(&self, t: S, q: &[S; 3]) -> [S; 24] {
-        self.drawing(t, q)
-    }
-    #[inline(always)]
-    fn initial(&self) -> sim_kernel::Initial<[S; 3]> {
-        self.initial()
     }
 }

@@ -75,7 +75,7 @@ pub struct Skate<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> ::core::default::Default for Skate<S> {
     /// The declared values.
     fn default() -> Self {
-        <Self as sim_kernel::Mechanism<S>>::defaults()
+        <Self as sim_kernel::Compiled<S>>::defaults()
     }
 }
 /// Coordinates of [`Skate`] by name, in SI units; also for their speeds and accelerations.
@@ -621,189 +621,12 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
     type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = SkatePrepared<S>;
     type On<T: sim_kernel::Scalar> = Skate<T>;
-    const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
-        name: "skate",
-        type_name: "Skate",
-        docs: "A skate on sloping ice, let go turning: a cycloid across the slope.",
-        declaration: "/// A skate on sloping ice, let go turning: a cycloid across the slope.\npub Skate;\n\ncoordinates {\n    /// Where the blade touches the ice, down the slope.\n    x [m];\n    /// And across it.\n    y [m];\n    /// Direction of the blade, from straight down.\n    phi [rad];\n}\n\nparameters {\n    m [kg] = 2;\n    /// Moment of inertia about the centre of mass.\n    J [kg*m^2] = 0.05;\n    /// How far the centre of mass is ahead of the blade.\n    a [m] = 0;\n    slope [deg] = 5;\n    g [m/s^2] = 9.81;\n}\n\nlet P = [x, y];\nlet along = [cos(phi), sin(phi)];\nlet across = [-sin(phi), cos(phi)];\nlet G = P + a*along;\n\nbodies { skate: mass m at G, inertia J, angle phi; }\nloads { gravity [g*sin(slope), 0]; }\n\nconstraints {\n    /// The blade does not slip sideways.\n    blade: inner(dot(P), across) = 0;\n}\n\ninitial { x = 0; y = 0; phi = 0; dot(phi) = 3; }\n\nevents {\n    /// The skate stands still and turns.\n    turn: inner(dot(P), along) = 0;\n}\n\noutputs {\n    /// Speed along the blade\n    speed [m/s] = inner(dot(P), along);\n    /// Force of the skate on the ice, to its left\n    side_force [N] = reaction(blade);\n}\n\ndrawing {\n    line P - 0.15 [m]*along, P + 0.15 [m]*along;\n    point P, G;\n}\n",
-        declaration_hash: "688ab7a971cb93681a34bb97f8a8d691",
-        coordinates: &[
-            sim_kernel::Coordinate {
-                position: sim_kernel::Quantity {
-                    name: "x",
-                    unit: "m",
-                    factor: 1f64,
-                    is_length: true,
-                    docs: "Where the blade touches the ice, down the slope.",
-                },
-                speed: sim_kernel::Quantity {
-                    name: "x_dot",
-                    unit: "m/s",
-                    factor: 1f64,
-                    is_length: false,
-                    docs: "",
-                },
-                acceleration: sim_kernel::Quantity {
-                    name: "x_ddot",
-                    unit: "m/s^2",
-                    factor: 1f64,
-                    is_length: false,
-                    docs: "",
-                },
-                start: sim_kernel::Start::Given,
-                speed_given: false,
-            },
-            sim_kernel::Coordinate {
-                position: sim_kernel::Quantity {
-                    name: "y",
-                    unit: "m",
-                    factor: 1f64,
-                    is_length: true,
-                    docs: "And across it.",
-                },
-                speed: sim_kernel::Quantity {
-                    name: "y_dot",
-                    unit: "m/s",
-                    factor: 1f64,
-                    is_length: false,
-                    docs: "",
-                },
-                acceleration: sim_kernel::Quantity {
-                    name: "y_ddot",
-                    unit: "m/s^2",
-                    factor: 1f64,
-                    is_length: false,
-                    docs: "",
-                },
-                start: sim_kernel::Start::Given,
-                speed_given: false,
-            },
-            sim_kernel::Coordinate {
-                position: sim_kernel::Quantity {
-                    name: "phi",
-                    unit: "rad",
-                    factor: 1f64,
-                    is_length: false,
-                    docs: "Direction of the blade, from straight down.",
-                },
-                speed: sim_kernel::Quantity {
-                    name: "phi_dot",
-                    unit: "rad/s",
-                    factor: 1f64,
-                    is_length: false,
-                    docs: "",
-                },
-                acceleration: sim_kernel::Quantity {
-                    name: "phi_ddot",
-                    unit: "rad/s^2",
-                    factor: 1f64,
-                    is_length: false,
-                    docs: "",
-                },
-                start: sim_kernel::Start::Given,
-                speed_given: true,
-            },
-        ],
-        parameters: &[
-            sim_kernel::Quantity {
-                name: "m",
-                unit: "kg",
-                factor: 1f64,
-                is_length: false,
-                docs: "",
-            },
-            sim_kernel::Quantity {
-                name: "J",
-                unit: "kg*m^2",
-                factor: 1f64,
-                is_length: false,
-                docs: "Moment of inertia about the centre of mass.",
-            },
-            sim_kernel::Quantity {
-                name: "a",
-                unit: "m",
-                factor: 1f64,
-                is_length: true,
-                docs: "How far the centre of mass is ahead of the blade.",
-            },
-            sim_kernel::Quantity {
-                name: "slope",
-                unit: "deg",
-                factor: 0.017453292519943295f64,
-                is_length: false,
-                docs: "",
-            },
-            sim_kernel::Quantity {
-                name: "g",
-                unit: "m/s^2",
-                factor: 1f64,
-                is_length: false,
-                docs: "",
-            },
-        ],
-        inputs: &[],
-        constraints: &[
-            sim_kernel::Quantity {
-                name: "blade",
-                unit: "N",
-                factor: 1f64,
-                is_length: false,
-                docs: "",
-            },
-        ],
-        speed_constraints: &[0],
-        norm_constraints: &[],
-        sparsity: &[],
-        conditionals: &[],
-        events: &[
-            sim_kernel::event::Event {
-                name: "turn",
-                direction: sim_kernel::event::Direction::Both,
-                on_forces: false,
-                steps: &[],
-            },
-        ],
-        outputs: &[
-            sim_kernel::Quantity {
-                name: "speed",
-                unit: "m/s",
-                factor: 1f64,
-                is_length: false,
-                docs: "Speed along the blade",
-            },
-            sim_kernel::Quantity {
-                name: "side_force",
-                unit: "N",
-                factor: 1f64,
-                is_length: false,
-                docs: "Force of the skate on the ice, to its left",
-            },
-        ],
-        rated_outputs: &[0],
-        figures: &[
-            sim_kernel::Figure {
-                name: "speed",
-                title: "Speed along the blade",
-                len: 1,
-            },
-            sim_kernel::Figure {
-                name: "side_force",
-                title: "Force of the skate on the ice, to its left",
-                len: 1,
-            },
-        ],
-        optional_kernels: &["dynamics_jacobian"],
-        dimension: 2,
-        drawing: &[sim_kernel::Shape::Line(2), sim_kernel::Shape::Points(2)],
-    };
-    fn defaults() -> Self {
-        Self {
-            m: S::from_f64(2f64),
-            J: S::from_f64(0.05f64),
-            a: S::from_f64(0f64),
-            slope: S::from_f64(0.08726646259971647f64),
-            g: S::from_f64(9.81f64),
-        }
+    #[inline(always)]
+    fn description(&self) -> &'static sim_kernel::Description {
+        const { &<Self as sim_kernel::Compiled<S>>::DESCRIPTION }
+    }
+    fn as_declared(&self) -> Self {
+        <Self as sim_kernel::Compiled<S>>::defaults()
     }
     fn parameters(&self) -> [S; 5] {
         [self.m, self.J, self.a, self.slope, self.g]
@@ -940,5 +763,193 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
     #[inline(always)]
     fn initial(&self) -> sim_kernel::Initial<[S; 3]> {
         self.initial()
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Skate<S> {
+    const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
+        name: "skate",
+        type_name: "Skate",
+        docs: "A skate on sloping ice, let go turning: a cycloid across the slope.",
+        declaration: "/// A skate on sloping ice, let go turning: a cycloid across the slope.\npub Skate;\n\ncoordinates {\n    /// Where the blade touches the ice, down the slope.\n    x [m];\n    /// And across it.\n    y [m];\n    /// Direction of the blade, from straight down.\n    phi [rad];\n}\n\nparameters {\n    m [kg] = 2;\n    /// Moment of inertia about the centre of mass.\n    J [kg*m^2] = 0.05;\n    /// How far the centre of mass is ahead of the blade.\n    a [m] = 0;\n    slope [deg] = 5;\n    g [m/s^2] = 9.81;\n}\n\nlet P = [x, y];\nlet along = [cos(phi), sin(phi)];\nlet across = [-sin(phi), cos(phi)];\nlet G = P + a*along;\n\nbodies { skate: mass m at G, inertia J, angle phi; }\nloads { gravity [g*sin(slope), 0]; }\n\nconstraints {\n    /// The blade does not slip sideways.\n    blade: inner(dot(P), across) = 0;\n}\n\ninitial { x = 0; y = 0; phi = 0; dot(phi) = 3; }\n\nevents {\n    /// The skate stands still and turns.\n    turn: inner(dot(P), along) = 0;\n}\n\noutputs {\n    /// Speed along the blade\n    speed [m/s] = inner(dot(P), along);\n    /// Force of the skate on the ice, to its left\n    side_force [N] = reaction(blade);\n}\n\ndrawing {\n    line P - 0.15 [m]*along, P + 0.15 [m]*along;\n    point P, G;\n}\n",
+        declaration_hash: "688ab7a971cb93681a34bb97f8a8d691",
+        coordinates: &[
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "x",
+                    unit: "m",
+                    factor: 1f64,
+                    is_length: true,
+                    docs: "Where the blade touches the ice, down the slope.",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "x_dot",
+                    unit: "m/s",
+                    factor: 1f64,
+                    is_length: false,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "x_ddot",
+                    unit: "m/s^2",
+                    factor: 1f64,
+                    is_length: false,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: false,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "y",
+                    unit: "m",
+                    factor: 1f64,
+                    is_length: true,
+                    docs: "And across it.",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "y_dot",
+                    unit: "m/s",
+                    factor: 1f64,
+                    is_length: false,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "y_ddot",
+                    unit: "m/s^2",
+                    factor: 1f64,
+                    is_length: false,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: false,
+            },
+            sim_kernel::Coordinate {
+                position: sim_kernel::Quantity {
+                    name: "phi",
+                    unit: "rad",
+                    factor: 1f64,
+                    is_length: false,
+                    docs: "Direction of the blade, from straight down.",
+                },
+                speed: sim_kernel::Quantity {
+                    name: "phi_dot",
+                    unit: "rad/s",
+                    factor: 1f64,
+                    is_length: false,
+                    docs: "",
+                },
+                acceleration: sim_kernel::Quantity {
+                    name: "phi_ddot",
+                    unit: "rad/s^2",
+                    factor: 1f64,
+                    is_length: false,
+                    docs: "",
+                },
+                start: sim_kernel::Start::Given,
+                speed_given: true,
+            },
+        ],
+        mixes_lengths: true,
+        parameters: &[
+            sim_kernel::Quantity {
+                name: "m",
+                unit: "kg",
+                factor: 1f64,
+                is_length: false,
+                docs: "",
+            },
+            sim_kernel::Quantity {
+                name: "J",
+                unit: "kg*m^2",
+                factor: 1f64,
+                is_length: false,
+                docs: "Moment of inertia about the centre of mass.",
+            },
+            sim_kernel::Quantity {
+                name: "a",
+                unit: "m",
+                factor: 1f64,
+                is_length: true,
+                docs: "How far the centre of mass is ahead of the blade.",
+            },
+            sim_kernel::Quantity {
+                name: "slope",
+                unit: "deg",
+                factor: 0.017453292519943295f64,
+                is_length: false,
+                docs: "",
+            },
+            sim_kernel::Quantity {
+                name: "g",
+                unit: "m/s^2",
+                factor: 1f64,
+                is_length: false,
+                docs: "",
+            },
+        ],
+        inputs: &[],
+        constraints: &[
+            sim_kernel::Quantity {
+                name: "blade",
+                unit: "N",
+                factor: 1f64,
+                is_length: false,
+                docs: "",
+            },
+        ],
+        speed_constraints: &[0],
+        norm_constraints: &[],
+        sparsity: &[],
+        conditionals: &[],
+        events: &[
+            sim_kernel::event::Event {
+                name: "turn",
+                direction: sim_kernel::event::Direction::Both,
+                on_forces: false,
+                steps: &[],
+            },
+        ],
+        outputs: &[
+            sim_kernel::Quantity {
+                name: "speed",
+                unit: "m/s",
+                factor: 1f64,
+                is_length: false,
+                docs: "Speed along the blade",
+            },
+            sim_kernel::Quantity {
+                name: "side_force",
+                unit: "N",
+                factor: 1f64,
+                is_length: false,
+                docs: "Force of the skate on the ice, to its left",
+            },
+        ],
+        rated_outputs: &[0],
+        figures: &[
+            sim_kernel::Figure {
+                name: "speed",
+                title: "Speed along the blade",
+                len: 1,
+            },
+            sim_kernel::Figure {
+                name: "side_force",
+                title: "Force of the skate on the ice, to its left",
+                len: 1,
+            },
+        ],
+        optional_kernels: &["dynamics_jacobian"],
+        dimension: 2,
+        drawing: &[sim_kernel::Shape::Line(2), sim_kernel::Shape::Points(2)],
+    };
+    fn defaults() -> Self {
+        Self {
+            m: S::from_f64(2f64),
+            J: S::from_f64(0.05f64),
+            a: S::from_f64(0f64),
+            slope: S::from_f64(0.08726646259971647f64),
+            g: S::from_f64(9.81f64),
+        }
     }
 }

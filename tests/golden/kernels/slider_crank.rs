@@ -85,7 +85,7 @@ pub struct SliderCrank<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> ::core::default::Default for SliderCrank<S> {
     /// The declared values.
     fn default() -> Self {
-        <Self as sim_kernel::Mechanism<S>>::defaults()
+        <Self as sim_kernel::Compiled<S>>::defaults()
     }
 }
 /// Coordinates of [`SliderCrank`] by name, in SI units; also for their speeds and accelerations.
@@ -782,6 +782,158 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
     type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = SliderCrankPrepared<S>;
     type On<T: sim_kernel::Scalar> = SliderCrank<T>;
+    #[inline(always)]
+    fn description(&self) -> &'static sim_kernel::Description {
+        const { &<Self as sim_kernel::Compiled<S>>::DESCRIPTION }
+    }
+    fn as_declared(&self) -> Self {
+        <Self as sim_kernel::Compiled<S>>::defaults()
+    }
+    fn parameters(&self) -> [S; 8] {
+        [self.r, self.l, self.offset, self.m1, self.m2, self.m3, self.g, self.T]
+    }
+    fn with_parameters(&self, parameters: [S; 8]) -> Self {
+        Self {
+            r: parameters[0],
+            l: parameters[1],
+            offset: parameters[2],
+            m1: parameters[3],
+            m2: parameters[4],
+            m3: parameters[5],
+            g: parameters[6],
+            T: parameters[7],
+            ..*self
+        }
+    }
+    fn on<T: sim_kernel::Scalar>(
+        &self,
+        convert: impl ::core::ops::Fn(S) -> T,
+    ) -> SliderCrank<T> {
+        SliderCrank {
+            r: convert(self.r),
+            l: convert(self.l),
+            offset: convert(self.offset),
+            m1: convert(self.m1),
+            m2: convert(self.m2),
+            m3: convert(self.m3),
+            g: convert(self.g),
+            T: convert(self.T),
+        }
+    }
+    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
+        []
+    }
+    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
+        Self { ..*self }
+    }
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
+    #[inline(always)]
+    fn prepare(&self) -> SliderCrankPrepared<S> {
+        self.prepare()
+    }
+    #[inline(always)]
+    fn prepared_dynamics(
+        prepared: &Self::Prepared,
+        t: S,
+        q: &[S; 2],
+        qd: &[S; 2],
+    ) -> sim_kernel::Dynamics<S, [S; 2], [S; 1]> {
+        prepared.dynamics(t, q, qd)
+    }
+    #[inline(always)]
+    fn dynamics_jacobian(
+        &self,
+        t: S,
+        q: &[S; 2],
+        qd: &[S; 2],
+    ) -> sim_kernel::DynamicsJacobian<S, [[S; 2]; 2], [[S; 2]; 1]> {
+        self.prepare().dynamics_jacobian(t, q, qd)
+    }
+    #[inline(always)]
+    fn mass_matrix(&self, t: S, q: &[S; 2]) -> [[S; 2]; 2] {
+        self.mass_matrix(t, q)
+    }
+    #[inline(always)]
+    fn convective_forces(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 2] {
+        self.convective_forces(t, q, qd)
+    }
+    #[inline(always)]
+    fn generalized_forces(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 2] {
+        self.generalized_forces(t, q, qd)
+    }
+    #[inline(always)]
+    fn constraints(&self, t: S, q: &[S; 2]) -> [S; 1] {
+        self.constraints(t, q)
+    }
+    #[inline(always)]
+    fn constraint_magnitudes(&self, t: S, q: &[S; 2]) -> [S; 1] {
+        self.constraint_magnitudes(t, q)
+    }
+    #[inline(always)]
+    fn constraint_jacobian(&self, t: S, q: &[S; 2]) -> [[S; 2]; 1] {
+        self.constraint_jacobian(t, q)
+    }
+    #[inline(always)]
+    fn constraint_time_derivative(&self, t: S, q: &[S; 2]) -> [S; 1] {
+        self.constraint_time_derivative(t, q)
+    }
+    #[inline(always)]
+    fn constraint_convective(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 1] {
+        self.constraint_convective(t, q, qd)
+    }
+    #[inline(always)]
+    fn constraint_linearization(
+        &self,
+        t: S,
+        q: &[S; 2],
+    ) -> sim_kernel::ConstraintLinearization<[S; 1], [[S; 2]; 1]> {
+        self.constraint_linearization(t, q)
+    }
+    #[inline(always)]
+    fn kinetic_energy(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> S {
+        self.kinetic_energy(t, q, qd)
+    }
+    #[inline(always)]
+    fn power(&self, t: S, q: &[S; 2], qd: &[S; 2], qdd: &[S; 2], lambda: &[S; 1]) -> S {
+        self.power(t, q, qd, qdd, lambda)
+    }
+    #[inline(always)]
+    fn outputs(
+        &self,
+        t: S,
+        q: &[S; 2],
+        qd: &[S; 2],
+        qdd: &[S; 2],
+        lambda: &[S; 1],
+    ) -> [S; 6] {
+        self.outputs(t, q, qd, qdd, lambda).into()
+    }
+    #[inline(always)]
+    fn output_rates(&self, t: S, q: &[S; 2], qd: &[S; 2], qdd: &[S; 2]) -> [S; 4] {
+        self.output_rates(t, q, qd, qdd).into()
+    }
+    #[inline(always)]
+    fn events(
+        &self,
+        t: S,
+        q: &[S; 2],
+        qd: &[S; 2],
+        qdd: &[S; 2],
+        lambda: &[S; 1],
+    ) -> [S; 2] {
+        self.events(t, q, qd, qdd, lambda)
+    }
+    #[inline(always)]
+    fn drawing(&self, t: S, q: &[S; 2]) -> [S; 11] {
+        self.drawing(t, q)
+    }
+    #[inline(always)]
+    fn initial(&self) -> sim_kernel::Initial<[S; 2]> {
+        self.initial()
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for SliderCrank<S> {
     const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
         name: "slider-crank",
         type_name: "SliderCrank",
@@ -840,6 +992,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
                 speed_given: false,
             },
         ],
+        mixes_lengths: false,
         parameters: &[
             sim_kernel::Quantity {
                 name: "r",
@@ -1017,147 +1170,5 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
             g: S::from_f64(9.81f64),
             T: S::from_f64(0f64),
         }
-    }
-    fn parameters(&self) -> [S; 8] {
-        [self.r, self.l, self.offset, self.m1, self.m2, self.m3, self.g, self.T]
-    }
-    fn with_parameters(&self, parameters: [S; 8]) -> Self {
-        Self {
-            r: parameters[0],
-            l: parameters[1],
-            offset: parameters[2],
-            m1: parameters[3],
-            m2: parameters[4],
-            m3: parameters[5],
-            g: parameters[6],
-            T: parameters[7],
-            ..*self
-        }
-    }
-    fn on<T: sim_kernel::Scalar>(
-        &self,
-        convert: impl ::core::ops::Fn(S) -> T,
-    ) -> SliderCrank<T> {
-        SliderCrank {
-            r: convert(self.r),
-            l: convert(self.l),
-            offset: convert(self.offset),
-            m1: convert(self.m1),
-            m2: convert(self.m2),
-            m3: convert(self.m3),
-            g: convert(self.g),
-            T: convert(self.T),
-        }
-    }
-    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
-        []
-    }
-    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
-        Self { ..*self }
-    }
-    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
-    #[inline(always)]
-    fn prepare(&self) -> SliderCrankPrepared<S> {
-        self.prepare()
-    }
-    #[inline(always)]
-    fn prepared_dynamics(
-        prepared: &Self::Prepared,
-        t: S,
-        q: &[S; 2],
-        qd: &[S; 2],
-    ) -> sim_kernel::Dynamics<S, [S; 2], [S; 1]> {
-        prepared.dynamics(t, q, qd)
-    }
-    #[inline(always)]
-    fn dynamics_jacobian(
-        &self,
-        t: S,
-        q: &[S; 2],
-        qd: &[S; 2],
-    ) -> sim_kernel::DynamicsJacobian<S, [[S; 2]; 2], [[S; 2]; 1]> {
-        self.prepare().dynamics_jacobian(t, q, qd)
-    }
-    #[inline(always)]
-    fn mass_matrix(&self, t: S, q: &[S; 2]) -> [[S; 2]; 2] {
-        self.mass_matrix(t, q)
-    }
-    #[inline(always)]
-    fn convective_forces(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 2] {
-        self.convective_forces(t, q, qd)
-    }
-    #[inline(always)]
-    fn generalized_forces(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 2] {
-        self.generalized_forces(t, q, qd)
-    }
-    #[inline(always)]
-    fn constraints(&self, t: S, q: &[S; 2]) -> [S; 1] {
-        self.constraints(t, q)
-    }
-    #[inline(always)]
-    fn constraint_magnitudes(&self, t: S, q: &[S; 2]) -> [S; 1] {
-        self.constraint_magnitudes(t, q)
-    }
-    #[inline(always)]
-    fn constraint_jacobian(&self, t: S, q: &[S; 2]) -> [[S; 2]; 1] {
-        self.constraint_jacobian(t, q)
-    }
-    #[inline(always)]
-    fn constraint_time_derivative(&self, t: S, q: &[S; 2]) -> [S; 1] {
-        self.constraint_time_derivative(t, q)
-    }
-    #[inline(always)]
-    fn constraint_convective(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> [S; 1] {
-        self.constraint_convective(t, q, qd)
-    }
-    #[inline(always)]
-    fn constraint_linearization(
-        &self,
-        t: S,
-        q: &[S; 2],
-    ) -> sim_kernel::ConstraintLinearization<[S; 1], [[S; 2]; 1]> {
-        self.constraint_linearization(t, q)
-    }
-    #[inline(always)]
-    fn kinetic_energy(&self, t: S, q: &[S; 2], qd: &[S; 2]) -> S {
-        self.kinetic_energy(t, q, qd)
-    }
-    #[inline(always)]
-    fn power(&self, t: S, q: &[S; 2], qd: &[S; 2], qdd: &[S; 2], lambda: &[S; 1]) -> S {
-        self.power(t, q, qd, qdd, lambda)
-    }
-    #[inline(always)]
-    fn outputs(
-        &self,
-        t: S,
-        q: &[S; 2],
-        qd: &[S; 2],
-        qdd: &[S; 2],
-        lambda: &[S; 1],
-    ) -> [S; 6] {
-        self.outputs(t, q, qd, qdd, lambda).into()
-    }
-    #[inline(always)]
-    fn output_rates(&self, t: S, q: &[S; 2], qd: &[S; 2], qdd: &[S; 2]) -> [S; 4] {
-        self.output_rates(t, q, qd, qdd).into()
-    }
-    #[inline(always)]
-    fn events(
-        &self,
-        t: S,
-        q: &[S; 2],
-        qd: &[S; 2],
-        qdd: &[S; 2],
-        lambda: &[S; 1],
-    ) -> [S; 2] {
-        self.events(t, q, qd, qdd, lambda)
-    }
-    #[inline(always)]
-    fn drawing(&self, t: S, q: &[S; 2]) -> [S; 11] {
-        self.drawing(t, q)
-    }
-    #[inline(always)]
-    fn initial(&self) -> sim_kernel::Initial<[S; 2]> {
-        self.initial()
     }
 }

@@ -75,7 +75,7 @@ pub struct Top<S = ::core::primitive::f64> {
 impl<S: sim_kernel::Scalar> ::core::default::Default for Top<S> {
     /// The declared values.
     fn default() -> Self {
-        <Self as sim_kernel::Mechanism<S>>::defaults()
+        <Self as sim_kernel::Compiled<S>>::defaults()
     }
 }
 /// Coordinates of [`Top`] by name, in SI units; also for their speeds and accelerations.
@@ -697,6 +697,158 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Top<S> {
     type Inputs = [sim_kernel::Input<S>; 0];
     type Prepared = TopPrepared<S>;
     type On<T: sim_kernel::Scalar> = Top<T>;
+    #[inline(always)]
+    fn description(&self) -> &'static sim_kernel::Description {
+        const { &<Self as sim_kernel::Compiled<S>>::DESCRIPTION }
+    }
+    fn as_declared(&self) -> Self {
+        <Self as sim_kernel::Compiled<S>>::defaults()
+    }
+    fn parameters(&self) -> [S; 8] {
+        [self.m, self.l, self.A, self.C, self.g, self.theta0, self.spin, self.nod]
+    }
+    fn with_parameters(&self, parameters: [S; 8]) -> Self {
+        Self {
+            m: parameters[0],
+            l: parameters[1],
+            A: parameters[2],
+            C: parameters[3],
+            g: parameters[4],
+            theta0: parameters[5],
+            spin: parameters[6],
+            nod: parameters[7],
+            ..*self
+        }
+    }
+    fn on<T: sim_kernel::Scalar>(
+        &self,
+        convert: impl ::core::ops::Fn(S) -> T,
+    ) -> Top<T> {
+        Top {
+            m: convert(self.m),
+            l: convert(self.l),
+            A: convert(self.A),
+            C: convert(self.C),
+            g: convert(self.g),
+            theta0: convert(self.theta0),
+            spin: convert(self.spin),
+            nod: convert(self.nod),
+        }
+    }
+    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
+        []
+    }
+    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
+        Self { ..*self }
+    }
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
+    #[inline(always)]
+    fn prepare(&self) -> TopPrepared<S> {
+        self.prepare()
+    }
+    #[inline(always)]
+    fn prepared_dynamics(
+        prepared: &Self::Prepared,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+    ) -> sim_kernel::Dynamics<S, [S; 3], [S; 0]> {
+        prepared.dynamics(t, q, qd)
+    }
+    #[inline(always)]
+    fn dynamics_jacobian(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+    ) -> sim_kernel::DynamicsJacobian<S, [[S; 3]; 3], [[S; 3]; 0]> {
+        self.prepare().dynamics_jacobian(t, q, qd)
+    }
+    #[inline(always)]
+    fn mass_matrix(&self, t: S, q: &[S; 3]) -> [[S; 3]; 3] {
+        self.mass_matrix(t, q)
+    }
+    #[inline(always)]
+    fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
+        self.convective_forces(t, q, qd)
+    }
+    #[inline(always)]
+    fn generalized_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
+        self.generalized_forces(t, q, qd)
+    }
+    #[inline(always)]
+    fn constraints(&self, t: S, q: &[S; 3]) -> [S; 0] {
+        self.constraints(t, q)
+    }
+    #[inline(always)]
+    fn constraint_magnitudes(&self, t: S, q: &[S; 3]) -> [S; 0] {
+        self.constraint_magnitudes(t, q)
+    }
+    #[inline(always)]
+    fn constraint_jacobian(&self, t: S, q: &[S; 3]) -> [[S; 3]; 0] {
+        self.constraint_jacobian(t, q)
+    }
+    #[inline(always)]
+    fn constraint_time_derivative(&self, t: S, q: &[S; 3]) -> [S; 0] {
+        self.constraint_time_derivative(t, q)
+    }
+    #[inline(always)]
+    fn constraint_convective(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 0] {
+        self.constraint_convective(t, q, qd)
+    }
+    #[inline(always)]
+    fn constraint_linearization(
+        &self,
+        t: S,
+        q: &[S; 3],
+    ) -> sim_kernel::ConstraintLinearization<[S; 0], [[S; 3]; 0]> {
+        self.constraint_linearization(t, q)
+    }
+    #[inline(always)]
+    fn kinetic_energy(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> S {
+        self.kinetic_energy(t, q, qd)
+    }
+    #[inline(always)]
+    fn power(&self, t: S, q: &[S; 3], qd: &[S; 3], qdd: &[S; 3], lambda: &[S; 0]) -> S {
+        self.power(t, q, qd, qdd, lambda)
+    }
+    #[inline(always)]
+    fn outputs(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+        lambda: &[S; 0],
+    ) -> [S; 4] {
+        self.outputs(t, q, qd, qdd, lambda).into()
+    }
+    #[inline(always)]
+    fn output_rates(&self, t: S, q: &[S; 3], qd: &[S; 3], qdd: &[S; 3]) -> [S; 4] {
+        self.output_rates(t, q, qd, qdd).into()
+    }
+    #[inline(always)]
+    fn events(
+        &self,
+        t: S,
+        q: &[S; 3],
+        qd: &[S; 3],
+        qdd: &[S; 3],
+        lambda: &[S; 0],
+    ) -> [S; 1] {
+        self.events(t, q, qd, qdd, lambda)
+    }
+    #[inline(always)]
+    fn drawing(&self, t: S, q: &[S; 3]) -> [S; 22] {
+        self.drawing(t, q)
+    }
+    #[inline(always)]
+    fn initial(&self) -> sim_kernel::Initial<[S; 3]> {
+        self.initial()
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Top<S> {
     const DESCRIPTION: sim_kernel::Description = sim_kernel::Description {
         name: "top",
         type_name: "Top",
@@ -780,6 +932,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Top<S> {
                 speed_given: true,
             },
         ],
+        mixes_lengths: false,
         parameters: &[
             sim_kernel::Quantity {
                 name: "m",
@@ -925,147 +1078,5 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Top<S> {
             spin: S::from_f64(150f64),
             nod: S::from_f64(0.5f64),
         }
-    }
-    fn parameters(&self) -> [S; 8] {
-        [self.m, self.l, self.A, self.C, self.g, self.theta0, self.spin, self.nod]
-    }
-    fn with_parameters(&self, parameters: [S; 8]) -> Self {
-        Self {
-            m: parameters[0],
-            l: parameters[1],
-            A: parameters[2],
-            C: parameters[3],
-            g: parameters[4],
-            theta0: parameters[5],
-            spin: parameters[6],
-            nod: parameters[7],
-            ..*self
-        }
-    }
-    fn on<T: sim_kernel::Scalar>(
-        &self,
-        convert: impl ::core::ops::Fn(S) -> T,
-    ) -> Top<T> {
-        Top {
-            m: convert(self.m),
-            l: convert(self.l),
-            A: convert(self.A),
-            C: convert(self.C),
-            g: convert(self.g),
-            theta0: convert(self.theta0),
-            spin: convert(self.spin),
-            nod: convert(self.nod),
-        }
-    }
-    fn inputs(&self) -> [sim_kernel::Input<S>; 0] {
-        []
-    }
-    fn with_inputs(&self, inputs: [sim_kernel::Input<S>; 0]) -> Self {
-        Self { ..*self }
-    }
-    fn set_inputs(prepared: &mut Self::Prepared, inputs: [sim_kernel::Input<S>; 0]) {}
-    #[inline(always)]
-    fn prepare(&self) -> TopPrepared<S> {
-        self.prepare()
-    }
-    #[inline(always)]
-    fn prepared_dynamics(
-        prepared: &Self::Prepared,
-        t: S,
-        q: &[S; 3],
-        qd: &[S; 3],
-    ) -> sim_kernel::Dynamics<S, [S; 3], [S; 0]> {
-        prepared.dynamics(t, q, qd)
-    }
-    #[inline(always)]
-    fn dynamics_jacobian(
-        &self,
-        t: S,
-        q: &[S; 3],
-        qd: &[S; 3],
-    ) -> sim_kernel::DynamicsJacobian<S, [[S; 3]; 3], [[S; 3]; 0]> {
-        self.prepare().dynamics_jacobian(t, q, qd)
-    }
-    #[inline(always)]
-    fn mass_matrix(&self, t: S, q: &[S; 3]) -> [[S; 3]; 3] {
-        self.mass_matrix(t, q)
-    }
-    #[inline(always)]
-    fn convective_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
-        self.convective_forces(t, q, qd)
-    }
-    #[inline(always)]
-    fn generalized_forces(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 3] {
-        self.generalized_forces(t, q, qd)
-    }
-    #[inline(always)]
-    fn constraints(&self, t: S, q: &[S; 3]) -> [S; 0] {
-        self.constraints(t, q)
-    }
-    #[inline(always)]
-    fn constraint_magnitudes(&self, t: S, q: &[S; 3]) -> [S; 0] {
-        self.constraint_magnitudes(t, q)
-    }
-    #[inline(always)]
-    fn constraint_jacobian(&self, t: S, q: &[S; 3]) -> [[S; 3]; 0] {
-        self.constraint_jacobian(t, q)
-    }
-    #[inline(always)]
-    fn constraint_time_derivative(&self, t: S, q: &[S; 3]) -> [S; 0] {
-        self.constraint_time_derivative(t, q)
-    }
-    #[inline(always)]
-    fn constraint_convective(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> [S; 0] {
-        self.constraint_convective(t, q, qd)
-    }
-    #[inline(always)]
-    fn constraint_linearization(
-        &self,
-        t: S,
-        q: &[S; 3],
-    ) -> sim_kernel::ConstraintLinearization<[S; 0], [[S; 3]; 0]> {
-        self.constraint_linearization(t, q)
-    }
-    #[inline(always)]
-    fn kinetic_energy(&self, t: S, q: &[S; 3], qd: &[S; 3]) -> S {
-        self.kinetic_energy(t, q, qd)
-    }
-    #[inline(always)]
-    fn power(&self, t: S, q: &[S; 3], qd: &[S; 3], qdd: &[S; 3], lambda: &[S; 0]) -> S {
-        self.power(t, q, qd, qdd, lambda)
-    }
-    #[inline(always)]
-    fn outputs(
-        &self,
-        t: S,
-        q: &[S; 3],
-        qd: &[S; 3],
-        qdd: &[S; 3],
-        lambda: &[S; 0],
-    ) -> [S; 4] {
-        self.outputs(t, q, qd, qdd, lambda).into()
-    }
-    #[inline(always)]
-    fn output_rates(&self, t: S, q: &[S; 3], qd: &[S; 3], qdd: &[S; 3]) -> [S; 4] {
-        self.output_rates(t, q, qd, qdd).into()
-    }
-    #[inline(always)]
-    fn events(
-        &self,
-        t: S,
-        q: &[S; 3],
-        qd: &[S; 3],
-        qdd: &[S; 3],
-        lambda: &[S; 0],
-    ) -> [S; 1] {
-        self.events(t, q, qd, qdd, lambda)
-    }
-    #[inline(always)]
-    fn drawing(&self, t: S, q: &[S; 3]) -> [S; 22] {
-        self.drawing(t, q)
-    }
-    #[inline(always)]
-    fn initial(&self) -> sim_kernel::Initial<[S; 3]> {
-        self.initial()
     }
 }

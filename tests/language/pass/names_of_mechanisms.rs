@@ -1,6 +1,6 @@
 //! Names that what is generated uses too: as mechanisms, coordinates, parameters, inputs, outputs and intermediate results.
 
-use sim_kernel::mechanism;
+use sim_kernel::{mechanism, Compiled};
 
 /// A mechanism of this name, in a module of its own, with these names for what it has.
 macro_rules! named {

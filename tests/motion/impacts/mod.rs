@@ -9,7 +9,7 @@ use tests::run_with;
 
 const G: f64 = 9.81;
 
-fn times<M: sim::Mechanism>(run: &Run<M>, name: &str) -> Vec<f64> {
+fn times<M: sim::Compiled>(run: &Run<M>, name: &str) -> Vec<f64> {
     run.events.iter().filter(|event| event.name == name).map(|event| event.state.time).collect()
 }
 

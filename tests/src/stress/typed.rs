@@ -1,6 +1,6 @@
 //! A linkage in one form, run without its type.
 
-use sim::{Description, Driven, Mechanism, Settings, Start, Sweep, Table, declared_start, kinematics, run};
+use sim::{Compiled, Description, Driven, Settings, Start, Sweep, Table, declared_start, kinematics, run};
 use std::marker::PhantomData;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -44,7 +44,7 @@ impl<M> Typed<M> {
     pub(crate) const NEW: Typed<M> = Typed(PhantomData);
 }
 
-impl<M: Mechanism> Form for Typed<M> {
+impl<M: Compiled> Form for Typed<M> {
     fn name(&self) -> &'static str {
         M::DESCRIPTION.name
     }
@@ -92,7 +92,7 @@ fn first_angle(description: &'static Description) -> Option<Driven> {
     ["phi_0", "rel_0", "b_0_phi", "j_0", "a_0"].into_iter().find_map(named).map(Driven::Coordinate)
 }
 
-fn declared<M: Mechanism>(parameters: &[(String, f64)]) -> (M, Start<M>) {
+fn declared<M: Compiled>(parameters: &[(String, f64)]) -> (M, Start<M>) {
     let mut values = M::defaults().parameters();
     for (i, quantity) in M::DESCRIPTION.parameters.iter().enumerate() {
         if let Some((_, value)) = parameters.iter().find(|(name, _)| name == quantity.name) {

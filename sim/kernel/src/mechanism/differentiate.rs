@@ -54,7 +54,7 @@ pub(crate) fn sensitivity<S: Scalar, M: Mechanism<S>>(
     let parameters = constant.parameters();
     let zero = M::Parameters::repeat(parameters.len(), S::from_f64(0.0));
     let mut found = DynamicsSensitivity {
-        accelerations: M::QP::repeat(mechanism.n(), zero),
+        accelerations: M::QP::repeat(mechanism.n(), zero.clone()),
         multipliers: M::LP::repeat(mechanism.m(), zero),
         refused: S::Mask::NONE,
     };
@@ -69,7 +69,7 @@ pub(crate) fn sensitivity<S: Scalar, M: Mechanism<S>>(
 
 /// The same numbers, with one as the variable of differentiation.
 fn varied<S: Scalar, A: Array<Dual<S>>>(values: &A, j: usize) -> A {
-    let mut values = *values;
+    let mut values = values.clone();
     values[j] = Dual::variable(values[j].value);
     values
 }

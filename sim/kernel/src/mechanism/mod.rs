@@ -4,9 +4,11 @@
 //! scalar, and its kernels are methods. A separate parameter type would make every call name the mechanism twice, and
 //! the trait would need generic associated types for every size.
 
+mod compiled;
 mod differentiate;
 
-use crate::{Array, Description, FixedArray, Input, Scalar};
+use crate::{Array, Description, Input, Scalar};
+pub use compiled::Compiled;
 use core::fmt::Debug;
 use differentiate::{jacobian, sensitivity};
 
@@ -14,61 +16,52 @@ use differentiate::{jacobian, sensitivity};
 ///
 /// n is the number of coordinates and m of constraint rows; matrices are arrays of rows. All quantities are in
 /// SI units. Kernels neither allocate nor panic; outside a function's domain results are NaN.
-pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
+pub trait Mechanism<S: Scalar = f64>: Clone + Debug {
     /// Coordinates, speeds or accelerations: n.
-    type Q: FixedArray<S>;
+    type Q: Array<S> + Copy;
     /// Constraints or multipliers: m.
-    type L: FixedArray<S>;
+    type L: Array<S> + Copy;
     /// Both, one after the other: n + m.
-    type Z: FixedArray<S>;
+    type Z: Array<S>;
     /// n x n.
-    type QQ: FixedArray<Self::Q>;
+    type QQ: Array<Self::Q>;
     /// m x n.
-    type LQ: FixedArray<Self::Q>;
+    type LQ: Array<Self::Q>;
     /// m x m.
-    type LL: FixedArray<Self::L>;
+    type LL: Array<Self::L>;
     /// (n + m) x (n + m).
-    type ZZ: FixedArray<Self::Z>;
+    type ZZ: Array<Self::Z>;
     /// The entries of C_q that may be nonzero, row after row as in [`Description::sparsity`]; none if that is empty.
-    type Entries: FixedArray<S>;
+    type Entries: Array<S>;
     /// The lower triangle of C_q C_q' within its envelope, row after row; likewise.
-    type Envelope: FixedArray<S>;
+    type Envelope: Array<S>;
     /// Parameters.
-    type Parameters: FixedArray<S>;
+    type Parameters: Array<S>;
     /// Inputs, each following its declared course or held.
-    type Inputs: FixedArray<Input<S>>;
+    type Inputs: Array<Input<S>> + Copy;
     /// Outputs.
-    type Outputs: FixedArray<S>;
+    type Outputs: Array<S>;
     /// Rates of the outputs that have one.
-    type OutputRates: FixedArray<S>;
+    type OutputRates: Array<S>;
     /// Events.
-    type Events: FixedArray<S>;
+    type Events: Array<S> + Copy;
     /// The values that the actions of events need.
-    type EventValues: FixedArray<S>;
+    type EventValues: Array<S>;
     /// Constraints that events switch.
-    type Activities: FixedArray<S>;
+    type Activities: Array<S>;
     /// Numbers of the drawing.
-    type Drawing: FixedArray<S>;
+    type Drawing: Array<S>;
     /// n x parameters.
-    type QP: FixedArray<Self::Parameters>;
+    type QP: Array<Self::Parameters>;
     /// m x parameters.
-    type LP: FixedArray<Self::Parameters>;
+    type LP: Array<Self::Parameters>;
     /// The values that the equations of motion need of the parameters.
-    type Prepared: Copy + Debug;
+    type Prepared: Clone + Debug;
     /// The same mechanism on another scalar type.
     type On<T: Scalar>: Mechanism<T>;
 
     /// Names, units, documentation.
-    const DESCRIPTION: Description;
-    /// If generalised speeds are declared, the remaining constraints, as
-    /// [`GeneralizedSpeeds::ROWS`](crate::GeneralizedSpeeds::ROWS).
-    const ROWS_LEFT: Option<&'static [usize]> = None;
-
-    /// Names, units, documentation.
-    #[inline(always)]
-    fn description(&self) -> &'static Description {
-        const { &Self::DESCRIPTION }
-    }
+    fn description(&self) -> &'static Description;
     /// The number of coordinates.
     #[inline(always)]
     fn n(&self) -> usize {
@@ -83,10 +76,10 @@ pub trait Mechanism<S: Scalar = f64>: Copy + Debug {
     /// [`GeneralizedSpeeds::ROWS`](crate::GeneralizedSpeeds::ROWS).
     #[inline(always)]
     fn rows_left(&self) -> Option<&'static [usize]> {
-        Self::ROWS_LEFT
+        None
     }
-    /// The mechanism with its declared defaults.
-    fn defaults() -> Self;
+    /// The mechanism as it is declared: with defaults of parameters, inputs and activities.
+    fn as_declared(&self) -> Self;
     /// The parameters in the order of declaration, in SI units.
     fn parameters(&self) -> Self::Parameters;
     /// The mechanism with these parameters and unchanged inputs and activities.

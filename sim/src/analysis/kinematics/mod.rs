@@ -118,7 +118,7 @@ pub fn kinematics_until<M: Mechanism>(
     let samples = swept.motion.iter().zip(work).map(|(motion, work)| motion.sample(&mechanism, work)).collect();
     let (values, forces) = drives(&swept);
     Ok(Kinematics {
-        mechanism,
+        mechanism: mechanism.clone(),
         sweep: sweep.clone(),
         values,
         forces,

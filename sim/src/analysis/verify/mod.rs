@@ -89,7 +89,7 @@ pub fn verify<M: Mechanism>(mechanism: M, start: &Start<M>, end: f64) -> Result<
     let declared = Declared::of(&mechanism)?;
     let with = |method, stabilisation| {
         let settings = Settings { stabilisation, ..Settings::adaptive(method, end, TOLERANCE) };
-        let found = run(mechanism, start, &settings)?;
+        let found = run(mechanism.clone(), start, &settings)?;
         match found.trajectory.failure {
             Some(failure) => Err(VerifyError::Run(failure)),
             None => Ok(found),
@@ -145,7 +145,7 @@ fn places<M: Mechanism>(samples: &[Sample<M>]) -> Vec<At<'_, f64>> {
 fn span<M: Mechanism>(mechanism: &M, start: &Start<M>, end: f64) -> Result<f64, Failure> {
     let first = assemble(mechanism, start)?;
     let measures = Measures::at(mechanism, first.time, &first.positions);
-    let motion = Motion::new(*mechanism, Stabilisation::Projection, measures);
+    let motion = Motion::new(mechanism.clone(), Stabilisation::Projection, measures);
     let course = Course { begin: 0.0, end, stepping: Stepping::Adaptive(Tolerance::new(TOLERANCE)) };
     let (mut steps, mut count, mut reached) = (Steps::default(), 0, first.time);
     integrate(&motion, &mut Dop853::new(motion.mechanism()), &course, motion.sample(first)?, &mut steps, |step| {

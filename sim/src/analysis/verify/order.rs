@@ -93,7 +93,7 @@ fn states<M: Mechanism>(
     steps: usize,
 ) -> Result<Vec<Sample<M>>, Failure> {
     let measures = Measures::at(mechanism, start.time, &start.positions);
-    let motion = Motion::new(*mechanism, Stabilisation::Projection, measures);
+    let motion = Motion::new(mechanism.clone(), Stabilisation::Projection, measures);
     let course = Course { begin: start.time, end, stepping: Stepping::Equal(steps) };
     // A step may be split, so times are identified by their middles.
     let time = |k: usize| start.time + (end - start.time) * (k as f64 + 0.5) / steps as f64;

@@ -8,7 +8,7 @@ use crate::{Mobility, assemble, declared_start, mobility};
 use codegen::dsl::Activity;
 use serde_json::{Value, json};
 use sim_kernel::event::Event;
-use sim_kernel::{Coordinate, Description, Mechanism, Quantity, Start};
+use sim_kernel::{Compiled, Coordinate, Description, Quantity, Start};
 
 /// The facts about a mechanism.
 pub(in crate::cli) struct Facts {
@@ -22,7 +22,7 @@ pub(in crate::cli) struct Facts {
 }
 
 /// The facts of a type.
-pub(in crate::cli) fn facts<M: Mechanism>() -> Facts {
+pub(in crate::cli) fn facts<M: Compiled>() -> Facts {
     use sim_kernel::Array;
     let mechanism = M::defaults();
     let start = declared_start(&mechanism);

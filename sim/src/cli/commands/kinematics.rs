@@ -15,7 +15,7 @@ use crate::{
     kinematics_until,
 };
 use serde_json::{Map, Value, json};
-use sim_kernel::{Array, Description, Mechanism, Quantity};
+use sim_kernel::{Array, Compiled, Description, Mechanism, Quantity};
 use std::path::Path;
 
 impl KinematicsArguments {
@@ -112,7 +112,7 @@ fn hold(description: &'static Description, now: &dyn Fn(Driven) -> f64, text: &s
 }
 
 /// Drives a mechanism through a range, writes the results, and prints a summary.
-pub(in crate::cli) fn kinematics_command<M: Mechanism>(
+pub(in crate::cli) fn kinematics_command<M: Compiled>(
     arguments: &KinematicsArguments,
     voice: Voice,
 ) -> Result<(), Stop> {
@@ -153,7 +153,7 @@ struct Found<'a> {
 impl<'a> Found<'a> {
     fn new<M: Mechanism>(found: &'a Kinematics<M>) -> Found<'a> {
         Found {
-            description: const { &M::DESCRIPTION },
+            description: found.mechanism.description(),
             sweep: &found.sweep,
             values: &found.values,
             is_cycle: found.is_cycle(),

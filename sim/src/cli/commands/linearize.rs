@@ -13,13 +13,10 @@ use crate::{
 };
 use nalgebra::{Complex, DMatrix};
 use serde_json::{Map, Value, json};
-use sim_kernel::Mechanism;
+use sim_kernel::{Compiled, Mechanism};
 
 /// Linearises a mechanism, writes the matrices and prints the modes.
-pub(in crate::cli) fn linearize_command<M: Mechanism>(
-    arguments: &LinearizeArguments,
-    voice: Voice,
-) -> Result<(), Stop> {
+pub(in crate::cli) fn linearize_command<M: Compiled>(arguments: &LinearizeArguments, voice: Voice) -> Result<(), Stop> {
     let description = const { &M::DESCRIPTION };
     let mechanism = mechanism_with::<M>(description, &arguments.start.set)?;
     let start = start_with(&mechanism, description, &arguments.start.initial)?;
@@ -97,7 +94,7 @@ fn state_at<M: Mechanism>(mechanism: &M, start: &Start<M>, place: &str) -> Resul
         "equilibrium" => Ok(equilibrium(mechanism, start)?.state),
         "initial" => Ok(assemble(mechanism, start)?),
         time => {
-            let run = run(*mechanism, start, &Settings::new(positive("--at", time)?))?;
+            let run = run(mechanism.clone(), start, &Settings::new(positive("--at", time)?))?;
             match (run.trajectory.failure, run.trajectory.samples.last()) {
                 (Some(failure), _) => Err(failure.into()),
                 (None, Some(sample)) => Ok(sample.state),

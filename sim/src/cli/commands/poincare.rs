@@ -11,11 +11,11 @@ use crate::cli::{Stop, unknown};
 use crate::output::show;
 use crate::{Failure, Method, Period, Sectioning, Settings, Table, What, poincare};
 use serde_json::json;
-use sim_kernel::{Description, Mechanism};
+use sim_kernel::{Compiled, Description};
 use std::path::Path;
 
 /// Takes a section of a motion, writes it and prints its period.
-pub(in crate::cli) fn poincare_command<M: Mechanism>(arguments: &PoincareArguments, voice: Voice) -> Result<(), Stop> {
+pub(in crate::cli) fn poincare_command<M: Compiled>(arguments: &PoincareArguments, voice: Voice) -> Result<(), Stop> {
     let description = const { &M::DESCRIPTION };
     let mechanism = mechanism_with::<M>(description, &arguments.start.set)?;
     let start = start_with(&mechanism, description, &arguments.start.initial)?;

@@ -14,12 +14,12 @@ use crate::output::show::{self, About};
 use crate::output::write::summary_of;
 use crate::{Start, Stepping, Table, What, assemble, mobility, run, write_json};
 use serde_json::{Value, json};
-use sim_kernel::Mechanism;
+use sim_kernel::{Compiled, Mechanism};
 use std::path::PathBuf;
 use std::time::Instant;
 
 /// Runs a mechanism, writes the results, and prints a short table.
-pub(in crate::cli) fn run_command<M: Mechanism>(arguments: &RunArguments, voice: Voice) -> Result<(), Stop> {
+pub(in crate::cli) fn run_command<M: Compiled>(arguments: &RunArguments, voice: Voice) -> Result<(), Stop> {
     let description = const { &M::DESCRIPTION };
     let clock = Instant::now();
     let mechanism = mechanism_with::<M>(description, &arguments.set)?;

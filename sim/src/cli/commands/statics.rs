@@ -9,11 +9,11 @@ use crate::output::outcome::list;
 use crate::{Branches, Loop, Mobility, assemble, branches, check_masses, equilibrium, mobility, residuals};
 use nalgebra::Complex;
 use serde_json::{Map, Value, json};
-use sim_kernel::{Description, Mechanism, Quantity};
+use sim_kernel::{Compiled, Description, Quantity};
 use std::fmt::Write;
 
 /// Prints the assembled start, degrees of freedom and redundant constraints.
-pub(in crate::cli) fn assemble_command<M: Mechanism>(arguments: &AssembleArguments, voice: Voice) -> Result<(), Stop> {
+pub(in crate::cli) fn assemble_command<M: Compiled>(arguments: &AssembleArguments, voice: Voice) -> Result<(), Stop> {
     let description = const { &M::DESCRIPTION };
     let mechanism = mechanism_with::<M>(description, &arguments.start.set)?;
     let start = start_with(&mechanism, description, &arguments.start.initial)?;
@@ -119,7 +119,7 @@ fn say_branches(
 }
 
 /// Prints an equilibrium, its reactions and the eigenvalues of small motions.
-pub(in crate::cli) fn equilibrium_command<M: Mechanism>(arguments: &StartArguments, voice: Voice) -> Result<(), Stop> {
+pub(in crate::cli) fn equilibrium_command<M: Compiled>(arguments: &StartArguments, voice: Voice) -> Result<(), Stop> {
     let description = const { &M::DESCRIPTION };
     let mechanism = mechanism_with::<M>(description, &arguments.set)?;
     let found = equilibrium(&mechanism, &start_with(&mechanism, description, &arguments.initial)?)?;

@@ -12,7 +12,7 @@ pub(in crate::cli) fn advice<M: Mechanism>(mechanism: &M, state: &State<M>, unst
     }
     let (q, qd) = (state.positions.as_ref(), state.speeds.as_ref());
     let advice = quaternions(&Any(mechanism)).into_iter().filter(|four| four.iter().any(|j| unsteady.contains(j)));
-    let advice: Vec<String> = advice.filter_map(|four| of_quaternion(const { &M::DESCRIPTION }, four, q, qd)).collect();
+    let advice: Vec<String> = advice.filter_map(|four| of_quaternion(mechanism.description(), four, q, qd)).collect();
     Some(match advice.is_empty() {
         false => advice.join(". "),
         true => "a steady motion changes only coordinates that nothing depends on, at constant speeds, as the angles about the \

@@ -6,10 +6,10 @@ use crate::cli::given::{mechanism_with, start_with};
 use crate::cli::settings::positive;
 use crate::cli::{Stop, print};
 use serde_json::json;
-use sim_kernel::Mechanism;
+use sim_kernel::Compiled;
 
 /// Prints one row for each check; fails if one does.
-pub(in crate::cli) fn verify_command<M: Mechanism>(arguments: &VerifyArguments, voice: Voice) -> Result<(), Stop> {
+pub(in crate::cli) fn verify_command<M: Compiled>(arguments: &VerifyArguments, voice: Voice) -> Result<(), Stop> {
     let description = const { &M::DESCRIPTION };
     let mechanism = mechanism_with::<M>(description, &arguments.set)?;
     let start = start_with(&mechanism, description, &arguments.initial)?;

@@ -36,9 +36,10 @@ impl Reproduction {
         settings: &Settings,
         arguments: &RunArguments,
     ) -> Reproduction {
-        let (values, defaults, inputs) = (mechanism.parameters(), M::defaults().parameters(), mechanism.inputs());
+        let (values, defaults, inputs) =
+            (mechanism.parameters(), mechanism.as_declared().parameters(), mechanism.inputs());
         let given = Given {
-            description: const { &M::DESCRIPTION },
+            description: mechanism.description(),
             values: values.as_ref(),
             defaults: defaults.as_ref(),
             inputs: inputs.as_ref(),
@@ -105,7 +106,7 @@ impl Reproduction {
 /// What is given or guessed of the start, and whether the declaration says otherwise.
 fn initial<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Vec<(&'static str, String, bool)> {
     let declared = crate::declared_start(mechanism);
-    let coordinates = M::DESCRIPTION.coordinates;
+    let coordinates = mechanism.description().coordinates;
     let mut entries = Vec::new();
     for (i, c) in coordinates.iter().enumerate() {
         if start.position_given[i] || c.start == Known::Guess {

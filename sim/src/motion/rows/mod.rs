@@ -21,9 +21,9 @@ pub(crate) type Linear<M, R> = ConstraintLinearization<<M as Mechanism>::L, <R a
 /// A way to store rows.
 pub(crate) trait Rows<M: Mechanism> {
     /// m rows of n.
-    type Jacobian: Copy;
+    type Jacobian;
     /// L D L' of the products of rows with each other.
-    type Factors: Copy;
+    type Factors;
 
     /// C, C_q and C_t.
     fn linearization(mechanism: &M, time: f64, q: &M::Q) -> Linear<M, Self>;

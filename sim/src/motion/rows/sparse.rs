@@ -34,7 +34,7 @@ impl<M: Mechanism> Rows<M> for Sparse {
 
     #[inline]
     fn columns(mechanism: &M, entries: &M::Entries, measures: &Measures<M>) -> M::Entries {
-        let mut columns = *entries;
+        let mut columns = entries.clone();
         if !mixes_lengths(mechanism) {
             return columns;
         }
@@ -48,7 +48,7 @@ impl<M: Mechanism> Rows<M> for Sparse {
 
     #[inline]
     fn between_positions(mechanism: &M, entries: &M::Entries) -> M::Entries {
-        let mut between = *entries;
+        let mut between = entries.clone();
         for row in sparse_rows(mechanism).iter().filter(|row| is_speed_row(mechanism, row.constraint)) {
             entries_of_mut(&mut between, row).for_each(|(entry, _)| *entry = 0.0);
         }
@@ -157,7 +157,7 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// L D L' factors within the envelope.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Envelope<M: Mechanism> {
     /// L, below the diagonal; the diagonal is that of the matrix.
     lower: M::Envelope,

@@ -16,7 +16,7 @@ const LEAST: f64 = 1e-4;
 pub(crate) fn may_have_turned<M: Mechanism>(mechanism: &M, before: &M::Entries, after: &M::Entries) -> bool {
     let (rows, zero) = (sparse_rows(mechanism), blank_envelope(mechanism));
     // L below the diagonal of the one, the transpose of D U in the other.
-    let (mut lower, mut upper, mut inverse_pivots) = (zero, zero, M::L::repeat(mechanism.m(), 0.0));
+    let (mut lower, mut upper, mut inverse_pivots) = (zero.clone(), zero, M::L::repeat(mechanism.m(), 0.0));
     products(mechanism, after, before, &mut lower);
     products(mechanism, before, after, &mut upper);
     for (k, row) in rows.iter().enumerate() {

@@ -12,7 +12,7 @@ use std::path::Path;
 /// Draws `section_NAME` for each coordinate into a directory; the figures come from where the table does. Angles are within half a turn of the first.
 pub fn section_figures<M: Mechanism>(found: &Section<M>, table: &Table, directory: &Path, size: Size) -> Figures {
     let samples: Vec<At<f64>> = found.trajectory.samples.iter().map(At::sample).collect();
-    draw(const { &M::DESCRIPTION }, &samples, directory, size, &table.provenance)
+    draw(found.mechanism.description(), &samples, directory, size, &table.provenance)
 }
 
 fn draw(

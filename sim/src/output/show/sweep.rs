@@ -20,7 +20,7 @@ const MOST_PANELS: usize = 5;
 pub fn sweep_figures<M: Mechanism>(found: &Kinematics<M>, table: &Table, directory: &Path, size: Size) -> Figures {
     let drawing = |index: usize| Row::new(&found.mechanism, &found.trajectory.samples[index], 0.0).drawing;
     let swept = Swept {
-        description: const { &M::DESCRIPTION },
+        description: found.mechanism.description(),
         driven: found.sweep.driven,
         values: &found.values,
         is_cycle: found.is_cycle(),

@@ -4,7 +4,7 @@ use super::programs::{program, programs_are_built};
 use crate::figures::Table;
 use serde_json::Value;
 use sim::verify::{Check, verify};
-use sim::{Mechanism, declared_start};
+use sim::{Compiled, declared_start};
 use std::process::Command;
 
 /// The declarations of `found` whose motion cannot be followed to its end, and why.
@@ -29,7 +29,7 @@ pub(super) fn measure(table: &mut Table) {
 }
 
 /// Rows that fail, or why there are none.
-fn rows_that_fail<M: Mechanism>(mechanism: M) -> Vec<String> {
+fn rows_that_fail<M: Compiled>(mechanism: M) -> Vec<String> {
     let name = M::DESCRIPTION.name;
     match verify(mechanism, &declared_start(&mechanism), 2.0) {
         Ok(checks) => checks
