@@ -13,7 +13,7 @@ use syn::{ImplItem, Item, TraitItem, TraitItemFn};
 /// Functions of the traits that are no kernels: of parameters and the like, and those that other functions of the trait give.
 const NO_KERNELS: [&str; 15] = [
     "activities",
-    "defaults",
+    "as_declared",
     "description",
     "inputs",
     "m",

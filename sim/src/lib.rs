@@ -46,8 +46,9 @@ pub use integrate::{
     Advance, Attempt, Course, DOP853, DOPRI5, Dop853, EULER, ErrorEstimate, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5,
     Step, Steps, Tableau, Weight, integrate,
 };
-pub use model::Control;
 pub use model::conditional::is_active;
+pub use model::erased::{Bounded, Erased, ErasedPrepared, Found, Kernel, List, Model, Prepared, Values, erase};
+pub use model::{At, Control};
 pub use motion::Motion;
 pub use motion::equations::accelerate;
 pub use motion::inertia::check_inertias;

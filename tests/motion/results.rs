@@ -4,10 +4,12 @@
 
 use models::CartPole;
 use sim::{
-    Compiled, Controller, Input, Method, Run, Sample, Settings, Stabilisation, Table, declared_start, run_controlled,
+    Compiled, Controller, Erased, Input, Mechanism, Method, Model, Run, Sample, Settings, Stabilisation, Table,
+    declared_start, run_controlled,
 };
 use std::fs;
 use std::path::PathBuf;
+use std::sync::Arc;
 use tests::run_with;
 
 /// What a run gave.
@@ -26,7 +28,7 @@ struct Fingerprint {
 }
 
 impl Fingerprint {
-    fn of<M: Compiled>(run: &str, found: &Run<M>) -> Fingerprint {
+    fn of<M: Mechanism>(run: &str, found: &Run<M>) -> Fingerprint {
         let table = Table::of(&found.mechanism, &found.trajectory);
         let mut hash = Fnv::new();
         for column in &table.columns {
@@ -34,7 +36,7 @@ impl Fingerprint {
             column.values.iter().for_each(|value| hash.add(&value.to_le_bytes()));
         }
         Fingerprint {
-            run: format!("{}:{run}", M::DESCRIPTION.name),
+            run: format!("{}:{run}", found.mechanism.description().name),
             hash: hash.0,
             rows: found.trajectory.samples.len(),
             steps: found.steps.accepted,
@@ -99,15 +101,25 @@ impl Fnv {
     }
 }
 
-fn of_model<M: Compiled>() -> [Fingerprint; 3] {
+fn of_mechanism<M: Mechanism>(mechanism: &M) -> [Fingerprint; 3] {
     let implicit =
         Settings { stabilisation: Stabilisation::Partitioning, ..Settings::adaptive(Method::Radau5, 0.5, 1e-6) };
-    let of = |run: &str, settings: &Settings| Fingerprint::of::<M>(run, &run_with(M::defaults(), settings).unwrap());
+    let of = |run: &str, settings: &Settings| Fingerprint::of(run, &run_with(mechanism.clone(), settings).unwrap());
     [
         of("default", &Settings::new(2.0)),
         of("equal-steps", &Settings::equal_steps(Method::Rk4, 2.0, 500)),
         of("implicit", &implicit),
     ]
+}
+
+fn of_model<M: Compiled>() -> [Fingerprint; 3] {
+    of_mechanism(&M::defaults())
+}
+
+/// The same by the loops of a mechanism whose sizes are known at run time.
+fn of_erased(model: Arc<dyn Model>) -> [Fingerprint; 3] {
+    let short = Erased::<8>::new(model.clone()).map(|mechanism| of_mechanism(&mechanism));
+    short.unwrap_or_else(|| of_mechanism(&Erased::<64>::new(model).unwrap()))
 }
 
 /// A cart and pole whose controller is asked every 0.03 s.
@@ -142,6 +154,19 @@ fn shipped_models_give_the_same_bits() {
     assert_eq!(names(&now), names(&before));
     let differences: String = now.iter().zip(&before).filter_map(|(now, before)| now.difference(before)).collect();
     assert!(differences.is_empty(), "{differences}`cargo results` accepts the changes");
+}
+
+macro_rules! of_erased_models {
+    ($($model:ty),*) => { [$(of_erased(sim::erase(<$model>::default()))),*].concat() };
+}
+
+#[test]
+fn sizes_known_at_run_time_give_the_same_bits() {
+    let text = fs::read_to_string(file()).unwrap();
+    let compiled = text.lines().map(Fingerprint::parsed);
+    let erased: Vec<Fingerprint> = models::all_models!(of_erased_models);
+    let differences: String = erased.iter().zip(compiled).filter_map(|(now, before)| now.difference(&before)).collect();
+    assert!(differences.is_empty(), "{differences}");
 }
 
 /// Takes what is computed now as right.

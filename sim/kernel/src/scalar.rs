@@ -23,7 +23,14 @@ impl Mask for bool {
 /// NaN.
 #[allow(missing_docs)]
 pub trait Scalar:
-    Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+    'static
+    + Copy
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
 {
     /// The result of comparing two.
     type Mask: Mask;

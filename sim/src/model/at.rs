@@ -4,13 +4,18 @@ use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Dual, Mechanism};
 
 /// Time, coordinates, speeds, accelerations and multipliers, as numbers of any kind. Omitted ones are zero.
-#[derive(Clone, Copy)]
-pub(crate) struct At<'a, S> {
-    pub(crate) time: S,
-    pub(crate) positions: &'a [S],
-    pub(crate) speeds: &'a [S],
-    pub(crate) accelerations: &'a [S],
-    pub(crate) multipliers: &'a [S],
+#[derive(Clone, Copy, Debug)]
+pub struct At<'a, S> {
+    /// t, in seconds.
+    pub time: S,
+    /// q.
+    pub positions: &'a [S],
+    /// q'.
+    pub speeds: &'a [S],
+    /// q''.
+    pub accelerations: &'a [S],
+    /// lambda.
+    pub multipliers: &'a [S],
 }
 
 impl<'a, S> At<'a, S> {

@@ -7,9 +7,11 @@
 mod at;
 pub(crate) mod conditional;
 mod control;
+pub(crate) mod erased;
 pub(crate) mod level;
 
-pub(crate) use at::{At, constants};
+pub use at::At;
+pub(crate) use at::constants;
 pub use control::Control;
 
 use crate::model::conditional::is_row_active;

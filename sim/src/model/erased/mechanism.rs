@@ -1,0 +1,353 @@
+//! A model with the interface of a compiled mechanism, so that the same loops run both.
+
+use super::arrays::{Bounded, List};
+use super::model::{Kernel, Model, Prepared, Values};
+use super::place::Place;
+use sim_kernel::{
+    Array, ConstraintLinearization, Description, Dual, Dynamics, DynamicsJacobian, DynamicsSensitivity, Initial, Input,
+    Kinematics, Mechanism, Scalar,
+};
+use std::any::Any;
+use std::sync::Arc;
+
+/// A model with at most `MOST` coordinates, constraints, inputs and events.
+///
+/// Its kernels are for `f64` and [`Dual`]; on other numbers they refuse, with NaN.
+#[derive(Clone, Debug)]
+pub struct Erased<const MOST: usize, S: Scalar = f64> {
+    model: Arc<dyn Model>,
+    values: Arc<Values<S>>,
+}
+
+impl<const MOST: usize> Erased<MOST> {
+    /// The model, if it has at most `MOST` coordinates, constraints, inputs and events.
+    pub fn new(model: Arc<dyn Model>) -> Option<Erased<MOST>> {
+        let Description { coordinates, constraints, inputs, events, .. } = model.description();
+        let sizes = [coordinates.len(), constraints.len(), inputs.len(), events.len()];
+        let values = Arc::new(model.values());
+        sizes.iter().all(|size| *size <= MOST).then_some(Erased { model, values })
+    }
+}
+
+type Vector<const MOST: usize, S> = Bounded<S, MOST>;
+type Matrix<const MOST: usize, S> = List<Bounded<S, MOST>>;
+
+impl<const MOST: usize, S: Scalar> Erased<MOST, S> {
+    /// The same model with other values.
+    fn with(&self, values: Values<S>) -> Self {
+        let model = match (&values as &dyn Any).downcast_ref::<Values>() {
+            Some(values) => self.model.with_values(values),
+            None => self.model.clone(),
+        };
+        Erased { model, values: Arc::new(values) }
+    }
+
+    /// Calls a kernel, and gives each number that it finds, by row and column.
+    #[inline]
+    fn call(&self, kernel: Kernel, at: &Place<MOST, S>, mut found: impl FnMut(usize, usize, S)) -> bool {
+        if let Some(at) = at.on::<f64>() {
+            return self.model.call(kernel, at, &mut |row, numbers| enter(row, numbers, &mut found));
+        }
+        match (at.on::<Dual>(), (&*self.values as &dyn Any).downcast_ref::<Values<Dual>>()) {
+            (Some(at), Some(values)) => {
+                self.model.call_on_duals(values, kernel, at, &mut |row, numbers| enter(row, numbers, &mut found))
+            }
+            _ => true,
+        }
+    }
+
+    #[inline]
+    fn scalar(&self, kernel: Kernel, at: &Place<MOST, S>) -> S {
+        let mut number = nan();
+        self.call(kernel, at, |_, _, found| number = found);
+        number
+    }
+
+    #[inline]
+    fn vector(&self, kernel: Kernel, at: &Place<MOST, S>, len: usize) -> Vector<MOST, S> {
+        let mut vector = Bounded::repeat(len, nan());
+        self.call(kernel, at, |_, i, found| vector[i] = found);
+        vector
+    }
+
+    #[inline]
+    fn list(&self, kernel: Kernel, at: &Place<MOST, S>, len: usize) -> List<S> {
+        let mut list = List::repeat(len, nan());
+        self.call(kernel, at, |_, i, found| list[i] = found);
+        list
+    }
+
+    #[inline]
+    fn matrix(&self, kernel: Kernel, at: &Place<MOST, S>, rows: usize) -> Matrix<MOST, S> {
+        let mut matrix = List::repeat(rows, Bounded::repeat(self.n(), nan()));
+        self.call(kernel, at, |i, j, found| matrix[i][j] = found);
+        matrix
+    }
+}
+
+/// Gives each number of a row.
+#[inline]
+fn enter<A: Scalar, S: Scalar>(row: usize, numbers: &[A], found: &mut impl FnMut(usize, usize, S)) {
+    for (column, number) in numbers.iter().enumerate() {
+        if let Some(number) = (number as &dyn Any).downcast_ref() {
+            found(row, column, *number);
+        }
+    }
+}
+
+fn nan<S: Scalar>() -> S {
+    S::from_f64(f64::NAN)
+}
+
+/// A truth value as a mask.
+fn mask<S: Scalar>(value: bool) -> S::Mask {
+    S::from_f64(f64::from(u8::from(value))).greater(S::ZERO)
+}
+
+/// The equations of motion of an erased mechanism, prepared.
+#[derive(Debug)]
+pub struct ErasedPrepared<const MOST: usize, S: Scalar> {
+    mechanism: Erased<MOST, S>,
+    kernels: Box<dyn Prepared>,
+}
+
+impl<const MOST: usize, S: Scalar> Clone for ErasedPrepared<MOST, S> {
+    fn clone(&self) -> Self {
+        ErasedPrepared { mechanism: self.mechanism.clone(), kernels: self.kernels.copied() }
+    }
+}
+
+impl<const MOST: usize, S: Scalar> ErasedPrepared<MOST, S> {
+    #[inline]
+    fn call(&self, kernel: Kernel, at: &Place<MOST, S>, mut found: impl FnMut(usize, usize, S)) -> bool {
+        match at.on::<f64>() {
+            Some(at) => self.kernels.call(kernel, at, &mut |row, numbers| enter(row, numbers, &mut found)),
+            None => self.mechanism.call(kernel, at, found),
+        }
+    }
+}
+
+impl<const MOST: usize, S: Scalar> Mechanism<S> for Erased<MOST, S> {
+    type Q = Vector<MOST, S>;
+    type L = Vector<MOST, S>;
+    type Z = List<S>;
+    type QQ = Matrix<MOST, S>;
+    type LQ = Matrix<MOST, S>;
+    type LL = Matrix<MOST, S>;
+    type ZZ = List<List<S>>;
+    type Entries = List<S>;
+    type Envelope = List<S>;
+    type Parameters = List<S>;
+    type Inputs = Bounded<Input<S>, MOST>;
+    type Outputs = List<S>;
+    type OutputRates = List<S>;
+    type Events = Vector<MOST, S>;
+    type EventValues = List<S>;
+    type Activities = List<S>;
+    type Drawing = List<S>;
+    type QP = List<List<S>>;
+    type LP = List<List<S>>;
+    type Prepared = ErasedPrepared<MOST, S>;
+    type On<T: Scalar> = Erased<MOST, T>;
+
+    fn description(&self) -> &'static Description {
+        self.model.description()
+    }
+    fn rows_left(&self) -> Option<&'static [usize]> {
+        self.model.rows_left()
+    }
+    fn as_declared(&self) -> Self {
+        let model = self.model.as_declared();
+        let values = Arc::new(model.values().map(S::from_f64));
+        Erased { model, values }
+    }
+    fn parameters(&self) -> List<S> {
+        list(&self.values.parameters)
+    }
+    fn with_parameters(&self, parameters: List<S>) -> Self {
+        self.with(Values { parameters: parameters.as_ref().to_vec(), ..Values::clone(&self.values) })
+    }
+    fn activities(&self) -> List<S> {
+        list(&self.values.activities)
+    }
+    fn with_activities(self, activities: List<S>) -> Self {
+        self.with(Values { activities: activities.as_ref().to_vec(), ..Values::clone(&self.values) })
+    }
+    fn inputs(&self) -> Bounded<Input<S>, MOST> {
+        Bounded::with_len(self.values.inputs.len(), |i| self.values.inputs[i])
+    }
+    fn with_inputs(&self, inputs: Bounded<Input<S>, MOST>) -> Self {
+        match inputs.is_empty() {
+            true => self.clone(),
+            false => self.with(Values { inputs: inputs.as_ref().to_vec(), ..Values::clone(&self.values) }),
+        }
+    }
+    fn held_inputs(&self, t: S, q: &Self::Q) -> Bounded<Input<S>, MOST> {
+        match Place::of(t, q).on::<f64>() {
+            Some(at) => {
+                let held = self.model.held_inputs(at.time, at.positions);
+                Bounded::with_len(held.len(), |i| held[i].map(S::from_f64))
+            }
+            None => self.inputs(),
+        }
+    }
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: Bounded<Input<S>, MOST>) {
+        prepared.mechanism = prepared.mechanism.with_inputs(inputs);
+        if let Some(values) = (&*prepared.mechanism.values as &dyn Any).downcast_ref::<Values>() {
+            prepared.kernels.set_inputs(&values.inputs);
+        }
+    }
+    fn on<T: Scalar>(&self, convert: impl Fn(S) -> T) -> Erased<MOST, T> {
+        Erased { model: self.model.clone(), values: Arc::new(self.values.map(convert)) }
+    }
+    fn initial(&self) -> Initial<Self::Q> {
+        let [positions, speeds] =
+            self.model.initial().map(|values| Bounded::with_len(values.len(), |i| S::from_f64(values[i])));
+        Initial { positions, speeds }
+    }
+
+    fn mass_matrix(&self, t: S, q: &Self::Q) -> Self::QQ {
+        self.matrix(Kernel::MassMatrix, &Place::of(t, q), self.n())
+    }
+    fn convective_forces(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::Q {
+        self.vector(Kernel::ConvectiveForces, &Place::moving(t, q, qd), self.n())
+    }
+    fn generalized_forces(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::Q {
+        self.vector(Kernel::GeneralizedForces, &Place::moving(t, q, qd), self.n())
+    }
+    fn constraints(&self, t: S, q: &Self::Q) -> Self::L {
+        self.vector(Kernel::Constraints, &Place::of(t, q), self.m())
+    }
+    fn constraint_magnitudes(&self, t: S, q: &Self::Q) -> Self::L {
+        self.vector(Kernel::ConstraintMagnitudes, &Place::of(t, q), self.m())
+    }
+    fn constraint_jacobian(&self, t: S, q: &Self::Q) -> Self::LQ {
+        self.matrix(Kernel::ConstraintJacobian, &Place::of(t, q), self.m())
+    }
+    fn constraint_time_derivative(&self, t: S, q: &Self::Q) -> Self::L {
+        self.vector(Kernel::ConstraintTimeDerivative, &Place::of(t, q), self.m())
+    }
+    fn constraint_convective(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::L {
+        self.vector(Kernel::ConstraintConvective, &Place::moving(t, q, qd), self.m())
+    }
+    fn constraint_linearization(&self, t: S, q: &Self::Q) -> ConstraintLinearization<Self::L, Self::LQ> {
+        let (n, m) = (self.n(), self.m());
+        let [mut values, mut time_derivative] = [Bounded::repeat(m, nan()); 2];
+        let mut jacobian = List::repeat(m, Bounded::repeat(n, nan()));
+        self.call(Kernel::ConstraintLinearization, &Place::of(t, q), |row, i, found| match row {
+            0 => values[i] = found,
+            1 => time_derivative[i] = found,
+            _ => jacobian[row - 2][i] = found,
+        });
+        ConstraintLinearization { values, jacobian, time_derivative }
+    }
+    fn sparse_linearization(&self, t: S, q: &Self::Q) -> ConstraintLinearization<Self::L, List<S>> {
+        let [mut values, mut time_derivative] = [Bounded::repeat(self.m(), nan()); 2];
+        let count = self.description().sparsity.iter().map(|row| row.columns.len()).sum();
+        let mut jacobian = List::repeat(count, nan());
+        self.call(Kernel::SparseLinearization, &Place::of(t, q), |row, i, found| match row {
+            0 => values[i] = found,
+            1 => time_derivative[i] = found,
+            _ => jacobian[i] = found,
+        });
+        ConstraintLinearization { values, jacobian, time_derivative }
+    }
+    fn kinetic_energy(&self, t: S, q: &Self::Q, qd: &Self::Q) -> S {
+        self.scalar(Kernel::KineticEnergy, &Place::moving(t, q, qd))
+    }
+    fn prepare(&self) -> Self::Prepared {
+        ErasedPrepared { mechanism: self.clone(), kernels: self.model.prepare() }
+    }
+    #[inline]
+    fn prepared_dynamics(prepared: &Self::Prepared, t: S, q: &Self::Q, qd: &Self::Q) -> Dynamics<S, Self::Q, Self::L> {
+        let mechanism = &prepared.mechanism;
+        let (mut accelerations, mut multipliers, mut power) =
+            (Bounded::repeat(q.len(), nan()), Bounded::repeat(mechanism.m(), nan()), nan());
+        let refused = prepared.call(Kernel::Dynamics, &Place::moving(t, q, qd), |row, i, found| match row {
+            0 => accelerations[i] = found,
+            1 => multipliers[i] = found,
+            _ => power = found,
+        });
+        Dynamics { accelerations, multipliers, power, refused: mask::<S>(refused) }
+    }
+    fn inverse_dynamics(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q) -> Self::Q {
+        self.vector(Kernel::InverseDynamics, &Place::moving(t, q, qd).with_accelerations(qdd), self.n())
+    }
+    fn dynamics_jacobian(&self, t: S, q: &Self::Q, qd: &Self::Q) -> DynamicsJacobian<S, Self::QQ, Self::LQ> {
+        let (n, m) = (self.n(), self.m());
+        let rows = |count| List::repeat(count, Bounded::repeat(n, nan()));
+        let mut parts = [rows(n), rows(n), rows(m), rows(m)];
+        let refused = self.call(Kernel::DynamicsJacobian, &Place::moving(t, q, qd), |row, j, found| {
+            let (part, i) = match row < 2 * n {
+                true => (row / n, row % n),
+                false => (2 + (row - 2 * n) / m, (row - 2 * n) % m),
+            };
+            parts[part][i][j] = found;
+        });
+        let [accelerations_by_positions, accelerations_by_speeds, multipliers_by_positions, multipliers_by_speeds] =
+            parts;
+        DynamicsJacobian {
+            accelerations_by_positions,
+            accelerations_by_speeds,
+            multipliers_by_positions,
+            multipliers_by_speeds,
+            refused: mask::<S>(refused),
+        }
+    }
+    fn dynamics_sensitivity(&self, t: S, q: &Self::Q, qd: &Self::Q) -> DynamicsSensitivity<S, Self::QP, Self::LP> {
+        let (n, m) = (self.n(), self.m());
+        let rows = |count| List::repeat(count, List::repeat(self.values.parameters.len(), nan()));
+        let (mut accelerations, mut multipliers) = (rows(n), rows(m));
+        let refused = self.call(Kernel::DynamicsSensitivity, &Place::moving(t, q, qd), |row, p, found| match row < n {
+            true => accelerations[row][p] = found,
+            false => multipliers[row - n][p] = found,
+        });
+        DynamicsSensitivity { accelerations, multipliers, refused: mask::<S>(refused) }
+    }
+    fn velocity_variables(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::Q {
+        match self.rows_left() {
+            None => *qd,
+            Some(_) => self.vector(Kernel::VelocityVariables, &Place::moving(t, q, qd), self.n()),
+        }
+    }
+    fn prepared_velocities(prepared: &Self::Prepared, t: S, q: &Self::Q, v: &Self::Q) -> Kinematics<S, Self::Q> {
+        if prepared.mechanism.rows_left().is_none() {
+            return Kinematics { rates: *v, refused: mask::<S>(false) };
+        }
+        let mut rates = Bounded::repeat(q.len(), nan());
+        let refused = prepared.call(Kernel::Velocities, &Place::moving(t, q, v), |_, i, found| rates[i] = found);
+        Kinematics { rates, refused: mask::<S>(refused) }
+    }
+    fn power(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q, lambda: &Self::L) -> S {
+        self.scalar(Kernel::Power, &Place::of_all(t, [q, qd, qdd, lambda]))
+    }
+    fn outputs(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q, lambda: &Self::L) -> List<S> {
+        self.list(Kernel::Outputs, &Place::of_all(t, [q, qd, qdd, lambda]), self.description().outputs.len())
+    }
+    fn output_rates(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q) -> List<S> {
+        let place = Place::moving(t, q, qd).with_accelerations(qdd);
+        self.list(Kernel::OutputRates, &place, self.description().rated_outputs.len())
+    }
+    fn events(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q, lambda: &Self::L) -> Self::Events {
+        self.vector(Kernel::Events, &Place::of_all(t, [q, qd, qdd, lambda]), self.description().events.len())
+    }
+    fn event_values(&self, t: S, q: &Self::Q, qd: &Self::Q) -> List<S> {
+        self.found(Kernel::EventValues, &Place::moving(t, q, qd))
+    }
+    fn drawing(&self, t: S, q: &Self::Q) -> List<S> {
+        self.found(Kernel::Drawing, &Place::of(t, q))
+    }
+}
+
+impl<const MOST: usize, S: Scalar> Erased<MOST, S> {
+    /// As many numbers as the kernel finds.
+    fn found(&self, kernel: Kernel, at: &Place<MOST, S>) -> List<S> {
+        let mut numbers = Vec::new();
+        self.call(kernel, at, |_, _, found| numbers.push(found));
+        list(&numbers)
+    }
+}
+
+fn list<S: Scalar>(numbers: &[S]) -> List<S> {
+    List::with_len(numbers.len(), |i| numbers[i])
+}

@@ -1,0 +1,16 @@
+//! Mechanisms whose sizes are known at run time, run by the same loops as those that the compiler knows.
+//!
+//! A [`Model`] gives kernels on slices. [`Erased`] makes a [`Mechanism`](sim_kernel::Mechanism) of it, whose vectors
+//! have a largest length in place of a length: they are copied like the arrays of a compiled mechanism, and the loops
+//! need no second form. A loop is compiled for a few largest lengths, since what is copied grows with them.
+
+mod arrays;
+mod mechanism;
+mod model;
+mod place;
+mod typed;
+
+pub use arrays::{Bounded, List};
+pub use mechanism::{Erased, ErasedPrepared};
+pub use model::{Found, Kernel, Model, Prepared, Values};
+pub use typed::erase;

@@ -1,0 +1,118 @@
+//! A mechanism whose sizes are known at run time: its kernels on slices.
+
+use crate::model::At;
+use sim_kernel::{Description, Dual, Input, Scalar};
+use std::fmt::Debug;
+use std::sync::Arc;
+
+/// What a mechanism can be asked for, as the method of [`Mechanism`](sim_kernel::Mechanism) of the same name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kernel {
+    /// n rows of n.
+    MassMatrix,
+    /// A row of n.
+    ConvectiveForces,
+    /// A row of n.
+    GeneralizedForces,
+    /// A row of m.
+    Constraints,
+    /// A row of m.
+    ConstraintMagnitudes,
+    /// m rows of n.
+    ConstraintJacobian,
+    /// A row of m.
+    ConstraintTimeDerivative,
+    /// A row of m.
+    ConstraintConvective,
+    /// C, C_t, and m rows of n.
+    ConstraintLinearization,
+    /// C, C_t, and the entries of C_q.
+    SparseLinearization,
+    /// A row of 1.
+    KineticEnergy,
+    /// Accelerations, multipliers, and the power.
+    Dynamics,
+    /// A row of n.
+    InverseDynamics,
+    /// n rows by positions, n by speeds, then m and m of the multipliers, each of n.
+    DynamicsJacobian,
+    /// n rows of accelerations and m of multipliers, each by the parameters.
+    DynamicsSensitivity,
+    /// A row of n.
+    VelocityVariables,
+    /// q' of velocity variables, which stand for the speeds: a row of n.
+    Velocities,
+    /// A row of 1.
+    Power,
+    /// A row of the outputs.
+    Outputs,
+    /// A row of the rates of those that have one.
+    OutputRates,
+    /// A row of the events.
+    Events,
+    /// A row of the values that actions need.
+    EventValues,
+    /// A row of the numbers of the drawing.
+    Drawing,
+}
+
+/// What may be set of a mechanism, in the order of declaration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Values<S = f64> {
+    /// Parameters, in SI units.
+    pub parameters: Vec<S>,
+    /// Inputs.
+    pub inputs: Vec<Input<S>>,
+    /// For each constraint that events switch, 1 while it holds and 0 while it is released.
+    pub activities: Vec<S>,
+}
+
+impl<S: Scalar> Values<S> {
+    /// The same on other numbers.
+    pub fn map<T: Scalar>(&self, convert: impl Fn(S) -> T) -> Values<T> {
+        Values {
+            parameters: self.parameters.iter().map(|value| convert(*value)).collect(),
+            inputs: self.inputs.iter().map(|input| input.map(&convert)).collect(),
+            activities: self.activities.iter().map(|value| convert(*value)).collect(),
+        }
+    }
+}
+
+/// Takes the rows of a result, by their index.
+pub type Found<'f, S> = &'f mut dyn FnMut(usize, &[S]);
+
+/// A mechanism with its type erased: its kernels on slices, whose lengths the description tells.
+///
+/// `mechanism!` makes one of every declaration ([`erase`](crate::erase)). [`Erased`](crate::Erased) runs it.
+pub trait Model: Debug + Send + Sync {
+    /// Names, units, documentation.
+    fn description(&self) -> &'static Description;
+    /// As [`Mechanism::rows_left`](sim_kernel::Mechanism::rows_left).
+    fn rows_left(&self) -> Option<&'static [usize]>;
+    /// Its parameters, inputs and activities.
+    fn values(&self) -> Values;
+    /// The same mechanism with other values.
+    fn with_values(&self, values: &Values) -> Arc<dyn Model>;
+    /// The same mechanism with the declared values.
+    fn as_declared(&self) -> Arc<dyn Model>;
+    /// The declared start: positions and speeds.
+    fn initial(&self) -> [Vec<f64>; 2];
+    /// The inputs as they are at a time, each held at its value there.
+    fn held_inputs(&self, time: f64, q: &[f64]) -> Vec<Input>;
+    /// Gives the rows of a kernel's result. True if the kernel refuses a pivot: the result is then not valid.
+    fn call(&self, kernel: Kernel, at: At<f64>, found: Found<f64>) -> bool;
+    /// The same on dual numbers, with these values in place of its own.
+    fn call_on_duals(&self, values: &Values<Dual>, kernel: Kernel, at: At<Dual>, found: Found<Dual>) -> bool;
+    /// Its equations of motion, with all that the parameters determine computed.
+    fn prepare(&self) -> Box<dyn Prepared>;
+}
+
+/// The equations of motion of a model with given parameters.
+pub trait Prepared: Debug + Send + Sync {
+    /// A copy.
+    fn copied(&self) -> Box<dyn Prepared>;
+    /// Sets the inputs.
+    fn set_inputs(&mut self, inputs: &[Input]);
+    /// As [`Model::call`], for [`Kernel::Dynamics`] and [`Kernel::Velocities`].
+    fn call(&self, kernel: Kernel, at: At<f64>, found: Found<f64>) -> bool;
+}
