@@ -47,7 +47,9 @@ pub use integrate::{
     Step, Steps, Tableau, Weight, integrate,
 };
 pub use model::conditional::is_active;
-pub use model::erased::{Bounded, Erased, ErasedPrepared, Found, Kernel, List, Model, Prepared, Values, erase};
+pub use model::erased::{
+    Bounded, Erased, ErasedPrepared, Found, InPlace, Kernel, List, Model, OnHeap, Prepared, Storage, Values, erase,
+};
 pub use model::{At, Control};
 pub use motion::Motion;
 pub use motion::equations::accelerate;

@@ -4,8 +4,8 @@
 
 use models::CartPole;
 use sim::{
-    Compiled, Controller, Erased, Input, Mechanism, Method, Model, Run, Sample, Settings, Stabilisation, Table,
-    declared_start, run_controlled,
+    Compiled, Controller, Erased, InPlace, Input, Mechanism, Method, Model, OnHeap, Run, Sample, Settings,
+    Stabilisation, Table, declared_start, run_controlled,
 };
 use std::fs;
 use std::path::PathBuf;
@@ -118,8 +118,8 @@ fn of_model<M: Compiled>() -> [Fingerprint; 3] {
 
 /// The same by the loops of a mechanism whose sizes are known at run time.
 fn of_erased(model: Arc<dyn Model>) -> [Fingerprint; 3] {
-    let short = Erased::<8>::new(model.clone()).map(|mechanism| of_mechanism(&mechanism));
-    short.unwrap_or_else(|| of_mechanism(&Erased::<64>::new(model).unwrap()))
+    let short = Erased::<InPlace<8>>::new(model.clone()).map(|mechanism| of_mechanism(&mechanism));
+    short.unwrap_or_else(|| of_mechanism(&Erased::<OnHeap<64>>::new(model).unwrap()))
 }
 
 /// A cart and pole whose controller is asked every 0.03 s.

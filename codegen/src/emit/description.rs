@@ -19,9 +19,7 @@ pub(super) fn description(
     let quantity = |name: &str, unit: &Unit, docs: &str| quantity(name, unit, docs, path);
     let (name, type_name, docs) = (kebab_case(&model.name), &model.name, &model.docs);
     let Source { text: declaration, hash: declaration_hash } = source;
-    let coordinates = coordinates(model, path);
-    let lengths = model.coordinates.iter().filter(|c| is_length(&c.unit)).count();
-    let mixes_lengths = 0 < lengths && lengths < model.coordinates.len();
+    let (coordinates, mixes_lengths) = (coordinates(model, path), mixes_lengths(model));
     let parameters = model.parameters.iter().map(|p| quantity(&p.name, &p.unit, &p.docs));
     let inputs = model.inputs.iter().map(|input| quantity(&input.name, &input.unit, &input.docs));
     let constraints = model.constraints.iter().map(|c| quantity(&c.name, &c.unit, ""));
@@ -69,6 +67,12 @@ pub(super) fn description(
             drawing: &[#(#drawing),*],
         }
     }
+}
+
+/// Whether some coordinates are lengths and some are not.
+fn mixes_lengths(model: &Model) -> bool {
+    let lengths = model.coordinates.iter().filter(|c| is_length(&c.unit)).count();
+    0 < lengths && lengths < model.coordinates.len()
 }
 
 fn is_length(unit: &Unit) -> bool {

@@ -5,7 +5,7 @@ use core::fmt::Debug;
 use core::ops::{Index, IndexMut};
 
 /// The elements of arrays.
-pub trait Element: Clone + Debug {
+pub trait Element: Clone + Debug + 'static {
     /// A value to begin with.
     const BLANK: Self;
 }

@@ -10,5 +10,5 @@ sim_kernel::mechanism! {
 // What uses the mechanism is not a mistake too.
 fn main() {
     let _ = Pendulum::<f64>::default();
-    let _ = <Pendulum as sim_kernel::Mechanism>::DESCRIPTION.name;
+    let _ = <Pendulum as sim_kernel::Compiled>::DESCRIPTION.name;
 }

@@ -1,6 +1,6 @@
 //! Names that what is generated uses too: as mechanisms, coordinates, parameters, inputs, outputs and intermediate results.
 
-use sim_kernel::{mechanism, Compiled};
+use sim_kernel::mechanism;
 
 /// A mechanism of this name, in a module of its own, with these names for what it has.
 macro_rules! named {
@@ -25,6 +25,7 @@ macro_rules! named {
 named! {
     a T [q qd qdd lambda u];
     b U [prepared found convert record values];
+    o Compiled [DESCRIPTION description as_declared mechanism compiled];
     c Mechanism [scalar parameters inputs activities defaults];
     d Option [dynamics prepare initial outputs drawing];
     e Default [core std alloc sim sim_kernel];
@@ -45,6 +46,6 @@ mechanism! {
 }
 
 fn main() {
-    use sim_kernel::Mechanism as _;
+    use sim_kernel::Compiled as _;
     let _ = (a::T::<f64>::defaults(), b::U::<f64>::defaults(), r#type::<f64>::defaults());
 }

@@ -21,7 +21,7 @@ sim_kernel::mechanism! {
 }
 
 fn main() {
-    use sim_kernel::{Mechanism, Compiled};
+    use sim_kernel::Compiled;
     let mechanism: Names = Names { S: 2.0, ..Names::default() };
     let coordinates = NamesCoordinates { r#type: 0.1, q: 0.2, N: 0.3, r#gen: 0.4 };
     let solved = mechanism.dynamics(0.0, &coordinates.into(), &[0.0; 4]);

@@ -4,6 +4,39 @@ use sim_kernel::{Array, Element};
 use std::fmt::Debug;
 use std::ops::{Index, IndexMut};
 
+/// How the arrays of a mechanism are stored whose sizes are known at run time.
+pub trait Storage: Copy + Debug + Send + Sync + 'static {
+    /// A vector that is copied by its bytes, as of coordinates or constraints.
+    type Vector<T: Element + Copy>: Array<T> + Copy;
+    /// A matrix by its rows.
+    type Matrix<R: Element>: Array<R>;
+
+    /// The largest length of a vector.
+    const MOST: usize;
+}
+
+/// Vectors and matrices in place: for few coordinates, where an allocation would take longer than the computation.
+#[derive(Clone, Copy, Debug)]
+pub struct InPlace<const MOST: usize>;
+
+/// Vectors in place, matrices on the heap.
+#[derive(Clone, Copy, Debug)]
+pub struct OnHeap<const MOST: usize>;
+
+impl<const MOST: usize> Storage for InPlace<MOST> {
+    type Vector<T: Element + Copy> = Bounded<T, MOST>;
+    type Matrix<R: Element> = Bounded<R, MOST>;
+
+    const MOST: usize = MOST;
+}
+
+impl<const MOST: usize> Storage for OnHeap<MOST> {
+    type Vector<T: Element + Copy> = Bounded<T, MOST>;
+    type Matrix<R: Element> = List<R>;
+
+    const MOST: usize = MOST;
+}
+
 /// At most `MOST` elements, in place.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounded<T, const MOST: usize> {

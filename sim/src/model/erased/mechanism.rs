@@ -1,6 +1,6 @@
 //! A model with the interface of a compiled mechanism, so that the same loops run both.
 
-use super::arrays::{Bounded, List};
+use super::arrays::{List, Storage};
 use super::model::{Kernel, Model, Prepared, Values};
 use super::place::Place;
 use sim_kernel::{
@@ -8,43 +8,45 @@ use sim_kernel::{
     Kinematics, Mechanism, Scalar,
 };
 use std::any::Any;
+use std::marker::PhantomData;
 use std::sync::Arc;
 
-/// A model with at most `MOST` coordinates, constraints, inputs and events.
+/// A model with at most `K::MOST` coordinates, constraints, inputs and events.
 ///
 /// Its kernels are for `f64` and [`Dual`]; on other numbers they refuse, with NaN.
 #[derive(Clone, Debug)]
-pub struct Erased<const MOST: usize, S: Scalar = f64> {
+pub struct Erased<K: Storage, S: Scalar = f64> {
     model: Arc<dyn Model>,
     values: Arc<Values<S>>,
+    storage: PhantomData<K>,
 }
 
-impl<const MOST: usize> Erased<MOST> {
-    /// The model, if it has at most `MOST` coordinates, constraints, inputs and events.
-    pub fn new(model: Arc<dyn Model>) -> Option<Erased<MOST>> {
+impl<K: Storage> Erased<K> {
+    /// The model, if it has at most `K::MOST` coordinates, constraints, inputs and events.
+    pub fn new(model: Arc<dyn Model>) -> Option<Erased<K>> {
         let Description { coordinates, constraints, inputs, events, .. } = model.description();
         let sizes = [coordinates.len(), constraints.len(), inputs.len(), events.len()];
         let values = Arc::new(model.values());
-        sizes.iter().all(|size| *size <= MOST).then_some(Erased { model, values })
+        sizes.iter().all(|size| *size <= K::MOST).then_some(Erased { model, values, storage: PhantomData })
     }
 }
 
-type Vector<const MOST: usize, S> = Bounded<S, MOST>;
-type Matrix<const MOST: usize, S> = List<Bounded<S, MOST>>;
+type Vector<K, S> = <K as Storage>::Vector<S>;
+type Matrix<K, S> = <K as Storage>::Matrix<Vector<K, S>>;
 
-impl<const MOST: usize, S: Scalar> Erased<MOST, S> {
+impl<K: Storage, S: Scalar> Erased<K, S> {
     /// The same model with other values.
     fn with(&self, values: Values<S>) -> Self {
         let model = match (&values as &dyn Any).downcast_ref::<Values>() {
             Some(values) => self.model.with_values(values),
             None => self.model.clone(),
         };
-        Erased { model, values: Arc::new(values) }
+        Erased { model, values: Arc::new(values), storage: PhantomData }
     }
 
     /// Calls a kernel, and gives each number that it finds, by row and column.
     #[inline]
-    fn call(&self, kernel: Kernel, at: &Place<MOST, S>, mut found: impl FnMut(usize, usize, S)) -> bool {
+    fn call(&self, kernel: Kernel, at: &Place<K, S>, mut found: impl FnMut(usize, usize, S)) -> bool {
         if let Some(at) = at.on::<f64>() {
             return self.model.call(kernel, at, &mut |row, numbers| enter(row, numbers, &mut found));
         }
@@ -57,29 +59,29 @@ impl<const MOST: usize, S: Scalar> Erased<MOST, S> {
     }
 
     #[inline]
-    fn scalar(&self, kernel: Kernel, at: &Place<MOST, S>) -> S {
+    fn scalar(&self, kernel: Kernel, at: &Place<K, S>) -> S {
         let mut number = nan();
         self.call(kernel, at, |_, _, found| number = found);
         number
     }
 
     #[inline]
-    fn vector(&self, kernel: Kernel, at: &Place<MOST, S>, len: usize) -> Vector<MOST, S> {
-        let mut vector = Bounded::repeat(len, nan());
+    fn vector(&self, kernel: Kernel, at: &Place<K, S>, len: usize) -> Vector<K, S> {
+        let mut vector = Vector::<K, S>::repeat(len, nan());
         self.call(kernel, at, |_, i, found| vector[i] = found);
         vector
     }
 
     #[inline]
-    fn list(&self, kernel: Kernel, at: &Place<MOST, S>, len: usize) -> List<S> {
+    fn list(&self, kernel: Kernel, at: &Place<K, S>, len: usize) -> List<S> {
         let mut list = List::repeat(len, nan());
         self.call(kernel, at, |_, i, found| list[i] = found);
         list
     }
 
     #[inline]
-    fn matrix(&self, kernel: Kernel, at: &Place<MOST, S>, rows: usize) -> Matrix<MOST, S> {
-        let mut matrix = List::repeat(rows, Bounded::repeat(self.n(), nan()));
+    fn matrix(&self, kernel: Kernel, at: &Place<K, S>, rows: usize) -> Matrix<K, S> {
+        let mut matrix = Matrix::<K, S>::repeat(rows, Vector::<K, S>::repeat(self.n(), nan()));
         self.call(kernel, at, |i, j, found| matrix[i][j] = found);
         matrix
     }
@@ -106,20 +108,20 @@ fn mask<S: Scalar>(value: bool) -> S::Mask {
 
 /// The equations of motion of an erased mechanism, prepared.
 #[derive(Debug)]
-pub struct ErasedPrepared<const MOST: usize, S: Scalar> {
-    mechanism: Erased<MOST, S>,
+pub struct ErasedPrepared<K: Storage, S: Scalar> {
+    mechanism: Erased<K, S>,
     kernels: Box<dyn Prepared>,
 }
 
-impl<const MOST: usize, S: Scalar> Clone for ErasedPrepared<MOST, S> {
+impl<K: Storage, S: Scalar> Clone for ErasedPrepared<K, S> {
     fn clone(&self) -> Self {
         ErasedPrepared { mechanism: self.mechanism.clone(), kernels: self.kernels.copied() }
     }
 }
 
-impl<const MOST: usize, S: Scalar> ErasedPrepared<MOST, S> {
+impl<K: Storage, S: Scalar> ErasedPrepared<K, S> {
     #[inline]
-    fn call(&self, kernel: Kernel, at: &Place<MOST, S>, mut found: impl FnMut(usize, usize, S)) -> bool {
+    fn call(&self, kernel: Kernel, at: &Place<K, S>, mut found: impl FnMut(usize, usize, S)) -> bool {
         match at.on::<f64>() {
             Some(at) => self.kernels.call(kernel, at, &mut |row, numbers| enter(row, numbers, &mut found)),
             None => self.mechanism.call(kernel, at, found),
@@ -127,28 +129,28 @@ impl<const MOST: usize, S: Scalar> ErasedPrepared<MOST, S> {
     }
 }
 
-impl<const MOST: usize, S: Scalar> Mechanism<S> for Erased<MOST, S> {
-    type Q = Vector<MOST, S>;
-    type L = Vector<MOST, S>;
+impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
+    type Q = Vector<K, S>;
+    type L = Vector<K, S>;
     type Z = List<S>;
-    type QQ = Matrix<MOST, S>;
-    type LQ = Matrix<MOST, S>;
-    type LL = Matrix<MOST, S>;
+    type QQ = Matrix<K, S>;
+    type LQ = Matrix<K, S>;
+    type LL = Matrix<K, S>;
     type ZZ = List<List<S>>;
     type Entries = List<S>;
     type Envelope = List<S>;
     type Parameters = List<S>;
-    type Inputs = Bounded<Input<S>, MOST>;
+    type Inputs = K::Vector<Input<S>>;
     type Outputs = List<S>;
     type OutputRates = List<S>;
-    type Events = Vector<MOST, S>;
+    type Events = Vector<K, S>;
     type EventValues = List<S>;
     type Activities = List<S>;
     type Drawing = List<S>;
     type QP = List<List<S>>;
     type LP = List<List<S>>;
-    type Prepared = ErasedPrepared<MOST, S>;
-    type On<T: Scalar> = Erased<MOST, T>;
+    type Prepared = ErasedPrepared<K, S>;
+    type On<T: Scalar> = Erased<K, T>;
 
     fn description(&self) -> &'static Description {
         self.model.description()
@@ -159,7 +161,7 @@ impl<const MOST: usize, S: Scalar> Mechanism<S> for Erased<MOST, S> {
     fn as_declared(&self) -> Self {
         let model = self.model.as_declared();
         let values = Arc::new(model.values().map(S::from_f64));
-        Erased { model, values }
+        Erased { model, values, storage: PhantomData }
     }
     fn parameters(&self) -> List<S> {
         list(&self.values.parameters)
@@ -173,36 +175,36 @@ impl<const MOST: usize, S: Scalar> Mechanism<S> for Erased<MOST, S> {
     fn with_activities(self, activities: List<S>) -> Self {
         self.with(Values { activities: activities.as_ref().to_vec(), ..Values::clone(&self.values) })
     }
-    fn inputs(&self) -> Bounded<Input<S>, MOST> {
-        Bounded::with_len(self.values.inputs.len(), |i| self.values.inputs[i])
+    fn inputs(&self) -> K::Vector<Input<S>> {
+        K::Vector::with_len(self.values.inputs.len(), |i| self.values.inputs[i])
     }
-    fn with_inputs(&self, inputs: Bounded<Input<S>, MOST>) -> Self {
+    fn with_inputs(&self, inputs: K::Vector<Input<S>>) -> Self {
         match inputs.is_empty() {
             true => self.clone(),
             false => self.with(Values { inputs: inputs.as_ref().to_vec(), ..Values::clone(&self.values) }),
         }
     }
-    fn held_inputs(&self, t: S, q: &Self::Q) -> Bounded<Input<S>, MOST> {
-        match Place::of(t, q).on::<f64>() {
+    fn held_inputs(&self, t: S, q: &Self::Q) -> K::Vector<Input<S>> {
+        match Place::<K, S>::of(t, q).on::<f64>() {
             Some(at) => {
                 let held = self.model.held_inputs(at.time, at.positions);
-                Bounded::with_len(held.len(), |i| held[i].map(S::from_f64))
+                K::Vector::with_len(held.len(), |i| held[i].map(S::from_f64))
             }
             None => self.inputs(),
         }
     }
-    fn set_inputs(prepared: &mut Self::Prepared, inputs: Bounded<Input<S>, MOST>) {
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: K::Vector<Input<S>>) {
         prepared.mechanism = prepared.mechanism.with_inputs(inputs);
         if let Some(values) = (&*prepared.mechanism.values as &dyn Any).downcast_ref::<Values>() {
             prepared.kernels.set_inputs(&values.inputs);
         }
     }
-    fn on<T: Scalar>(&self, convert: impl Fn(S) -> T) -> Erased<MOST, T> {
-        Erased { model: self.model.clone(), values: Arc::new(self.values.map(convert)) }
+    fn on<T: Scalar>(&self, convert: impl Fn(S) -> T) -> Erased<K, T> {
+        Erased { model: self.model.clone(), values: Arc::new(self.values.map(convert)), storage: PhantomData }
     }
     fn initial(&self) -> Initial<Self::Q> {
         let [positions, speeds] =
-            self.model.initial().map(|values| Bounded::with_len(values.len(), |i| S::from_f64(values[i])));
+            self.model.initial().map(|values| K::Vector::with_len(values.len(), |i| S::from_f64(values[i])));
         Initial { positions, speeds }
     }
 
@@ -232,8 +234,8 @@ impl<const MOST: usize, S: Scalar> Mechanism<S> for Erased<MOST, S> {
     }
     fn constraint_linearization(&self, t: S, q: &Self::Q) -> ConstraintLinearization<Self::L, Self::LQ> {
         let (n, m) = (self.n(), self.m());
-        let [mut values, mut time_derivative] = [Bounded::repeat(m, nan()); 2];
-        let mut jacobian = List::repeat(m, Bounded::repeat(n, nan()));
+        let [mut values, mut time_derivative] = [Vector::<K, S>::repeat(m, nan()); 2];
+        let mut jacobian = Matrix::<K, S>::repeat(m, Vector::<K, S>::repeat(n, nan()));
         self.call(Kernel::ConstraintLinearization, &Place::of(t, q), |row, i, found| match row {
             0 => values[i] = found,
             1 => time_derivative[i] = found,
@@ -242,7 +244,7 @@ impl<const MOST: usize, S: Scalar> Mechanism<S> for Erased<MOST, S> {
         ConstraintLinearization { values, jacobian, time_derivative }
     }
     fn sparse_linearization(&self, t: S, q: &Self::Q) -> ConstraintLinearization<Self::L, List<S>> {
-        let [mut values, mut time_derivative] = [Bounded::repeat(self.m(), nan()); 2];
+        let [mut values, mut time_derivative] = [Vector::<K, S>::repeat(self.m(), nan()); 2];
         let count = self.description().sparsity.iter().map(|row| row.columns.len()).sum();
         let mut jacobian = List::repeat(count, nan());
         self.call(Kernel::SparseLinearization, &Place::of(t, q), |row, i, found| match row {
@@ -262,7 +264,7 @@ impl<const MOST: usize, S: Scalar> Mechanism<S> for Erased<MOST, S> {
     fn prepared_dynamics(prepared: &Self::Prepared, t: S, q: &Self::Q, qd: &Self::Q) -> Dynamics<S, Self::Q, Self::L> {
         let mechanism = &prepared.mechanism;
         let (mut accelerations, mut multipliers, mut power) =
-            (Bounded::repeat(q.len(), nan()), Bounded::repeat(mechanism.m(), nan()), nan());
+            (Vector::<K, S>::repeat(q.len(), nan()), Vector::<K, S>::repeat(mechanism.m(), nan()), nan());
         let refused = prepared.call(Kernel::Dynamics, &Place::moving(t, q, qd), |row, i, found| match row {
             0 => accelerations[i] = found,
             1 => multipliers[i] = found,
@@ -275,7 +277,7 @@ impl<const MOST: usize, S: Scalar> Mechanism<S> for Erased<MOST, S> {
     }
     fn dynamics_jacobian(&self, t: S, q: &Self::Q, qd: &Self::Q) -> DynamicsJacobian<S, Self::QQ, Self::LQ> {
         let (n, m) = (self.n(), self.m());
-        let rows = |count| List::repeat(count, Bounded::repeat(n, nan()));
+        let rows = |count| Matrix::<K, S>::repeat(count, Vector::<K, S>::repeat(n, nan()));
         let mut parts = [rows(n), rows(n), rows(m), rows(m)];
         let refused = self.call(Kernel::DynamicsJacobian, &Place::moving(t, q, qd), |row, j, found| {
             let (part, i) = match row < 2 * n {
@@ -314,7 +316,7 @@ impl<const MOST: usize, S: Scalar> Mechanism<S> for Erased<MOST, S> {
         if prepared.mechanism.rows_left().is_none() {
             return Kinematics { rates: *v, refused: mask::<S>(false) };
         }
-        let mut rates = Bounded::repeat(q.len(), nan());
+        let mut rates = Vector::<K, S>::repeat(q.len(), nan());
         let refused = prepared.call(Kernel::Velocities, &Place::moving(t, q, v), |_, i, found| rates[i] = found);
         Kinematics { rates, refused: mask::<S>(refused) }
     }
@@ -339,9 +341,9 @@ impl<const MOST: usize, S: Scalar> Mechanism<S> for Erased<MOST, S> {
     }
 }
 
-impl<const MOST: usize, S: Scalar> Erased<MOST, S> {
+impl<K: Storage, S: Scalar> Erased<K, S> {
     /// As many numbers as the kernel finds.
-    fn found(&self, kernel: Kernel, at: &Place<MOST, S>) -> List<S> {
+    fn found(&self, kernel: Kernel, at: &Place<K, S>) -> List<S> {
         let mut numbers = Vec::new();
         self.call(kernel, at, |_, _, found| numbers.push(found));
         list(&numbers)

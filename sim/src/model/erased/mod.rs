@@ -2,7 +2,7 @@
 //!
 //! A [`Model`] gives kernels on slices. [`Erased`] makes a [`Mechanism`](sim_kernel::Mechanism) of it, whose vectors
 //! have a largest length in place of a length: they are copied like the arrays of a compiled mechanism, and the loops
-//! need no second form. A loop is compiled for a few largest lengths, since what is copied grows with them.
+//! need no second form. A loop is compiled for a few [`Storage`]s, since what is copied grows with the largest length.
 
 mod arrays;
 mod mechanism;
@@ -10,7 +10,7 @@ mod model;
 mod place;
 mod typed;
 
-pub use arrays::{Bounded, List};
+pub use arrays::{Bounded, InPlace, List, OnHeap, Storage};
 pub use mechanism::{Erased, ErasedPrepared};
 pub use model::{Found, Kernel, Model, Prepared, Values};
 pub use typed::erase;

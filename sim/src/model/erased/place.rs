@@ -1,36 +1,35 @@
 //! A place in the motion, by references to whole arrays: these can be told apart by their numbers.
 
-use super::arrays::Bounded;
+use super::arrays::Storage;
 use crate::model::At;
 use sim_kernel::Scalar;
 use std::any::Any;
 
 /// Time, coordinates, speeds, accelerations and multipliers.
-#[derive(Clone, Copy)]
-pub(super) struct Place<'a, const MOST: usize, S> {
+pub(super) struct Place<'a, K: Storage, S: Scalar> {
     time: S,
     /// Positions, speeds, accelerations, multipliers.
-    arrays: [Option<&'a Bounded<S, MOST>>; 4],
+    arrays: [Option<&'a K::Vector<S>>; 4],
 }
 
-impl<'a, const MOST: usize, S: Scalar> Place<'a, MOST, S> {
+impl<'a, K: Storage, S: Scalar> Place<'a, K, S> {
     /// Without speeds, accelerations and multipliers.
-    pub(super) fn of(time: S, q: &'a Bounded<S, MOST>) -> Self {
+    pub(super) fn of(time: S, q: &'a K::Vector<S>) -> Self {
         Place { time, arrays: [Some(q), None, None, None] }
     }
 
     /// Without accelerations and multipliers.
-    pub(super) fn moving(time: S, q: &'a Bounded<S, MOST>, qd: &'a Bounded<S, MOST>) -> Self {
+    pub(super) fn moving(time: S, q: &'a K::Vector<S>, qd: &'a K::Vector<S>) -> Self {
         Place { time, arrays: [Some(q), Some(qd), None, None] }
     }
 
     /// Of all.
-    pub(super) fn of_all(time: S, arrays: [&'a Bounded<S, MOST>; 4]) -> Self {
+    pub(super) fn of_all(time: S, arrays: [&'a K::Vector<S>; 4]) -> Self {
         Place { time, arrays: arrays.map(Some) }
     }
 
     /// With accelerations.
-    pub(super) fn with_accelerations(mut self, qdd: &'a Bounded<S, MOST>) -> Self {
+    pub(super) fn with_accelerations(mut self, qdd: &'a K::Vector<S>) -> Self {
         self.arrays[2] = Some(qdd);
         self
     }
@@ -40,7 +39,7 @@ impl<'a, const MOST: usize, S: Scalar> Place<'a, MOST, S> {
     pub(super) fn on<T: Scalar>(&self) -> Option<At<'a, T>> {
         let time = *(&self.time as &dyn Any).downcast_ref::<T>()?;
         let [positions, speeds, accelerations, multipliers] = self.arrays.map(|array| {
-            let array = array.and_then(|array| (array as &dyn Any).downcast_ref::<Bounded<T, MOST>>());
+            let array = array.and_then(|array| (array as &dyn Any).downcast_ref::<K::Vector<T>>());
             array.map_or(&[][..], AsRef::as_ref)
         });
         Some(At { time, positions, speeds, accelerations, multipliers })
