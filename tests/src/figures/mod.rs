@@ -6,6 +6,7 @@
 mod kernels;
 mod numbers;
 mod rooms;
+mod sizes;
 
 use std::fmt::Display;
 
