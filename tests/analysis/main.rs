@@ -5,6 +5,7 @@
 mod dyads;
 mod eigenvalues;
 mod equilibria;
+mod erased;
 mod inverse;
 mod limits;
 mod linear;
