@@ -10,11 +10,12 @@ use sim::{
 type Short = Erased<InPlace<8>>;
 
 /// Linearised with all inputs and a parameter in their place: kernels on dual numbers, with values that change.
-fn numbers<M: Mechanism>(mechanism: &M, controls: &[Control]) -> Vec<f64> {
+fn bits<M: Mechanism>(mechanism: &M, controls: &[Control]) -> Vec<u64> {
     let state = equilibrium(mechanism, &declared_start(mechanism)).unwrap().state;
     let found = linearize(mechanism, &state, controls).unwrap();
     let matrices = [found.a, found.b, found.c, found.d];
-    matrices.iter().flat_map(|matrix| matrix.iter().copied()).chain(state.positions.iter().copied()).collect()
+    let numbers = matrices.iter().flat_map(|matrix| matrix.iter()).chain(state.positions.iter());
+    numbers.map(|number| number.to_bits()).collect()
 }
 
 #[test]
@@ -23,12 +24,12 @@ fn matrices_about_equilibria_are_the_same() {
     let inputs: Vec<Control> = (0..cart.description().inputs.len()).map(Control::Input).collect();
     let erased = Short::new(erase(cart)).unwrap();
     assert!(!inputs.is_empty());
-    assert_eq!(numbers(&cart, &inputs), numbers(&erased, &inputs));
+    assert_eq!(bits(&cart, &inputs), bits(&erased, &inputs));
     let parameter = [Control::Parameter(0)];
     let erased = Short::new(erase(pendulum)).unwrap();
-    let found = numbers(&pendulum, &parameter);
-    assert_eq!(found, numbers(&erased, &parameter));
-    assert!(found.len() > 20 && found.iter().all(|number| number.is_finite()));
+    let found = bits(&pendulum, &parameter);
+    assert_eq!(found, bits(&erased, &parameter));
+    assert!(found.len() > 20);
 }
 
 #[test]
