@@ -82,8 +82,25 @@ fn linearize_prints_modes_and_writes_matrices() {
     let archive = fs::read(directory.join("linear.npz")).unwrap();
     let text = String::from_utf8_lossy(&archive);
     assert!(archive.starts_with(b"PK") && text.contains("A.npy") && text.contains("'shape': (2,2,)"));
+    assert_eq!(said["outputs_without_derivative"].as_array().unwrap().len(), 0);
     let wrong = sim(&["linearize", "four-bar", "--input", "a", "--at", "initial"]);
     assert!(!wrong.status.success() && stderr(&wrong).contains("constraints depend on `a`"), "{}", stderr(&wrong));
+}
+
+/// The speed of a point has no derivative at rest: its row of C is not a number, and that is said.
+#[test]
+fn linearize_names_outputs_without_a_derivative() {
+    let directory = fresh("linear-at-rest");
+    let linearize = |more: &[&str]| {
+        stdout(&sim(&[&["linearize", "double-pendulum", "--out", directory.to_str().unwrap()], more].concat()))
+    };
+    let text = linearize(&[]);
+    assert!(text.contains("warning      speed: no derivative here"), "{text}");
+    let said: Value = serde_json::from_str(&linearize(&["--json"])).unwrap();
+    assert_eq!(said["outputs_without_derivative"], serde_json::json!(["speed"]));
+    assert!(said["C"][2][0].is_null() && said["C"][0][0] == 1.0);
+    // In motion it has one.
+    assert!(!linearize(&["--at", "0.3"]).contains("warning"));
 }
 
 #[test]

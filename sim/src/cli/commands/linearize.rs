@@ -34,6 +34,7 @@ pub(in crate::cli) fn linearize_command<M: Compiled>(arguments: &LinearizeArgume
         unsteady: names(description, &unsteady),
         advice: advice(&mechanism, &state, &unsteady),
         inputs: inputs.iter().map(|input| input.name_in(description)).collect(),
+        undefined: undefined_outputs(description, [&c, &d]),
         matrices: [("A", &a), ("B", &b), ("C", &c), ("D", &d)],
         eigenvalues: &eigenvalues,
         modes: &modes,
@@ -53,9 +54,19 @@ struct Found<'a> {
     unsteady: Vec<&'static str>,
     advice: Option<String>,
     inputs: Vec<&'static str>,
+    /// The outputs that have no derivative here.
+    undefined: Vec<&'static str>,
     matrices: [(&'static str, &'a DMatrix<f64>); 4],
     eigenvalues: &'a [Complex<f64>],
     modes: &'a [Mode],
+}
+
+/// The outputs whose rows are not finite: they have no derivative here, as a distance has none where it is 0.
+fn undefined_outputs(description: &'static Description, matrices: [&DMatrix<f64>; 2]) -> Vec<&'static str> {
+    let is_finite = |matrix: &DMatrix<f64>, i: usize| matrix.row(i).iter().all(|entry| entry.is_finite());
+    let outputs = description.outputs.iter().enumerate();
+    let undefined = outputs.filter(|(i, _)| !matrices.iter().all(|matrix| is_finite(matrix, *i)));
+    undefined.map(|(_, output)| output.name).collect()
 }
 
 /// Writes and prints the results.
@@ -135,6 +146,7 @@ fn summary(found: &Found, place: &str) -> Value {
         "advice": found.advice,
         "inputs": found.inputs,
         "outputs": found.description.outputs.iter().map(|o| o.name).collect::<Vec<_>>(),
+        "outputs_without_derivative": found.undefined,
     });
     for (name, matrix) in found.matrices {
         said[name] = rows(matrix);
@@ -172,6 +184,10 @@ fn report(found: &Found) -> String {
         text += &format!("{:<12} {advice}\n", "");
     } else if found.speeds.iter().any(|speed| *speed != 0.0) {
         text += &format!("{:<12} yes: A is constant along the motion\n", "steady");
+    }
+    if !found.undefined.is_empty() {
+        let outputs = found.undefined.join(", ");
+        text += &format!("{:<12} {outputs}: no derivative here, so rows of C and D are not numbers\n", "warning");
     }
     for (k, mode) in found.modes.iter().enumerate() {
         let Mode { eigenvalue, .. } = mode;
