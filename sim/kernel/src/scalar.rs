@@ -25,6 +25,8 @@ impl Mask for bool {
 pub trait Scalar:
     'static
     + Copy
+    + Send
+    + Sync
     + Debug
     + Add<Output = Self>
     + Sub<Output = Self>

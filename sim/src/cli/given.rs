@@ -3,13 +3,13 @@
 use crate::cli::quantity::{parse_quantity, split_assignment};
 use crate::cli::{Stop, unknown};
 use crate::{Start, declared_start};
-use sim_kernel::{Compiled, Description, Input, Mechanism};
+use sim_kernel::{Description, Input, Mechanism};
 
 /// The mechanism with the parameters that the user sets.
-pub(super) fn mechanism_with<M: Compiled>(description: &Description, settings: &[String]) -> Result<M, Stop> {
-    let mut parameters = M::defaults().parameters();
-    set(parameters.as_mut(), description, settings)?;
-    Ok(M::defaults().with_parameters(parameters))
+pub(super) fn with_set<M: Mechanism>(mechanism: &M, settings: &[String]) -> Result<M, Stop> {
+    let mut parameters = mechanism.parameters();
+    set(parameters.as_mut(), mechanism.description(), settings)?;
+    Ok(mechanism.with_parameters(parameters))
 }
 
 /// Sets parameters to the user's values.

@@ -24,47 +24,40 @@ mod progress;
 mod quantity;
 mod settings;
 mod signals;
+mod sizes;
 
-use arguments::{
-    Arguments, AssembleArguments, Command, KinematicsArguments, LinearizeArguments, PoincareArguments, RunArguments,
-    StartArguments, VerifyArguments, Voice,
-};
+use crate::{Model, erase};
+use arguments::{Arguments, Command, RunArguments, Voice};
 use clap::{FromArgMatches, Parser};
 use codegen::nearest;
 use commands::{compare, generate, info, kinematics, linearize, list, new, plot, poincare, run, statics, verify};
 use files::run_file::RunFile;
 use sim_kernel::{Compiled, Description};
+use sizes::{by_size, stepping};
 use std::ffi::OsString;
 use std::io::Write;
 use std::process::ExitCode;
+use std::sync::Arc;
 
 /// A mechanism that the command line can run.
 #[derive(Clone, Copy)]
 pub struct Entry {
     description: &'static Description,
-    run: fn(&RunArguments, Voice) -> Result<(), Stop>,
-    facts: fn() -> info::Facts,
-    verify: fn(&VerifyArguments, Voice) -> Result<(), Stop>,
-    assemble: fn(&AssembleArguments, Voice) -> Result<(), Stop>,
-    equilibrium: fn(&StartArguments, Voice) -> Result<(), Stop>,
-    kinematics: fn(&KinematicsArguments, Voice) -> Result<(), Stop>,
-    linearize: fn(&LinearizeArguments, Voice) -> Result<(), Stop>,
-    poincare: fn(&PoincareArguments, Voice) -> Result<(), Stop>,
+    model: fn() -> Arc<dyn Model>,
+    /// Its runs by step loops of its own, if it has them.
+    run: Option<fn(&RunArguments, Voice) -> Result<(), Stop>>,
 }
 
-/// Registers a mechanism with [`main`].
+/// Registers a mechanism with [`main`]. Commands are compiled once for all mechanisms: of this one only its kernels are.
 pub fn entry<M: Compiled>() -> Entry {
-    Entry {
-        description: const { &M::DESCRIPTION },
-        run: run::run_command::<M>,
-        facts: info::facts::<M>,
-        verify: verify::verify_command::<M>,
-        assemble: statics::assemble_command::<M>,
-        equilibrium: statics::equilibrium_command::<M>,
-        kinematics: kinematics::kinematics_command::<M>,
-        linearize: linearize::linearize_command::<M>,
-        poincare: poincare::poincare_command::<M>,
-    }
+    Entry { description: const { &M::DESCRIPTION }, model: || erase(M::defaults()), run: None }
+}
+
+/// The same with step loops compiled for this mechanism: `run` integrates several times as fast, to the same bits, and
+/// a build takes some seconds more. For long runs.
+pub fn entry_with_own_loops<M: Compiled>() -> Entry {
+    let run = |arguments: &RunArguments, voice: Voice| run::run_command(M::defaults(), arguments, voice);
+    Entry { run: Some(run), ..entry::<M>() }
 }
 
 /// Why a command failed.
@@ -131,20 +124,24 @@ fn with_run_file(mechanisms: &[Entry], arguments: Arguments, words: &[OsString])
 
 fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
     let voice = arguments.voice;
-    match arguments.command {
+    let model = |name: &str| Ok::<_, Stop>((find(mechanisms, name)?.model)());
+    match &arguments.command {
         Command::List => list::list(mechanisms.iter().map(|entry| entry.description), voice),
-        Command::Info(arguments) => info::info(&(find(mechanisms, &arguments.model)?.facts)(), voice),
-        Command::Run(arguments) => (find(mechanisms, &arguments.model)?.run)(&arguments, voice),
-        Command::Verify(arguments) => (find(mechanisms, &arguments.model)?.verify)(&arguments, voice),
-        Command::Assemble(arguments) => (find(mechanisms, &arguments.start.model)?.assemble)(&arguments, voice),
-        Command::Equilibrium(arguments) => (find(mechanisms, &arguments.model)?.equilibrium)(&arguments, voice),
-        Command::Kinematics(arguments) => (find(mechanisms, arguments.model())?.kinematics)(&arguments, voice),
-        Command::Linearize(arguments) => (find(mechanisms, &arguments.start.model)?.linearize)(&arguments, voice),
-        Command::Poincare(arguments) => (find(mechanisms, &arguments.start.model)?.poincare)(&arguments, voice),
-        Command::Plot(arguments) => plot::plot(&arguments, voice),
-        Command::Compare(arguments) => compare::compare(&arguments, voice),
-        Command::New(arguments) => new::new(&arguments, voice),
-        Command::Generate(arguments) => generate::generate(&arguments, mechanisms),
+        Command::Info(info) => by_size!(info::info_command, model(&info.model)?, voice),
+        Command::Run(run) => match find(mechanisms, &run.model)?.run {
+            Some(own) => own(run, voice),
+            None => stepping!(run::run_command, model(&run.model)?, run, voice),
+        },
+        Command::Verify(verify) => by_size!(verify::verify_command, model(&verify.model)?, verify, voice),
+        Command::Assemble(start) => by_size!(statics::assemble_command, model(&start.start.model)?, start, voice),
+        Command::Equilibrium(start) => by_size!(statics::equilibrium_command, model(&start.model)?, start, voice),
+        Command::Kinematics(sweep) => by_size!(kinematics::kinematics_command, model(sweep.model())?, sweep, voice),
+        Command::Linearize(about) => by_size!(linearize::linearize_command, model(&about.start.model)?, about, voice),
+        Command::Poincare(of) => stepping!(poincare::poincare_command, model(&of.start.model)?, of, voice),
+        Command::Plot(arguments) => plot::plot(arguments, voice),
+        Command::Compare(arguments) => compare::compare(arguments, voice),
+        Command::New(arguments) => new::new(arguments, voice),
+        Command::Generate(arguments) => generate::generate(arguments, mechanisms),
     }
 }
 

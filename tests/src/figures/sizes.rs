@@ -34,11 +34,7 @@ pub(super) fn sizes_at_run_time(table: &mut Table) {
     }
 }
 
-fn compare<M>(mechanism: M) -> Option<Compared>
-where
-    M: Compiled + Send + Sync + 'static,
-    M::Prepared: Send + Sync,
-{
+fn compare<M: Compiled>(mechanism: M) -> Option<Compared> {
     let (one, first) = shortest(&mechanism)?;
     let (other, second) = shortest_erased(sim::erase(mechanism))?;
     let ratio = second.as_secs_f64() / first.as_secs_f64();

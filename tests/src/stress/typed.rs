@@ -1,6 +1,6 @@
 //! A linkage in one form, run without its type.
 
-use sim::{Compiled, Description, Driven, Settings, Start, Sweep, Table, declared_start, kinematics, run};
+use sim::{Compiled, Description, Driven, Mechanism, Settings, Start, Sweep, Table, declared_start, kinematics, run};
 use std::marker::PhantomData;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -44,46 +44,72 @@ impl<M> Typed<M> {
     pub(crate) const NEW: Typed<M> = Typed(PhantomData);
 }
 
+/// A function of the mechanism of a type: in a debug build by the loops that the library has compiled and optimised,
+/// otherwise by those compiled for this mechanism.
+macro_rules! by_loops {
+    ($function:ident::<$type:ty>($($argument:expr),*)) => {{
+        #[cfg(debug_assertions)]
+        let mechanism = sim::Erased::<sim::OnHeap<64>>::new(sim::erase(<$type>::defaults()));
+        #[cfg(not(debug_assertions))]
+        let mechanism = Some(<$type>::defaults());
+        match mechanism {
+            Some(mechanism) => $function(&mechanism, $($argument),*),
+            None => Err(Refusal::Panic("larger than any linkage should be".to_owned())),
+        }
+    }};
+}
+
 impl<M: Compiled> Form for Typed<M> {
     fn name(&self) -> &'static str {
         M::DESCRIPTION.name
     }
 
     fn run(&self, parameters: &[(String, f64)], settings: &Settings) -> Result<Found, Refusal> {
-        let (mechanism, start) = declared::<M>(parameters);
-        caught(|| {
-            let run = run(mechanism, &start, settings)?;
-            match run.trajectory.failure {
-                Some(failure) => Err(failure),
-                None => Ok(found(&Table::of(&mechanism, &run.trajectory))),
-            }
-        })
+        by_loops!(run_of::<M>(parameters, settings))
     }
 
     fn sweep(&self, parameters: &[(String, f64)], span: [f64; 3], rows: usize) -> Result<Found, Refusal> {
-        let (mechanism, start) = declared::<M>(parameters);
-        let [from, to, speed] = span;
-        let driven = first_angle(const { &M::DESCRIPTION }).unwrap_or(Driven::Coordinate(0));
-        let sweep = Sweep { driven, from, to, speed, steps: rows, held: vec![] };
-        caught(|| {
-            let swept = kinematics(mechanism, &start, &sweep)?;
-            if let Some(failure) = swept.trajectory.failure {
-                return Err(failure);
-            }
-            let mut found = found(&Table::of(&mechanism, &swept.trajectory));
-            for (i, range) in swept.extremes.outputs.iter().enumerate() {
-                found.names.push(format!("extreme_{}", M::DESCRIPTION.outputs[i].name));
-                found
-                    .columns
-                    .push(range.map_or(vec![f64::NAN; 2], |range| vec![range.least.value, range.greatest.value]));
-            }
-            Ok(found)
-        })
+        by_loops!(sweep_of::<M>(parameters, span, rows))
     }
 
     fn is_driven(&self) -> bool {
         first_angle(const { &M::DESCRIPTION }).is_some()
     }
+}
+
+fn run_of<M: Mechanism>(mechanism: &M, parameters: &[(String, f64)], settings: &Settings) -> Result<Found, Refusal> {
+    let (mechanism, start) = declared(mechanism, parameters);
+    caught(|| {
+        let run = run(mechanism.clone(), &start, settings)?;
+        match run.trajectory.failure {
+            Some(failure) => Err(failure),
+            None => Ok(found(&Table::of(&mechanism, &run.trajectory))),
+        }
+    })
+}
+
+fn sweep_of<M: Mechanism>(
+    mechanism: &M,
+    parameters: &[(String, f64)],
+    [from, to, speed]: [f64; 3],
+    rows: usize,
+) -> Result<Found, Refusal> {
+    let (mechanism, start) = declared(mechanism, parameters);
+    let description = mechanism.description();
+    let driven = first_angle(description).unwrap_or(Driven::Coordinate(0));
+    let sweep = Sweep { driven, from, to, speed, steps: rows, held: vec![] };
+    caught(|| {
+        let swept = kinematics(mechanism.clone(), &start, &sweep)?;
+        if let Some(failure) = swept.trajectory.failure {
+            return Err(failure);
+        }
+        let mut found = found(&Table::of(&mechanism, &swept.trajectory));
+        for (i, range) in swept.extremes.outputs.iter().enumerate() {
+            found.names.push(format!("extreme_{}", description.outputs[i].name));
+            found.columns.push(range.map_or(vec![f64::NAN; 2], |range| vec![range.least.value, range.greatest.value]));
+        }
+        Ok(found)
+    })
 }
 
 /// The coordinate that is the angle of the first body.
@@ -92,15 +118,16 @@ fn first_angle(description: &'static Description) -> Option<Driven> {
     ["phi_0", "rel_0", "b_0_phi", "j_0", "a_0"].into_iter().find_map(named).map(Driven::Coordinate)
 }
 
-fn declared<M: Compiled>(parameters: &[(String, f64)]) -> (M, Start<M>) {
-    let mut values = M::defaults().parameters();
-    for (i, quantity) in M::DESCRIPTION.parameters.iter().enumerate() {
+fn declared<M: Mechanism>(mechanism: &M, parameters: &[(String, f64)]) -> (M, Start<M>) {
+    let mut values = mechanism.parameters();
+    for (i, quantity) in mechanism.description().parameters.iter().enumerate() {
         if let Some((_, value)) = parameters.iter().find(|(name, _)| name == quantity.name) {
             values[i] = *value;
         }
     }
-    let mechanism = M::defaults().with_parameters(values);
-    (mechanism, declared_start(&mechanism))
+    let mechanism = mechanism.with_parameters(values);
+    let start = declared_start(&mechanism);
+    (mechanism, start)
 }
 
 /// The outputs of a table.

@@ -27,8 +27,11 @@ pub trait Compiled<S: Scalar = f64>:
         Drawing: FixedArray<S>,
         QP: FixedArray<Self::Parameters>,
         LP: FixedArray<Self::Parameters>,
-        Prepared: Copy,
+        Prepared: Copy + Send + Sync,
     > + Copy
+    + Send
+    + Sync
+    + 'static
 {
     /// Names, units, documentation.
     const DESCRIPTION: Description;

@@ -8,10 +8,10 @@ use crate::{Mobility, assemble, declared_start, mobility};
 use codegen::dsl::Activity;
 use serde_json::{Value, json};
 use sim_kernel::event::Event;
-use sim_kernel::{Compiled, Coordinate, Description, Quantity, Start};
+use sim_kernel::{Array, Coordinate, Description, Mechanism, Quantity, Start};
 
 /// The facts about a mechanism.
-pub(in crate::cli) struct Facts {
+struct Facts {
     description: &'static Description,
     /// Defaults of the parameters, in SI units.
     defaults: Vec<f64>,
@@ -21,25 +21,23 @@ pub(in crate::cli) struct Facts {
     mobility: Result<Mobility, String>,
 }
 
-/// The facts of a type.
-pub(in crate::cli) fn facts<M: Compiled>() -> Facts {
-    use sim_kernel::Array;
-    let mechanism = M::defaults();
-    let start = declared_start(&mechanism);
-    let assembled = assemble(&mechanism, &start).map_err(|failure| failure.to_string());
+fn facts<M: Mechanism>(mechanism: &M) -> Facts {
+    let start = declared_start(mechanism);
+    let assembled = assemble(mechanism, &start).map_err(|failure| failure.to_string());
     Facts {
-        description: const { &M::DESCRIPTION },
+        description: mechanism.description(),
         defaults: mechanism.parameters().iter().copied().collect(),
         start: start.positions.iter().copied().zip(start.speeds.iter().copied()).collect(),
-        mobility: assembled.map(|state| mobility(&mechanism, state.time, &state.positions)),
+        mobility: assembled.map(|state| mobility(mechanism, state.time, &state.positions)),
     }
 }
 
-/// Prints them.
-pub(in crate::cli) fn info(facts: &Facts, voice: Voice) -> Result<(), Stop> {
+/// Prints the facts about a mechanism.
+pub(in crate::cli) fn info_command<M: Mechanism>(mechanism: M, voice: Voice) -> Result<(), Stop> {
+    let facts = facts(&mechanism);
     match voice.json {
-        true => print(&format!("{:#}\n", as_json(facts))),
-        false => print(&as_text(facts)),
+        true => print(&format!("{:#}\n", as_json(&facts))),
+        false => print(&as_text(&facts)),
     }
 }
 

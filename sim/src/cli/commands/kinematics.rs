@@ -5,7 +5,7 @@ use crate::cli::arguments::{KinematicsArguments, Voice};
 use crate::cli::files::asked;
 use crate::cli::files::folder;
 use crate::cli::files::written::Files;
-use crate::cli::given::{mechanism_with, start_with};
+use crate::cli::given::{start_with, with_set};
 use crate::cli::quantity::parse_quantity;
 use crate::cli::signals;
 use crate::cli::{Stop, unknown};
@@ -15,7 +15,7 @@ use crate::{
     kinematics_until,
 };
 use serde_json::{Map, Value, json};
-use sim_kernel::{Array, Compiled, Description, Mechanism, Quantity};
+use sim_kernel::{Array, Description, Mechanism, Quantity};
 use std::path::Path;
 
 impl KinematicsArguments {
@@ -112,12 +112,13 @@ fn hold(description: &'static Description, now: &dyn Fn(Driven) -> f64, text: &s
 }
 
 /// Drives a mechanism through a range, writes the results, and prints a summary.
-pub(in crate::cli) fn kinematics_command<M: Compiled>(
+pub(in crate::cli) fn kinematics_command<M: Mechanism>(
+    mechanism: M,
     arguments: &KinematicsArguments,
     voice: Voice,
 ) -> Result<(), Stop> {
-    let description = const { &M::DESCRIPTION };
-    let mechanism = mechanism_with::<M>(description, &arguments.set)?;
+    let description = mechanism.description();
+    let mechanism = with_set(&mechanism, &arguments.set)?;
     let start = start_with(&mechanism, description, &arguments.initial)?;
     let now = |driven: Driven| driven.value(&mechanism, 0.0, &start.positions);
     let speeds: Vec<Option<f64>> = start.speed_given.iter().zip(start.speeds.iter()).map(given).collect();

@@ -3,7 +3,7 @@
 use crate::cli::arguments::{LinearizeArguments, Voice};
 use crate::cli::commands::steady::advice;
 use crate::cli::files::asked;
-use crate::cli::given::{mechanism_with, start_with};
+use crate::cli::given::{start_with, with_set};
 use crate::cli::settings::positive;
 use crate::cli::{Stop, print, unknown};
 use crate::output::formats::numpy::write_matrices;
@@ -13,12 +13,16 @@ use crate::{
 };
 use nalgebra::{Complex, DMatrix};
 use serde_json::{Map, Value, json};
-use sim_kernel::{Compiled, Mechanism};
+use sim_kernel::Mechanism;
 
 /// Linearises a mechanism, writes the matrices and prints the modes.
-pub(in crate::cli) fn linearize_command<M: Compiled>(arguments: &LinearizeArguments, voice: Voice) -> Result<(), Stop> {
-    let description = const { &M::DESCRIPTION };
-    let mechanism = mechanism_with::<M>(description, &arguments.start.set)?;
+pub(in crate::cli) fn linearize_command<M: Mechanism>(
+    mechanism: M,
+    arguments: &LinearizeArguments,
+    voice: Voice,
+) -> Result<(), Stop> {
+    let description = mechanism.description();
+    let mechanism = with_set(&mechanism, &arguments.start.set)?;
     let start = start_with(&mechanism, description, &arguments.start.initial)?;
     let inputs = controls(description, &arguments.input)?;
     let state = state_at(&mechanism, &start, &arguments.at)?;

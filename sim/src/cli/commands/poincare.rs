@@ -4,20 +4,24 @@ use crate::cli::arguments::{PoincareArguments, Voice};
 use crate::cli::files::asked;
 use crate::cli::files::folder;
 use crate::cli::files::written::Files;
-use crate::cli::given::{mechanism_with, start_with};
+use crate::cli::given::{start_with, with_set};
 use crate::cli::progress;
 use crate::cli::settings::positive;
 use crate::cli::{Stop, unknown};
 use crate::output::show;
 use crate::{Failure, Method, Period, Sectioning, Settings, Table, What, poincare};
 use serde_json::json;
-use sim_kernel::{Compiled, Description};
+use sim_kernel::{Description, Mechanism};
 use std::path::Path;
 
 /// Takes a section of a motion, writes it and prints its period.
-pub(in crate::cli) fn poincare_command<M: Compiled>(arguments: &PoincareArguments, voice: Voice) -> Result<(), Stop> {
-    let description = const { &M::DESCRIPTION };
-    let mechanism = mechanism_with::<M>(description, &arguments.start.set)?;
+pub(in crate::cli) fn poincare_command<M: Mechanism>(
+    mechanism: M,
+    arguments: &PoincareArguments,
+    voice: Voice,
+) -> Result<(), Stop> {
+    let description = mechanism.description();
+    let mechanism = with_set(&mechanism, &arguments.start.set)?;
     let start = start_with(&mechanism, description, &arguments.start.initial)?;
     let events = || description.events.iter().map(|event| event.name);
     let event = events().position(|name| name == arguments.event);

@@ -6,7 +6,7 @@ use crate::cli::commands::list::counted;
 use crate::cli::files::folder;
 use crate::cli::files::reproduction::Reproduction;
 use crate::cli::files::written::Files;
-use crate::cli::given::{held_at, mechanism_with, start_with};
+use crate::cli::given::{held_at, start_with, with_set};
 use crate::cli::progress;
 use crate::output::happening::impulses;
 use crate::output::outcome::{Outcome, Recorded};
@@ -14,15 +14,19 @@ use crate::output::show::{self, About};
 use crate::output::write::summary_of;
 use crate::{Start, Stepping, Table, What, assemble, mobility, run, write_json};
 use serde_json::{Value, json};
-use sim_kernel::{Compiled, Mechanism};
+use sim_kernel::Mechanism;
 use std::path::PathBuf;
 use std::time::Instant;
 
 /// Runs a mechanism, writes the results, and prints a short table.
-pub(in crate::cli) fn run_command<M: Compiled>(arguments: &RunArguments, voice: Voice) -> Result<(), Stop> {
-    let description = const { &M::DESCRIPTION };
+pub(in crate::cli) fn run_command<M: Mechanism>(
+    mechanism: M,
+    arguments: &RunArguments,
+    voice: Voice,
+) -> Result<(), Stop> {
+    let description = mechanism.description();
     let clock = Instant::now();
-    let mechanism = mechanism_with::<M>(description, &arguments.set)?;
+    let mechanism = with_set(&mechanism, &arguments.set)?;
     let mechanism = held_at(&mechanism, description, &arguments.input)?;
     let start = start_with(&mechanism, description, &arguments.initial)?;
     let settings = arguments.settings.settings(description)?;

@@ -2,20 +2,24 @@
 
 use crate::cli::arguments::{AssembleArguments, StartArguments, Voice};
 use crate::cli::commands::list::counted;
-use crate::cli::given::{mechanism_with, start_with};
+use crate::cli::given::{start_with, with_set};
 use crate::cli::quantity::fixed;
 use crate::cli::{Stop, print};
 use crate::output::outcome::list;
 use crate::{Branches, Loop, Mobility, assemble, branches, check_masses, equilibrium, mobility, residuals};
 use nalgebra::Complex;
 use serde_json::{Map, Value, json};
-use sim_kernel::{Compiled, Description, Quantity};
+use sim_kernel::{Description, Mechanism, Quantity};
 use std::fmt::Write;
 
 /// Prints the assembled start, degrees of freedom and redundant constraints.
-pub(in crate::cli) fn assemble_command<M: Compiled>(arguments: &AssembleArguments, voice: Voice) -> Result<(), Stop> {
-    let description = const { &M::DESCRIPTION };
-    let mechanism = mechanism_with::<M>(description, &arguments.start.set)?;
+pub(in crate::cli) fn assemble_command<M: Mechanism>(
+    mechanism: M,
+    arguments: &AssembleArguments,
+    voice: Voice,
+) -> Result<(), Stop> {
+    let description = mechanism.description();
+    let mechanism = with_set(&mechanism, &arguments.start.set)?;
     let start = start_with(&mechanism, description, &arguments.start.initial)?;
     if arguments.branches {
         let Branches { loops, open, positions } = branches(&mechanism, &start);
@@ -119,9 +123,13 @@ fn say_branches(
 }
 
 /// Prints an equilibrium, its reactions and the eigenvalues of small motions.
-pub(in crate::cli) fn equilibrium_command<M: Compiled>(arguments: &StartArguments, voice: Voice) -> Result<(), Stop> {
-    let description = const { &M::DESCRIPTION };
-    let mechanism = mechanism_with::<M>(description, &arguments.set)?;
+pub(in crate::cli) fn equilibrium_command<M: Mechanism>(
+    mechanism: M,
+    arguments: &StartArguments,
+    voice: Voice,
+) -> Result<(), Stop> {
+    let description = mechanism.description();
+    let mechanism = with_set(&mechanism, &arguments.set)?;
     let found = equilibrium(&mechanism, &start_with(&mechanism, description, &arguments.initial)?)?;
     let (positions, multipliers) = (found.state.positions.as_ref(), found.multipliers.as_ref());
     say_equilibrium(description, positions, multipliers, &found.eigenvalues, voice)

@@ -2,16 +2,20 @@
 
 use crate::analysis::verify::{Check, verify};
 use crate::cli::arguments::{VerifyArguments, Voice};
-use crate::cli::given::{mechanism_with, start_with};
+use crate::cli::given::{start_with, with_set};
 use crate::cli::settings::positive;
 use crate::cli::{Stop, print};
 use serde_json::json;
-use sim_kernel::Compiled;
+use sim_kernel::Mechanism;
 
 /// Prints one row for each check; fails if one does.
-pub(in crate::cli) fn verify_command<M: Compiled>(arguments: &VerifyArguments, voice: Voice) -> Result<(), Stop> {
-    let description = const { &M::DESCRIPTION };
-    let mechanism = mechanism_with::<M>(description, &arguments.set)?;
+pub(in crate::cli) fn verify_command<M: Mechanism>(
+    mechanism: M,
+    arguments: &VerifyArguments,
+    voice: Voice,
+) -> Result<(), Stop> {
+    let description = mechanism.description();
+    let mechanism = with_set(&mechanism, &arguments.set)?;
     let start = start_with(&mechanism, description, &arguments.initial)?;
     let checks = verify(mechanism, &start, positive("--t-end", &arguments.t_end)?)?;
     if !voice.quiet {

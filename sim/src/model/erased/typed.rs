@@ -7,20 +7,14 @@ use sim_kernel::{Array, Compiled, Description, Dual, Input, Mask, Mechanism, Sca
 use std::sync::Arc;
 
 /// A compiled mechanism as a [`Model`].
-pub fn erase<M: Compiled + Send + Sync + 'static>(mechanism: M) -> Arc<dyn Model>
-where
-    M::Prepared: Send + Sync + 'static,
-{
+pub fn erase<M: Compiled>(mechanism: M) -> Arc<dyn Model> {
     Arc::new(Typed(mechanism))
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Typed<M>(M);
 
-impl<M: Compiled + Send + Sync + 'static> Model for Typed<M>
-where
-    M::Prepared: Send + Sync + 'static,
-{
+impl<M: Compiled> Model for Typed<M> {
     fn description(&self) -> &'static Description {
         self.0.description()
     }
@@ -51,7 +45,7 @@ where
         call(&self.0, kernel, at, found)
     }
     fn call_on_duals(&self, values: &Values<Dual>, kernel: Kernel, at: At<Dual>, found: Found<Dual>) -> bool {
-        call(&with_values(self.0.on(Dual::constant), values), kernel, at, found)
+        call_differentiable(&with_values(self.0.on(Dual::constant), values), kernel, at, found)
     }
     fn prepare(&self) -> Box<dyn Prepared> {
         Box::new(PreparedKernels::<M>(self.0.prepare()))
@@ -61,10 +55,7 @@ where
 #[derive(Debug)]
 struct PreparedKernels<M: Mechanism>(M::Prepared);
 
-impl<M: Compiled + Send + Sync + 'static> Prepared for PreparedKernels<M>
-where
-    M::Prepared: Send + Sync + 'static,
-{
+impl<M: Compiled> Prepared for PreparedKernels<M> {
     fn copied(&self) -> Box<dyn Prepared> {
         Box::new(PreparedKernels::<M>(self.0))
     }
@@ -107,12 +98,37 @@ fn call_prepared<S: Scalar, M: Mechanism<S>>(
     solved.refused.any()
 }
 
-/// All kernels but those of prepared values.
-fn call<S: Scalar, M: Mechanism<S>>(mechanism: &M, kernel: Kernel, at: At<S>, found: Found<S>) -> bool {
+/// The kernels that analyses differentiate, which are all that is compiled on dual numbers; others are refused.
+fn call_differentiable<S: Scalar, M: Mechanism<S>>(mechanism: &M, kernel: Kernel, at: At<S>, found: Found<S>) -> bool {
     let (n, m, t) = (mechanism.n(), mechanism.m(), at.time);
     let (q, qd): (M::Q, M::Q) = (array(n, at.positions), array(n, at.speeds));
     let accelerations = || array::<S, M::Q>(n, at.accelerations);
-    let multipliers = || array::<S, M::L>(m, at.multipliers);
+    match kernel {
+        Kernel::ConstraintLinearization => {
+            let linear = mechanism.constraint_linearization(t, &q);
+            found(0, linear.values.as_ref());
+            found(1, linear.time_derivative.as_ref());
+            rows(2, &linear.jacobian, found);
+        }
+        Kernel::Dynamics | Kernel::Velocities => {
+            return call_prepared::<S, M>(&mechanism.prepare(), kernel, at, found);
+        }
+        Kernel::VelocityVariables => found(0, mechanism.velocity_variables(t, &q, &qd).as_ref()),
+        Kernel::Outputs => {
+            found(0, mechanism.outputs(t, &q, &qd, &accelerations(), &array(m, at.multipliers)).as_ref());
+        }
+        Kernel::OutputRates => found(0, mechanism.output_rates(t, &q, &qd, &accelerations()).as_ref()),
+        _ => return true,
+    }
+    false
+}
+
+/// All kernels.
+fn call<M: Mechanism>(mechanism: &M, kernel: Kernel, at: At<f64>, found: Found<f64>) -> bool {
+    let (n, m, t) = (mechanism.n(), mechanism.m(), at.time);
+    let (q, qd): (M::Q, M::Q) = (array(n, at.positions), array(n, at.speeds));
+    let accelerations = || array::<f64, M::Q>(n, at.accelerations);
+    let multipliers = || array::<f64, M::L>(m, at.multipliers);
     match kernel {
         Kernel::MassMatrix => rows(0, &mechanism.mass_matrix(t, &q), found),
         Kernel::ConvectiveForces => found(0, mechanism.convective_forces(t, &q, &qd).as_ref()),
@@ -122,12 +138,6 @@ fn call<S: Scalar, M: Mechanism<S>>(mechanism: &M, kernel: Kernel, at: At<S>, fo
         Kernel::ConstraintJacobian => rows(0, &mechanism.constraint_jacobian(t, &q), found),
         Kernel::ConstraintTimeDerivative => found(0, mechanism.constraint_time_derivative(t, &q).as_ref()),
         Kernel::ConstraintConvective => found(0, mechanism.constraint_convective(t, &q, &qd).as_ref()),
-        Kernel::ConstraintLinearization => {
-            let linear = mechanism.constraint_linearization(t, &q);
-            found(0, linear.values.as_ref());
-            found(1, linear.time_derivative.as_ref());
-            rows(2, &linear.jacobian, found);
-        }
         Kernel::SparseLinearization => {
             let linear = mechanism.sparse_linearization(t, &q);
             found(0, linear.values.as_ref());
@@ -135,7 +145,6 @@ fn call<S: Scalar, M: Mechanism<S>>(mechanism: &M, kernel: Kernel, at: At<S>, fo
             found(2, linear.jacobian.as_ref());
         }
         Kernel::KineticEnergy => found(0, &[mechanism.kinetic_energy(t, &q, &qd)]),
-        Kernel::Dynamics | Kernel::Velocities => return call_prepared::<S, M>(&mechanism.prepare(), kernel, at, found),
         Kernel::InverseDynamics => found(0, mechanism.inverse_dynamics(t, &q, &qd, &accelerations()).as_ref()),
         Kernel::DynamicsJacobian => {
             let by_state = mechanism.dynamics_jacobian(t, &q, &qd);
@@ -151,13 +160,16 @@ fn call<S: Scalar, M: Mechanism<S>>(mechanism: &M, kernel: Kernel, at: At<S>, fo
             rows(n, &by_parameters.multipliers, found);
             return by_parameters.refused.any();
         }
-        Kernel::VelocityVariables => found(0, mechanism.velocity_variables(t, &q, &qd).as_ref()),
         Kernel::Power => found(0, &[mechanism.power(t, &q, &qd, &accelerations(), &multipliers())]),
-        Kernel::Outputs => found(0, mechanism.outputs(t, &q, &qd, &accelerations(), &multipliers()).as_ref()),
-        Kernel::OutputRates => found(0, mechanism.output_rates(t, &q, &qd, &accelerations()).as_ref()),
         Kernel::Events => found(0, mechanism.events(t, &q, &qd, &accelerations(), &multipliers()).as_ref()),
         Kernel::EventValues => found(0, mechanism.event_values(t, &q, &qd).as_ref()),
         Kernel::Drawing => found(0, mechanism.drawing(t, &q).as_ref()),
+        Kernel::ConstraintLinearization
+        | Kernel::Dynamics
+        | Kernel::Velocities
+        | Kernel::VelocityVariables
+        | Kernel::Outputs
+        | Kernel::OutputRates => return call_differentiable(mechanism, kernel, at, found),
     }
     false
 }
