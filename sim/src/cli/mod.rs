@@ -39,13 +39,16 @@ use std::io::Write;
 use std::process::ExitCode;
 use std::sync::Arc;
 
+/// The command `run` of one mechanism.
+type RunCommand = fn(&RunArguments, Voice) -> Result<(), Stop>;
+
 /// A mechanism that the command line can run.
 #[derive(Clone, Copy)]
 pub struct Entry {
     description: &'static Description,
     model: fn() -> Arc<dyn Model>,
     /// Its runs by step loops of its own, if it has them.
-    run: Option<fn(&RunArguments, Voice) -> Result<(), Stop>>,
+    run: Option<RunCommand>,
 }
 
 /// Registers a mechanism with [`main`]. Commands are compiled once for all mechanisms: of this one only its kernels are.
