@@ -32,7 +32,7 @@ const PROFILE: [&str; 13] = [
     "profile.dev.build-override.debug='line-tables-only'",
     "profile.dev.package.codegen.opt-level=1",
     "profile.dev.package.codegen.debug='line-tables-only'",
-    "profile.dev.package.sim.opt-level=0",
+    "profile.dev.package.sim.opt-level=1",
     "profile.dev.package.sim.debug='line-tables-only'",
     "profile.dev.package.sim-kernel.opt-level=0",
     "profile.dev.package.sim-kernel.debug='line-tables-only'",
@@ -99,7 +99,7 @@ fn a_new_crate_builds_tests_and_runs() {
     let said = done(cargo(double_pendulum(), &["run", "--quiet", "--", "new", folder.to_str().unwrap()]));
     assert!(said.contains("cargo run --release -- run my-linkage"), "{said}");
     let main = fs::read_to_string(folder.join("src/main.rs")).unwrap();
-    assert_eq!(main.lines().count(), 3);
+    assert_eq!(main.lines().count(), 4);
     let tested = done(cargo(&folder, &["test", "--quiet"]));
     assert!(tested.contains("1 passed"), "{tested}");
     let said = done(cargo(&folder, &["run", "--quiet", "--", "run", "my-linkage"]));
