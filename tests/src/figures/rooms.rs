@@ -1,12 +1,17 @@
 //! A house with rooms: imports, functions and files.
 
+use super::builds::first_build_and_change;
 use super::sizes::sizes_at_run_time;
 use super::{Subject, Table};
 use std::path::Path;
 use tests::house::{CRATES, Crate, Long, Source, imports, long_files, long_functions, out_of_order, rings};
 
-pub(super) const SUBJECTS: &[Subject] =
-    &[("sizes", sizes_at_run_time), ("imports", imports_of_crates), ("lengths", lengths)];
+pub(super) const SUBJECTS: &[Subject] = &[
+    ("sizes", sizes_at_run_time),
+    ("builds", first_build_and_change),
+    ("imports", imports_of_crates),
+    ("lengths", lengths),
+];
 
 /// The longest that functions and files are to be.
 const MOST: [usize; 2] = [60, 400];

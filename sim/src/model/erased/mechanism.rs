@@ -17,6 +17,9 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Erased<K: Storage, S: Scalar = f64> {
     model: Arc<dyn Model>,
+    /// The model's, asked for once: loops need the sizes all the time.
+    description: &'static Description,
+    rows_left: Option<&'static [usize]>,
     values: Arc<Values<S>>,
     storage: PhantomData<K>,
 }
@@ -24,10 +27,11 @@ pub struct Erased<K: Storage, S: Scalar = f64> {
 impl<K: Storage> Erased<K> {
     /// The model, if it has at most `K::MOST` coordinates, constraints, inputs and events.
     pub fn new(model: Arc<dyn Model>) -> Option<Erased<K>> {
-        let Description { coordinates, constraints, inputs, events, .. } = model.description();
+        let (description, rows_left) = (model.description(), model.rows_left());
+        let Description { coordinates, constraints, inputs, events, .. } = description;
         let sizes = [coordinates.len(), constraints.len(), inputs.len(), events.len()];
         let values = Arc::new(model.values());
-        sizes.iter().all(|size| *size <= K::MOST).then_some(Erased { model, values, storage: PhantomData })
+        sizes.iter().all(|size| *size <= K::MOST).then_some(Erased { model, description, rows_left, values, storage: PhantomData })
     }
 }
 
@@ -41,7 +45,7 @@ impl<K: Storage, S: Scalar> Erased<K, S> {
             Some(values) => self.model.with_values(values),
             None => self.model.clone(),
         };
-        Erased { model, values: Arc::new(values), storage: PhantomData }
+        Erased { model, values: Arc::new(values), ..*self }
     }
 
     /// Calls a kernel, and gives each number that it finds, by row and column.
@@ -153,15 +157,15 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
     type On<T: Scalar> = Erased<K, T>;
 
     fn description(&self) -> &'static Description {
-        self.model.description()
+        self.description
     }
     fn rows_left(&self) -> Option<&'static [usize]> {
-        self.model.rows_left()
+        self.rows_left
     }
     fn as_declared(&self) -> Self {
         let model = self.model.as_declared();
         let values = Arc::new(model.values().map(S::from_f64));
-        Erased { model, values, storage: PhantomData }
+        Erased { model, values, ..*self }
     }
     fn parameters(&self) -> List<S> {
         list(&self.values.parameters)
@@ -200,7 +204,9 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
         }
     }
     fn on<T: Scalar>(&self, convert: impl Fn(S) -> T) -> Erased<K, T> {
-        Erased { model: self.model.clone(), values: Arc::new(self.values.map(convert)), storage: PhantomData }
+        let Erased { description, rows_left, .. } = *self;
+        let (model, values) = (self.model.clone(), Arc::new(self.values.map(convert)));
+        Erased { model, description, rows_left, values, storage: PhantomData }
     }
     fn initial(&self) -> Initial<Self::Q> {
         let [positions, speeds] =
