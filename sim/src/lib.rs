@@ -36,7 +36,7 @@ pub use analysis::kinematics::{
     kinematics, kinematics_until,
 };
 pub use analysis::linearize::{Linearization, Mode, linearize};
-pub use analysis::poincare::{Period, Section, Sectioning, poincare};
+pub use analysis::poincare::{Period, Section, Sectioning, poincare, poincare_while};
 #[cfg(feature = "analysis")]
 pub use analysis::verify;
 pub use batch::{Vectors, Work};
@@ -65,7 +65,9 @@ pub use output::show;
 pub use output::write::{WriteError, summary, write_commented_csv, write_csv, write_json};
 pub use record::DeadPoint;
 pub use record::table::{Column, Table};
-pub use run::{Controller, DOUBTFUL_BALANCE, NotRestored, Run, Simulation, dead_points, run, run_controlled};
+pub use run::{
+    Controller, DOUBTFUL_BALANCE, NotRestored, Run, Simulation, dead_points, run, run_controlled, run_while,
+};
 pub use sim_kernel::{
     self, Array, Compiled, Description, Dual, Dynamics, FixedArray, GeneralizedSpeeds, Input, Lanes, Mechanism, Scalar,
     mechanism,

@@ -1,8 +1,7 @@
 //! Runs that fail say what, when and where, and keep what was computed until then.
 
 use models::QuickReturn;
-use sim::{Failure, Method, Settings, Table, What, mechanism};
-use std::sync::atomic::AtomicBool;
+use sim::{Failure, Method, Settings, Table, What, declared_start, mechanism, run_while};
 use tests::{run, run_with};
 
 mechanism! {
@@ -165,8 +164,14 @@ fn negative_masses_are_refused_by_name() {
 
 #[test]
 fn an_interrupted_run_keeps_what_it_has() {
-    static STOP: AtomicBool = AtomicBool::new(true);
-    let settings = Settings { interrupt: Some(&STOP), ..Settings::new(2.0) };
-    let run = run_with(QuickReturn::default(), &settings).unwrap();
-    assert_eq!((run.trajectory.failure.unwrap().what, run.trajectory.samples.len()), (What::Interrupted, 1));
+    let mechanism = QuickReturn::default();
+    let start = declared_start(&mechanism);
+    let mut asked = 0;
+    let mut goes_on = |_| {
+        asked += 1;
+        asked < 3
+    };
+    let run = run_while(mechanism, &start, &Settings::equal_steps(Method::Rk4, 2.0, 100), &mut goes_on).unwrap();
+    // It is asked where the motion begins, and after each step.
+    assert_eq!((run.trajectory.failure.unwrap().what, run.trajectory.samples.len()), (What::Interrupted, 3));
 }

@@ -5,7 +5,7 @@ use crate::events::{Crossing, Occurrence};
 use crate::model::At;
 use crate::motion::Motion;
 use crate::motion::measures::Measures;
-use crate::run::run;
+use crate::run::run_while;
 use crate::start::assemble::Start;
 use crate::state::failure::Failure;
 use crate::state::settings::{Rows, Settings, StopAt};
@@ -65,10 +65,25 @@ pub fn poincare<M: Mechanism>(
     section: &Sectioning,
     settings: &Settings,
 ) -> Result<Section<M>, Failure> {
+    poincare_while(mechanism, start, section, settings, &mut |_| true)
+}
+
+/// The same for as long as `goes_on` says so, as [`run_while`].
+///
+/// # Errors
+/// As [`poincare`].
+pub fn poincare_while<M: Mechanism>(
+    mechanism: M,
+    start: &Start<M>,
+    section: &Sectioning,
+    settings: &Settings,
+    goes_on: &mut dyn FnMut(f64) -> bool,
+) -> Result<Section<M>, Failure> {
     // Crossings in both directions alternate.
     let most = if section.crossing.is_some() { 2 * section.count } else { section.count };
     let stop = Some(StopAt { event: section.event, occurrence: most });
-    let found = run(mechanism.clone(), start, &Settings { rows: Rows::Even(1), stop, ..*settings })?;
+    let settings = &Settings { rows: Rows::Even(1), stop, ..*settings };
+    let found = run_while(mechanism.clone(), start, settings, goes_on)?;
     let is_wanted = |event: &&Occurrence<M>| {
         event.event == section.event && section.crossing.is_none_or(|crossing| event.crossing == crossing)
     };

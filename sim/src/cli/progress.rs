@@ -4,7 +4,6 @@ use crate::Failure;
 use crate::cli::Stop;
 use crate::cli::arguments::Voice;
 use crate::cli::signals;
-use crate::state::settings::Settings;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -18,14 +17,18 @@ static REACHED: AtomicU64 = AtomicU64::new(0);
 const PATIENCE: Duration = Duration::from_secs(1);
 const BETWEEN: Duration = Duration::from_millis(100);
 
-/// Runs with a progress bar on a terminal, after the first second. Ctrl-C ends the run and keeps its results.
+/// Runs to a time with a progress bar on a terminal, after the first second. Ctrl-C ends the run and keeps its results.
 pub(super) fn watched<T>(
-    settings: &Settings,
+    end: f64,
     voice: Voice,
-    run: impl FnOnce(&Settings) -> Result<T, Failure>,
+    run: impl FnOnce(&mut dyn FnMut(f64) -> bool) -> Result<T, Failure>,
 ) -> Result<T, Stop> {
-    let (settings, watch) = begin(settings, voice);
-    let found = signals::interruptible(|| run(&settings));
+    let watch = begin(end, voice);
+    let mut goes_on = |time: f64| {
+        REACHED.store(time.to_bits(), Ordering::Relaxed);
+        !signals::INTERRUPTED.load(Ordering::Relaxed)
+    };
+    let found = signals::interruptible(|| run(&mut goes_on));
     watch.end();
     Ok(found?)
 }
@@ -45,12 +48,10 @@ impl Watch {
     }
 }
 
-fn begin(settings: &Settings, voice: Voice) -> (Settings, Watch) {
+fn begin(end: f64, voice: Voice) -> Watch {
     REACHED.store(0, Ordering::Relaxed);
-    let settings = Settings { interrupt: Some(&signals::INTERRUPTED), progress: Some(&REACHED), ..*settings };
     let shown = !voice.quiet && !voice.json && std::io::stderr().is_terminal();
     let (done, waiting) = channel::<()>();
-    let end = settings.end;
     let bar = shown.then(|| {
         thread::spawn(move || {
             if waiting.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
@@ -62,7 +63,7 @@ fn begin(settings: &Settings, voice: Voice) -> (Settings, Watch) {
             }
         })
     });
-    (settings, Watch { done, bar })
+    Watch { done, bar }
 }
 
 fn bar() -> ProgressBar {

@@ -20,7 +20,6 @@ use crate::state::settings::Settings;
 use crate::state::trajectory::{State, Trajectory};
 use control::Control;
 use sim_kernel::Mechanism;
-use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 /// Relative change of energy from which a result deserves doubt.
@@ -81,7 +80,21 @@ pub fn dead_points<M: Mechanism>(run: &Run<M>) -> Vec<DeadPoint<M>> {
 /// If no start can be assembled, or it is singular. A failure on the way does not lose the run; the trajectory contains
 /// it.
 pub fn run<M: Mechanism>(mechanism: M, start: &Start<M>, settings: &Settings) -> Result<Run<M>, Failure> {
-    run_with(mechanism, start, settings, None)
+    run_while(mechanism, start, settings, &mut |_| true)
+}
+
+/// The same for as long as `goes_on` says so, which is asked after each step, with the time that is reached. A run that
+/// it ends has the failure [`What::Interrupted`].
+///
+/// # Errors
+/// As [`run`].
+pub fn run_while<M: Mechanism>(
+    mechanism: M,
+    start: &Start<M>,
+    settings: &Settings,
+    goes_on: &mut dyn FnMut(f64) -> bool,
+) -> Result<Run<M>, Failure> {
+    run_with(mechanism, start, settings, None, goes_on)
 }
 
 /// Runs a mechanism whose inputs a controller sets.
@@ -94,7 +107,7 @@ pub fn run_controlled<M: Mechanism>(
     settings: &Settings,
     controller: &mut Controller<M>,
 ) -> Result<Run<M>, Failure> {
-    run_with(mechanism, start, settings, Some(controller))
+    run_with(mechanism, start, settings, Some(controller), &mut |_| true)
 }
 
 fn run_with<M: Mechanism>(
@@ -102,6 +115,7 @@ fn run_with<M: Mechanism>(
     start: &Start<M>,
     settings: &Settings,
     controller: Option<&mut Controller<M>>,
+    goes_on: &mut dyn FnMut(f64) -> bool,
 ) -> Result<Run<M>, Failure> {
     let mut simulation = Simulation::new(mechanism.clone(), start, settings)?;
     let first = *simulation.state();
@@ -110,7 +124,7 @@ fn run_with<M: Mechanism>(
     recorder.make_room().map_err(|what| Failure::at(&mechanism, what, first.time, &first.positions))?;
     recorder.seek_dead_points(&mechanism, &first, &mobility);
     let clock = Instant::now();
-    let ended = record(&mut simulation, settings, Control::new(controller, first.time), &mut recorder);
+    let ended = record(&mut simulation, settings.end, Control::new(controller, first.time), &mut recorder, goes_on);
     recorder.finish();
     let dead_points = recorder.dead_points();
     let integration_time = clock.elapsed();
@@ -139,22 +153,20 @@ fn run_with<M: Mechanism>(
 /// Advances a motion to its end, from one period of the controller to the next.
 fn record<M: Mechanism>(
     simulation: &mut Simulation<M>,
-    settings: &Settings,
+    end: f64,
     mut control: Control<M>,
     recorder: &mut Recorder<M>,
+    goes_on: &mut dyn FnMut(f64) -> bool,
 ) -> Result<(), Failure> {
     loop {
         control.ask(simulation)?;
-        let goes_on = simulation.advance(control.holds_until(settings.end), recorder)?;
-        if !goes_on && simulation.has_ended() {
+        let has_moved = simulation.advance(control.holds_until(end), recorder)?;
+        if !has_moved && simulation.has_ended() {
             return Ok(());
         }
         let State { time, positions, .. } = simulation.state();
-        if settings.interrupt.is_some_and(|interrupt| interrupt.load(Ordering::Relaxed)) {
+        if !goes_on(*time) {
             return Err(Failure::at(simulation.mechanism(), What::Interrupted, *time, positions));
-        }
-        if let Some(progress) = settings.progress {
-            progress.store(time.to_bits(), Ordering::Relaxed);
         }
     }
 }

@@ -63,7 +63,7 @@ pub struct Simulation<M: Mechanism> {
 }
 
 impl<M: Mechanism> Simulation<M> {
-    /// A motion that has not begun yet. Its settings limit its duration; their rows, progress and interrupt are for
+    /// A motion that has not begun yet. Its settings limit its duration; their rows are for
     /// [`run`](crate::run()).
     ///
     /// # Errors

@@ -1,7 +1,6 @@
 //! How to run a motion.
 
 use std::fmt;
-use std::sync::atomic::{AtomicBool, AtomicU64};
 
 /// Which method advances the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -147,10 +146,6 @@ pub struct Settings {
     pub rows: Rows,
     /// The event that ends the run early.
     pub stop: Option<StopAt>,
-    /// Ends the run, as a failure, once it is true.
-    pub interrupt: Option<&'static AtomicBool>,
-    /// Receives the time reached, as the bits of an `f64`.
-    pub progress: Option<&'static AtomicU64>,
 }
 
 impl Settings {
@@ -163,8 +158,6 @@ impl Settings {
             stabilisation: Stabilisation::Projection,
             rows: Rows::Even(1024),
             stop: None,
-            interrupt: None,
-            progress: None,
         }
     }
 

@@ -9,7 +9,7 @@ use crate::cli::progress;
 use crate::cli::settings::positive;
 use crate::cli::{Stop, unknown};
 use crate::output::show;
-use crate::{Failure, Method, Period, Sectioning, Settings, Table, What, poincare};
+use crate::{Failure, Method, Period, Sectioning, Settings, Table, What, poincare_while};
 use serde_json::json;
 use sim_kernel::{Description, Mechanism};
 use std::path::Path;
@@ -34,7 +34,8 @@ pub(in crate::cli) fn poincare_command<M: Mechanism>(
     let settings = Settings::adaptive(Method::Dop853, end, arguments.rtol);
     let directory = arguments.out.clone().unwrap_or_else(|| format!("out/{}-poincare", description.name).into());
     let files = Files::new(description, &directory, &["mechanism"])?;
-    let found = progress::watched(&settings, voice, |settings| poincare(mechanism, &start, &section, settings))?;
+    let found =
+        progress::watched(end, voice, |goes_on| poincare_while(mechanism, &start, &section, &settings, goes_on))?;
     let mut table = Table::of(&found.mechanism, &found.trajectory);
     let draw = |table: &Table, directory: &Path| {
         show::section_figures(&found, table, directory, arguments.written.size.show())

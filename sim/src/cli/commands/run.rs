@@ -12,7 +12,7 @@ use crate::output::happening::impulses;
 use crate::output::outcome::{Outcome, Recorded};
 use crate::output::show::{self, About};
 use crate::output::write::summary_of;
-use crate::{Start, Stepping, Table, What, assemble, mobility, run, write_json};
+use crate::{Start, Stepping, Table, What, assemble, mobility, run_while, write_json};
 use serde_json::{Value, json};
 use sim_kernel::Mechanism;
 use std::path::PathBuf;
@@ -34,7 +34,7 @@ pub(in crate::cli) fn run_command<M: Mechanism>(
     let directory = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(description.name));
     let files = Files::new(description, &directory, &["mechanism"])?;
     warn_of_redundancy(&mechanism, &start, voice);
-    let found = progress::watched(&settings, voice, |settings| run(mechanism, &start, settings))?;
+    let found = progress::watched(settings.end, voice, |goes_on| run_while(mechanism, &start, &settings, goes_on))?;
     let mut table = Table::of(&found.mechanism, &found.trajectory);
     told(&found, &mut table, arguments, (&mut reproduction, files, clock), voice)
 }

@@ -31,7 +31,13 @@ impl<K: Storage> Erased<K> {
         let Description { coordinates, constraints, inputs, events, .. } = description;
         let sizes = [coordinates.len(), constraints.len(), inputs.len(), events.len()];
         let values = Arc::new(model.values());
-        sizes.iter().all(|size| *size <= K::MOST).then_some(Erased { model, description, rows_left, values, storage: PhantomData })
+        sizes.iter().all(|size| *size <= K::MOST).then_some(Erased {
+            model,
+            description,
+            rows_left,
+            values,
+            storage: PhantomData,
+        })
     }
 }
 
