@@ -34,34 +34,6 @@ pub(super) struct Concrete<'a> {
     path: &'a TokenStream,
 }
 
-/// In the order in which an impl has them.
-const OF_MECHANISM: [Associated; 20] = {
-    use Associated::*;
-    [
-        Q,
-        L,
-        Z,
-        QQ,
-        LQ,
-        LL,
-        ZZ,
-        Entries,
-        Envelope,
-        Parameters,
-        Outputs,
-        OutputRates,
-        Events,
-        EventValues,
-        Activities,
-        Drawing,
-        QP,
-        LP,
-        Inputs,
-        Prepared,
-    ]
-};
-const OF_SPEEDS: [Associated; 2] = [Associated::U, Associated::R];
-
 impl<'a> Concrete<'a> {
     /// The types of a mechanism.
     pub(super) fn of(equations: &EquationsOfMotion, program: &Program, path: &'a TokenStream) -> Concrete<'a> {
@@ -94,15 +66,11 @@ impl<'a> Concrete<'a> {
 
     /// `type Q = [S; 2];` and so on, all that a trait's impl says but what the mechanism is on other numbers.
     pub(super) fn definitions(&self, of: Trait) -> TokenStream {
-        let types: &[Associated] = match of {
-            Trait::Mechanism => &OF_MECHANISM,
-            Trait::GeneralizedSpeeds => &OF_SPEEDS,
-        };
         let define = |associated: Associated| {
             let (name, is) = (format_ident!("{associated:?}"), self.associated(associated));
             quote! { type #name = #is; }
         };
-        types.iter().copied().map(define).collect()
+        Associated::ALL.iter().copied().filter(|associated| associated.of() == of).map(define).collect()
     }
 
     /// A type of the trait.

@@ -133,53 +133,73 @@ pub enum Type {
     Record(Record, &'static [Type]),
 }
 
-/// The types that a mechanism says, by their names in the traits.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Associated {
+macro_rules! associated_types {
+    ($($(#[$about:meta])* $name:ident of $of:ident,)*) => {
+        /// The types that a mechanism says, by their names in the traits.
+        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+        pub enum Associated {
+            $($(#[$about])* $name,)*
+        }
+
+        impl Associated {
+            /// All of them, in the order in which an impl has them.
+            pub const ALL: &[Associated] = &[$(Associated::$name,)*];
+
+            /// The trait that has it.
+            pub fn of(self) -> Trait {
+                match self {
+                    $(Associated::$name => Trait::$of,)*
+                }
+            }
+        }
+    };
+}
+
+associated_types! {
     /// Coordinates, speeds or accelerations.
-    Q,
+    Q of Mechanism,
     /// Constraints or multipliers.
-    L,
+    L of Mechanism,
     /// Both, one after the other.
-    Z,
+    Z of Mechanism,
     /// A row for each coordinate, a column for each.
-    QQ,
+    QQ of Mechanism,
     /// A row for each constraint, a column for each coordinate.
-    LQ,
+    LQ of Mechanism,
     /// A row for each constraint, a column for each.
-    LL,
+    LL of Mechanism,
     /// As `QQ`, for both.
-    ZZ,
+    ZZ of Mechanism,
     /// The entries of C_q that need not be 0.
-    Entries,
+    Entries of Mechanism,
     /// The envelope of C_q C_q'.
-    Envelope,
+    Envelope of Mechanism,
     /// Parameters.
-    Parameters,
+    Parameters of Mechanism,
     /// Outputs.
-    Outputs,
+    Outputs of Mechanism,
     /// Rates of the outputs that have one.
-    OutputRates,
+    OutputRates of Mechanism,
     /// Events.
-    Events,
+    Events of Mechanism,
     /// What the actions of events need.
-    EventValues,
+    EventValues of Mechanism,
     /// Constraints that events switch.
-    Activities,
+    Activities of Mechanism,
     /// Numbers of the drawing.
-    Drawing,
+    Drawing of Mechanism,
     /// A row for each coordinate, a column for each parameter.
-    QP,
+    QP of Mechanism,
     /// A row for each constraint, a column for each parameter.
-    LP,
+    LP of Mechanism,
     /// Inputs, each following its course or held.
-    Inputs,
+    Inputs of Mechanism,
     /// What the equations of motion need of the parameters.
-    Prepared,
+    Prepared of Mechanism,
     /// Generalised speeds.
-    U,
+    U of GeneralizedSpeeds,
     /// Multipliers of the constraints that generalised speeds leave.
-    R,
+    R of GeneralizedSpeeds,
 }
 
 /// The structs that kernels return.
