@@ -1,7 +1,7 @@
 //! Static equilibrium, and small motions about it.
 
 use crate::analysis::linearize::{Statics, linearize};
-use crate::model::{AnyMechanism, At};
+use crate::model::{At, Differentiable};
 use crate::motion::typed::Any;
 use crate::numerics::arrays::array;
 use crate::start::assemble::{Start, assemble};
@@ -51,7 +51,7 @@ const TURNED: f64 = 0.5;
 /// # Errors
 /// If the start cannot be assembled, [`What::NoEquilibrium`], and [`What::SingularState`] where it is in a singular position.
 pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equilibrium<M>, Failure> {
-    let any: &dyn AnyMechanism = &Any(mechanism);
+    let any: &dyn Differentiable = &Any(mechanism);
     let assembled = assemble(mechanism, &at_rest(start))?;
     let near = assembled.positions.as_ref().to_vec();
     let found = match newton(any, near.clone())? {
@@ -87,7 +87,7 @@ impl Ended {
 }
 
 /// The result of Newton's method from a position on the constraints.
-fn newton(mechanism: &dyn AnyMechanism, q: Vec<f64>) -> Result<Ended, Failure> {
+fn newton(mechanism: &dyn Differentiable, q: Vec<f64>) -> Result<Ended, Failure> {
     let mut at = Statics::at(mechanism, q)?;
     let mut longest = LONGEST;
     for _ in 0..MOST_STEPS {
@@ -107,7 +107,7 @@ fn newton(mechanism: &dyn AnyMechanism, q: Vec<f64>) -> Result<Ended, Failure> {
 }
 
 /// The position at which the mechanism comes to rest.
-fn descend(mechanism: &dyn AnyMechanism, q: Vec<f64>) -> Result<Ended, Failure> {
+fn descend(mechanism: &dyn Differentiable, q: Vec<f64>) -> Result<Ended, Failure> {
     let mut at = Statics::at(mechanism, q)?;
     for _ in 0..MOST_DESCENTS {
         let (step, is_down) = at.descent(STIFFER);
@@ -129,7 +129,7 @@ fn descend(mechanism: &dyn AnyMechanism, q: Vec<f64>) -> Result<Ended, Failure> 
 /// # Errors
 /// [`What::SingularState`] if that is there.
 fn halved(
-    mechanism: &dyn AnyMechanism,
+    mechanism: &dyn Differentiable,
     at: &Statics,
     step: &DVector<f64>,
     leads: &dyn Fn(&DVector<f64>) -> bool,
@@ -149,7 +149,7 @@ fn halved(
 
 /// The failure if neither search found an equilibrium; it names a singular position beside one of them, if there is
 /// one.
-fn nowhere(mechanism: &dyn AnyMechanism, stuck: &Statics, last: &Statics) -> Failure {
+fn nowhere(mechanism: &dyn Differentiable, stuck: &Statics, last: &Statics) -> Failure {
     let singular = [last, stuck].into_iter().find_map(|at| at.singular_nearby(mechanism));
     singular.unwrap_or_else(|| {
         mechanism.failure(What::NoEquilibrium { acceleration: stuck.largest_acceleration() }, 0.0, &stuck.q)

@@ -56,6 +56,36 @@ pub(crate) trait AnyMechanism {
     fn accelerate_with(&self, parameters: &[f64], inputs: &[Input], at: At<f64>) -> Result<DVector<f64>, Failure>;
     /// The inputs as they are at a time, each held at its value there.
     fn held_inputs(&self, time: f64, q: &[f64]) -> Vec<Input>;
+    /// Whether a row of the constraints holds: all do except those of released constraints.
+    fn is_active(&self, row: usize) -> bool {
+        is_row_active(self.description(), &self.activities(), row)
+    }
+
+    /// Accelerations and, below them, multipliers.
+    fn accelerate(&self, at: At<f64>) -> Result<DVector<f64>, Failure> {
+        self.accelerate_with(&self.parameters(), &self.inputs(), at)
+    }
+
+    /// C_q with zeros in the rows between speeds alone: what positions are corrected by.
+    fn between_positions(&self, mut jacobian: DMatrix<f64>) -> DMatrix<f64> {
+        self.description().speed_constraints.iter().for_each(|row| jacobian.row_mut(*row).fill(0.0));
+        jacobian
+    }
+
+    /// The name of a constraint row.
+    fn constraint_name(&self, row: usize) -> &'static str {
+        row_name(self.description(), row)
+    }
+
+    /// A failure at a position.
+    fn failure(&self, what: What, time: f64, q: &[f64]) -> Failure {
+        Failure::of(self.description(), what, time, q)
+    }
+}
+
+/// A mechanism with its derivatives, from generated kernels and from dual numbers. These are apart so that a program which
+/// only runs mechanisms compiles no kernels on dual numbers for them.
+pub(crate) trait Differentiable: AnyMechanism {
     /// d(q'', lambda)/dq and d(q'', lambda)/dq', each n + m x n, from the generated kernels; `None` if these refuse a
     /// pivot.
     fn by_state(&self, time: f64, q: &[f64], qd: &[f64]) -> Option<[DMatrix<f64>; 2]>;
@@ -68,34 +98,6 @@ pub(crate) trait AnyMechanism {
     fn outputs_along(&self, at: At<Dual>, control: Option<Control>) -> Vec<Dual>;
     /// The rates of outputs that have one, with their derivatives along a change of positions and speeds.
     fn output_rates_along(&self, at: At<Dual>) -> Vec<Dual>;
-}
-
-impl dyn AnyMechanism + '_ {
-    /// Whether a row of the constraints holds: all do except those of released constraints.
-    pub(crate) fn is_active(&self, row: usize) -> bool {
-        is_row_active(self.description(), &self.activities(), row)
-    }
-
-    /// Accelerations and, below them, multipliers.
-    pub(crate) fn accelerate(&self, at: At<f64>) -> Result<DVector<f64>, Failure> {
-        self.accelerate_with(&self.parameters(), &self.inputs(), at)
-    }
-
-    /// C_q with zeros in the rows between speeds alone: what positions are corrected by.
-    pub(crate) fn between_positions(&self, mut jacobian: DMatrix<f64>) -> DMatrix<f64> {
-        self.description().speed_constraints.iter().for_each(|row| jacobian.row_mut(*row).fill(0.0));
-        jacobian
-    }
-
-    /// The name of a constraint row.
-    pub(crate) fn constraint_name(&self, row: usize) -> &'static str {
-        row_name(self.description(), row)
-    }
-
-    /// A failure at a position.
-    pub(crate) fn failure(&self, what: What, time: f64, q: &[f64]) -> Failure {
-        Failure::of(self.description(), what, time, q)
-    }
 }
 
 /// One matrix below the other.

@@ -1,6 +1,6 @@
 //! The kernels of a mechanism of a known type, from slices to arrays and back.
 
-use crate::model::{AnyMechanism, At, Control, Linear, below};
+use crate::model::{AnyMechanism, At, Control, Differentiable, Linear, below};
 use crate::motion::equations::accelerate;
 use crate::motion::measures::Measures;
 use crate::motion::met::is_met;
@@ -104,6 +104,9 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
     fn held_inputs(&self, time: f64, q: &[f64]) -> Vec<Input> {
         self.0.held_inputs(time, &array(self.0.n(), q)).as_ref().to_vec()
     }
+}
+
+impl<M: Mechanism> Differentiable for Any<'_, M> {
     fn by_state(&self, time: f64, q: &[f64], qd: &[f64]) -> Option<[DMatrix<f64>; 2]> {
         let found = self.0.dynamics_jacobian(time, &array(self.0.n(), q), &array(self.0.n(), qd));
         let of = |accelerations: &M::QQ, multipliers: &M::LQ| {

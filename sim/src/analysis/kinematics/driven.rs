@@ -1,6 +1,6 @@
 //! The driven quantity: a coordinate, or an output that is a function of positions.
 
-use crate::model::{AnyMechanism, At};
+use crate::model::{At, Differentiable};
 use crate::motion::typed::Any;
 use crate::state::failure::{Failure, What};
 use sim_kernel::{Description, Dual, Mechanism, Quantity};
@@ -57,7 +57,7 @@ impl Driven {
     }
 
     /// The same of a mechanism of any type.
-    pub(super) fn value_of(self, mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> f64 {
+    pub(super) fn value_of(self, mechanism: &dyn Differentiable, time: f64, q: &[f64]) -> f64 {
         match self {
             Driven::Coordinate(i) => q[i],
             Driven::Output(i) => mechanism.outputs(At::moving(time, q, &[]))[i],
@@ -65,7 +65,7 @@ impl Driven {
     }
 
     /// y with its derivatives: by dual numbers if it is an output.
-    pub(super) fn gradient(self, mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Gradient {
+    pub(super) fn gradient(self, mechanism: &dyn Differentiable, time: f64, q: &[f64]) -> Gradient {
         let unit = |at: usize| (0..q.len()).map(|j| f64::from(u8::from(j == at))).collect::<Vec<f64>>();
         match self {
             Driven::Coordinate(i) => Gradient { value: q[i], by_positions: unit(i), by_time: 0.0 },
@@ -78,7 +78,7 @@ impl Driven {
     }
 
     /// (y_q q' + y_t)_q q' + (..)_t: y'' without accelerations, the change of y' along the motion.
-    pub(super) fn convective(self, mechanism: &dyn AnyMechanism, time: f64, q: &[f64], qd: &[f64]) -> f64 {
+    pub(super) fn convective(self, mechanism: &dyn Differentiable, time: f64, q: &[f64], qd: &[f64]) -> f64 {
         let Driven::Output(output) = self else { return 0.0 };
         let rated = mechanism.description().rated_outputs.iter().position(|rated| *rated == output);
         let Some(rated) = rated else { return f64::NAN };
@@ -92,7 +92,7 @@ impl Driven {
     ///
     /// # Errors
     /// [`What::NotOfPositions`].
-    pub(super) fn check(self, mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Result<(), Failure> {
+    pub(super) fn check(self, mechanism: &dyn Differentiable, time: f64, q: &[f64]) -> Result<(), Failure> {
         let Driven::Output(i) = self else { return Ok(()) };
         match is_of_positions(mechanism, i, time, q) {
             true => Ok(()),
@@ -115,20 +115,20 @@ fn is_one_of(unit: &str, base: &str, others: &[&str]) -> bool {
 }
 
 /// Whether an output has a rate and does not change with speeds.
-pub(super) fn is_of_positions(mechanism: &dyn AnyMechanism, output: usize, time: f64, q: &[f64]) -> bool {
+pub(super) fn is_of_positions(mechanism: &dyn Differentiable, output: usize, time: f64, q: &[f64]) -> bool {
     mechanism.description().rated_outputs.contains(&output)
         && (0..q.len()).all(|j| speed_slope(mechanism, output, time, q, j) == 0.0)
 }
 
 /// The derivative of an output along a change of position and time.
-fn slope(mechanism: &dyn AnyMechanism, output: usize, [time, dt]: [f64; 2], q: &[f64], dq: &[f64]) -> f64 {
+fn slope(mechanism: &dyn Differentiable, output: usize, [time, dt]: [f64; 2], q: &[f64], dq: &[f64]) -> f64 {
     let moving = |value: f64, derivative: f64| Dual { value, derivative };
     let q: Vec<_> = q.iter().zip(dq).map(|(q, dq)| moving(*q, *dq)).collect();
     mechanism.outputs_along(At::moving(moving(time, dt), &q, &[]), None)[output].derivative
 }
 
 /// The derivative of an output by a speed.
-fn speed_slope(mechanism: &dyn AnyMechanism, output: usize, time: f64, q: &[f64], by: usize) -> f64 {
+fn speed_slope(mechanism: &dyn Differentiable, output: usize, time: f64, q: &[f64], by: usize) -> f64 {
     let q: Vec<Dual> = q.iter().map(|q| Dual::constant(*q)).collect();
     // At speeds without symmetry, so that no square of a speed has its minimum there.
     let moving = |j: usize| Dual { value: 0.37 + 0.11 * j as f64, derivative: f64::from(u8::from(j == by)) };

@@ -1,7 +1,7 @@
 //! Drives that are declared as constraints, `drive: alpha = n*t`: a sweep of alpha replaces such a row.
 
 use super::driven::Driven;
-use crate::model::AnyMechanism;
+use crate::model::Differentiable;
 #[cfg(feature = "cli")]
 use {crate::motion::typed::Any, sim_kernel::Mechanism};
 
@@ -24,7 +24,7 @@ const AWAY: [f64; 2] = [0.1, 0.013];
 /// The first coordinate that a constraint prescribes as a function of time, and its speed at the start.
 #[cfg(feature = "cli")]
 pub(crate) fn prescribed_coordinate<M: Mechanism>(mechanism: &M, q: &M::Q) -> Option<(usize, f64)> {
-    let (mechanism, q): (&dyn AnyMechanism, &[f64]) = (&Any(mechanism), q.as_ref());
+    let (mechanism, q): (&dyn Differentiable, &[f64]) = (&Any(mechanism), q.as_ref());
     let rates = mechanism.constraint_time_derivative(0.0, q);
     let of =
         |j: usize| stand_in(mechanism, Driven::Coordinate(j), 0, q).map(|drive| (j, -rates[drive.row] / drive.factor));
@@ -32,7 +32,7 @@ pub(crate) fn prescribed_coordinate<M: Mechanism>(mechanism: &M, q: &M::Q) -> Op
 }
 
 /// The constraint that prescribes a coordinate as a function of time, and holds nothing else.
-pub(super) fn stand_in(mechanism: &dyn AnyMechanism, driven: Driven, law: usize, q: &[f64]) -> Option<StandIn> {
+pub(super) fn stand_in(mechanism: &dyn Differentiable, driven: Driven, law: usize, q: &[f64]) -> Option<StandIn> {
     let Driven::Coordinate(coordinate) = driven else { return None };
     let elsewhere: Vec<f64> = q.iter().enumerate().map(|(j, q)| q + AWAY[0] + AWAY[1] * j as f64).collect();
     let jacobians = [q, &elsewhere].map(|q| mechanism.constraint_jacobian(0.0, q));

@@ -6,7 +6,7 @@ use super::path::Path;
 use super::piece::{Piece, Point};
 use super::search::{Found, Search};
 use super::system::{Law, System};
-use crate::model::AnyMechanism;
+use crate::model::Differentiable;
 use crate::motion::mobility::Mobility;
 use crate::state::failure::{Failure, What};
 use std::rc::Rc;
@@ -69,7 +69,7 @@ pub(super) struct Swept<'m> {
 /// # Errors
 /// [`What::NotHolonomic`], and if the beginning of the sweep cannot be reached.
 pub(super) fn sweep<'m>(
-    mechanism: &'m dyn AnyMechanism,
+    mechanism: &'m dyn Differentiable,
     assembled: Vec<f64>,
     sweep: &Sweep,
     interrupt: &AtomicBool,
@@ -94,7 +94,7 @@ pub(super) fn sweep<'m>(
 
 /// Moves driven and held quantities from the assembled position to the beginning of the sweep, while time stands still.
 fn approach<'m>(
-    mechanism: &'m dyn AnyMechanism,
+    mechanism: &'m dyn Differentiable,
     q: Vec<f64>,
     sweep: &Sweep,
 ) -> Result<(System<'m>, Mobility, Vec<f64>), Failure> {

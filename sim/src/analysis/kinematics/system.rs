@@ -7,7 +7,7 @@
 
 use super::driven::Driven;
 use super::stand_in::{StandIn, stand_in};
-use crate::model::AnyMechanism;
+use crate::model::Differentiable;
 use crate::motion::mobility::{Mobility, mobility_of};
 use crate::state::failure::{Failure, What};
 use nalgebra::{DMatrix, DVector};
@@ -29,7 +29,7 @@ impl Law {
 /// F(q, p) = 0.
 #[derive(Clone)]
 pub(super) struct System<'m> {
-    pub(super) mechanism: &'m dyn AnyMechanism,
+    pub(super) mechanism: &'m dyn Differentiable,
     pub(super) laws: Vec<Law>,
     /// The constraints that hold, by index, except those that a drive replaces.
     pub(super) rows: Vec<usize>,
@@ -52,7 +52,7 @@ impl<'m> System<'m> {
     /// # Errors
     /// [`What::NotDriven`] unless each degree of freedom has one law, [`What::NotOfPositions`].
     pub(super) fn new(
-        mechanism: &'m dyn AnyMechanism,
+        mechanism: &'m dyn Differentiable,
         laws: Vec<Law>,
         q: &[f64],
     ) -> Result<(System<'m>, Mobility), Failure> {

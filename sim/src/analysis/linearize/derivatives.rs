@@ -2,7 +2,7 @@
 
 use super::Change;
 use super::reduce::Reduction;
-use crate::model::{AnyMechanism, At, Control, constants};
+use crate::model::{At, Control, Differentiable, constants};
 use crate::motion::lengths::measure;
 use crate::state::failure::Failure;
 use nalgebra::{DMatrix, DVector};
@@ -13,7 +13,7 @@ const STEP: f64 = 1e-3;
 
 /// The derivatives of z = (q'', lambda) at a state.
 pub(crate) struct Derivatives<'m> {
-    mechanism: &'m dyn AnyMechanism,
+    mechanism: &'m dyn Differentiable,
     at: At<'m, f64>,
     inputs: &'m [Control],
     /// z there.
@@ -24,7 +24,7 @@ pub(crate) struct Derivatives<'m> {
 
 impl<'m> Derivatives<'m> {
     pub(crate) fn at(
-        mechanism: &'m dyn AnyMechanism,
+        mechanism: &'m dyn Differentiable,
         at: At<'m, f64>,
         inputs: &'m [Control],
     ) -> Result<Derivatives<'m>, Failure> {
@@ -33,7 +33,7 @@ impl<'m> Derivatives<'m> {
         Ok(Derivatives { mechanism, at, inputs, solution, by_state })
     }
 
-    pub(super) fn mechanism(&self) -> &'m dyn AnyMechanism {
+    pub(super) fn mechanism(&self) -> &'m dyn Differentiable {
         self.mechanism
     }
 
@@ -137,7 +137,7 @@ fn difference(size: f64, f: &dyn Fn(f64) -> Result<DVector<f64>, Failure>) -> Re
 }
 
 /// Whether constraints change with a parameter, which then cannot be an input.
-pub(super) fn constraints_depend_on(mechanism: &dyn AnyMechanism, at: At<f64>, control: Control) -> bool {
+pub(super) fn constraints_depend_on(mechanism: &dyn Differentiable, at: At<f64>, control: Control) -> bool {
     let positions = constants(at.positions);
     let still = At::moving(Dual::constant(at.time), &positions, &[]);
     mechanism.constraints_along(still, Some(control)).iter().flatten().any(|value| value.derivative != 0.0)

@@ -7,7 +7,7 @@ mod split;
 mod statics;
 mod steady;
 
-use crate::model::{AnyMechanism, At, Control};
+use crate::model::{At, Control, Differentiable};
 use crate::motion::typed::Any;
 use crate::state::failure::{Failure, What};
 use crate::state::trajectory::State;
@@ -97,7 +97,7 @@ struct AnyLinearization {
     unsteady: Vec<usize>,
 }
 
-fn linearize_any(mechanism: &dyn AnyMechanism, at: At<f64>, inputs: &[Control]) -> Result<AnyLinearization, Failure> {
+fn linearize_any(mechanism: &dyn Differentiable, at: At<f64>, inputs: &[Control]) -> Result<AnyLinearization, Failure> {
     let description = mechanism.description();
     if let Some(input) = inputs.iter().find(|input| constraints_depend_on(mechanism, at, **input)) {
         let what = What::NotAnInput { parameter: input.name_in(description) };

@@ -1,7 +1,7 @@
 //! From changes of the independent coordinates and speeds to those of all.
 
 use super::split::{Split, Wanted};
-use crate::model::{AnyMechanism, At, constants};
+use crate::model::{At, Differentiable, constants};
 use crate::motion::lengths::measure;
 use crate::motion::mobility::{Mobility, mobility_of};
 use crate::state::failure::{Failure, What};
@@ -32,7 +32,7 @@ pub(crate) struct Reduction {
 impl Reduction {
     /// # Errors
     /// [`What::SingularState`] in a singular position, or so close to one that rounding decides.
-    pub(crate) fn at(mechanism: &dyn AnyMechanism, at: At<f64>) -> Result<Reduction, Failure> {
+    pub(crate) fn at(mechanism: &dyn Differentiable, at: At<f64>) -> Result<Reduction, Failure> {
         let (n, freedoms) = (at.positions.len(), mobility_of(mechanism, at.time, at.positions));
         if let Some(failure) = singular(mechanism, at.time, at.positions, &freedoms) {
             return Err(failure);
@@ -55,11 +55,11 @@ impl Reduction {
     }
 
     /// The same coordinates at another state.
-    pub(super) fn moved(&self, mechanism: &dyn AnyMechanism, at: At<f64>) -> Reduction {
+    pub(super) fn moved(&self, mechanism: &dyn Differentiable, at: At<f64>) -> Reduction {
         Reduction::of(mechanism, at, self.of_positions.clone(), self.of_speeds.clone())
     }
 
-    fn of(mechanism: &dyn AnyMechanism, at: At<f64>, moves: Split, rates: Split) -> Reduction {
+    fn of(mechanism: &dyn Differentiable, at: At<f64>, moves: Split, rates: Split) -> Reduction {
         let (n, jacobian) = (at.positions.len(), mechanism.constraint_jacobian(at.time, at.positions));
         let none = |columns: usize| DMatrix::zeros(jacobian.nrows(), columns);
         let [h, f] = [&moves, &rates].map(|split| split.independent.len());
@@ -93,7 +93,7 @@ impl Reduction {
     /// pivot in the solution for dependent speeds changes its sign.
     pub(super) fn singular_along(
         &self,
-        mechanism: &dyn AnyMechanism,
+        mechanism: &dyn Differentiable,
         time: f64,
         q: &[f64],
         direction: &DVector<f64>,
@@ -138,7 +138,7 @@ impl Reduction {
     /// [`What::NotProjected`].
     pub(crate) fn follow(
         &self,
-        mechanism: &dyn AnyMechanism,
+        mechanism: &dyn Differentiable,
         time: f64,
         (q, qd): (&mut [f64], &mut [f64]),
     ) -> Result<(), Failure> {
@@ -172,7 +172,7 @@ impl Reduction {
 }
 
 /// The failure of a singular position, if this is one.
-fn singular(mechanism: &dyn AnyMechanism, time: f64, q: &[f64], freedoms: &Mobility) -> Option<Failure> {
+fn singular(mechanism: &dyn Differentiable, time: f64, q: &[f64], freedoms: &Mobility) -> Option<Failure> {
     let constraint = freedoms.singular.first()?;
     Some(mechanism.failure(What::SingularState { constraint }, time, q))
 }
@@ -188,7 +188,7 @@ fn wanted(description: &Description) -> Vec<Wanted> {
 }
 
 /// (C_q q' + C_t)_q, m x n, by dual numbers.
-fn rates_by_positions(mechanism: &dyn AnyMechanism, at: At<f64>) -> DMatrix<f64> {
+fn rates_by_positions(mechanism: &dyn Differentiable, at: At<f64>) -> DMatrix<f64> {
     let (n, m) = (at.positions.len(), mechanism.description().constraints.len());
     let mut rates = DMatrix::zeros(m, n);
     for by in 0..n {

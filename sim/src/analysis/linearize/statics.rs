@@ -2,7 +2,7 @@
 
 use super::derivatives::Derivatives;
 use super::reduce::Reduction;
-use crate::model::{AnyMechanism, At};
+use crate::model::{At, Differentiable};
 use crate::motion::lengths::measure;
 use crate::state::failure::{Failure, What};
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
@@ -38,7 +38,7 @@ pub(crate) struct Statics {
 impl Statics {
     /// # Errors
     /// As the right-hand side; and in a singular position.
-    pub(crate) fn at(mechanism: &dyn AnyMechanism, q: Vec<f64>) -> Result<Statics, Failure> {
+    pub(crate) fn at(mechanism: &dyn Differentiable, q: Vec<f64>) -> Result<Statics, Failure> {
         let still = vec![0.0; q.len()];
         let at = At::moving(0.0, &q, &still);
         let derivatives = Derivatives::at(mechanism, at, &[])?;
@@ -109,7 +109,7 @@ impl Statics {
     /// If the constraints cannot be met there; as the right-hand side.
     pub(crate) fn moved(
         &self,
-        mechanism: &dyn AnyMechanism,
+        mechanism: &dyn Differentiable,
         step: &DVector<f64>,
     ) -> Result<(Vec<f64>, DVector<f64>), Failure> {
         let change = &self.moves * step;
@@ -138,7 +138,7 @@ impl Statics {
     }
 
     /// The failure that names the singular position beside this one in the direction of Newton's step, if there is one.
-    pub(crate) fn singular_nearby(&self, mechanism: &dyn AnyMechanism) -> Option<Failure> {
+    pub(crate) fn singular_nearby(&self, mechanism: &dyn Differentiable) -> Option<Failure> {
         let step = self.newton_step().unwrap_or_else(|| self.force());
         let direction = &self.moves * &step / self.size(&step);
         self.reduction.singular_along(mechanism, 0.0, &self.q, &direction, NEARBY)

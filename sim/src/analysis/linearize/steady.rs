@@ -3,7 +3,7 @@
 use super::derivatives::Derivatives;
 use super::reduce::Reduction;
 use super::{columns, matrix};
-use crate::model::{AnyMechanism, At};
+use crate::model::{At, Differentiable};
 use crate::motion::lengths::measure;
 use crate::state::failure::Failure;
 use nalgebra::{Complex, DMatrix};
@@ -62,7 +62,7 @@ pub(super) fn unsteady(
 }
 
 /// The coordinates of each quaternion.
-pub(crate) fn quaternions(mechanism: &dyn AnyMechanism) -> Vec<[usize; 4]> {
+pub(crate) fn quaternions(mechanism: &dyn Differentiable) -> Vec<[usize; 4]> {
     let description = mechanism.description();
     let n = description.coordinates.len();
     // The slopes of q.q are twice the entries: here not zero.
@@ -73,7 +73,7 @@ pub(crate) fn quaternions(mechanism: &dyn AnyMechanism) -> Vec<[usize; 4]> {
 
 /// A a little later along the motion, or earlier, in the same coordinates.
 fn later(
-    mechanism: &dyn AnyMechanism,
+    mechanism: &dyn Differentiable,
     derivatives: &Derivatives,
     reduction: &Reduction,
     step: f64,

@@ -3,7 +3,7 @@
 use super::scale::scales;
 use super::worst::{Worst, largest, relative};
 use super::{Check, places};
-use crate::model::{AnyMechanism, At};
+use crate::model::{At, Differentiable};
 use crate::motion::typed::Any;
 use crate::state::trajectory::Sample;
 use nalgebra::DMatrix;
@@ -18,7 +18,7 @@ pub fn jacobians_against_duals<M: Mechanism>(mechanism: &M, samples: &[Sample<M>
     compare_with_duals(&Any(mechanism), &places(samples))
 }
 
-pub(super) fn compare_with_duals(mechanism: &dyn AnyMechanism, samples: &[At<f64>]) -> Check {
+pub(super) fn compare_with_duals(mechanism: &dyn Differentiable, samples: &[At<f64>]) -> Check {
     let mut worst = Worst::<&str>::default();
     let constraints = compare_constraints(mechanism, samples, &mut worst);
     let found = compare_solutions(mechanism, samples, &mut worst);
@@ -39,7 +39,7 @@ pub(super) fn compare_with_duals(mechanism: &dyn AnyMechanism, samples: &[At<f64
 }
 
 /// C_q, relative to the largest entry that a row has in any sample. Gives how many entries were compared.
-fn compare_constraints(mechanism: &dyn AnyMechanism, samples: &[At<f64>], worst: &mut Worst<&str>) -> usize {
+fn compare_constraints(mechanism: &dyn Differentiable, samples: &[At<f64>], worst: &mut Worst<&str>) -> usize {
     // Rows between speeds are not derivatives.
     let between_speeds = mechanism.description().speed_constraints;
     let mut compared = 0;
@@ -68,7 +68,7 @@ fn compare_constraints(mechanism: &dyn AnyMechanism, samples: &[At<f64>], worst:
 
 /// d(q'', lambda)/dq and d(q'', lambda)/dq', each relative to its largest entry in any sample, in units that make all
 /// coordinates, accelerations and multipliers comparable. Gives how many entries were compared.
-fn compare_solutions(mechanism: &dyn AnyMechanism, samples: &[At<f64>], worst: &mut Worst<&str>) -> usize {
+fn compare_solutions(mechanism: &dyn Differentiable, samples: &[At<f64>], worst: &mut Worst<&str>) -> usize {
     if !mechanism.description().optional_kernels.contains(&"dynamics_jacobian") {
         return 0;
     }
@@ -116,14 +116,14 @@ fn derivatives(values: &[Dual]) -> Vec<f64> {
 }
 
 /// The derivatives of the constraints by one coordinate.
-fn constraints_by(mechanism: &dyn AnyMechanism, sample: &At<f64>, j: usize) -> Vec<f64> {
+fn constraints_by(mechanism: &dyn Differentiable, sample: &At<f64>, j: usize) -> Vec<f64> {
     let positions = seeded(sample.positions, Some(j));
     let [values, ..] = mechanism.constraints_along(At::moving(Dual::constant(sample.time), &positions, &[]), None);
     derivatives(&values)
 }
 
 /// The derivatives of accelerations and multipliers by one coordinate or speed.
-fn solution_by(mechanism: &dyn AnyMechanism, sample: &At<f64>, j: usize, by_speed: bool) -> Option<Vec<f64>> {
+fn solution_by(mechanism: &dyn Differentiable, sample: &At<f64>, j: usize, by_speed: bool) -> Option<Vec<f64>> {
     let positions = seeded(sample.positions, (!by_speed).then_some(j));
     let speeds = seeded(sample.speeds, by_speed.then_some(j));
     let at = At::moving(Dual::constant(sample.time), &positions, &speeds);

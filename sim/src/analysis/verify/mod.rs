@@ -26,7 +26,7 @@ use lagrange::compare_with_lagrange;
 use oracle::compare_with_oracle;
 
 use crate::integrate::{Course, Dop853, ExplicitRungeKutta, RK4, Steps, integrate};
-use crate::model::{AnyMechanism, At};
+use crate::model::{At, Differentiable};
 use crate::motion::Motion;
 use crate::motion::measures::Measures;
 use crate::motion::typed::Any;
@@ -175,10 +175,10 @@ fn parts<M: Mechanism>(run: &Run<M>) -> Vec<(M, Vec<Sample<M>>)> {
 }
 
 /// A mechanism of any type, and samples of it.
-type Part<'p> = (&'p dyn AnyMechanism, Vec<At<'p, f64>>);
+type Part<'p> = (&'p dyn Differentiable, Vec<At<'p, f64>>);
 
 /// A check of a mechanism at some samples.
-type CheckOfPart<'c> = dyn Fn(&dyn AnyMechanism, &[At<f64>]) -> Result<Check, VerifyError> + 'c;
+type CheckOfPart<'c> = dyn Fn(&dyn Differentiable, &[At<f64>]) -> Result<Check, VerifyError> + 'c;
 
 /// The largest difference in any part.
 fn worst(parts: &[Part], check: &CheckOfPart) -> Result<Check, VerifyError> {
