@@ -5,8 +5,15 @@ use crate::cli::{Stop, unknown};
 use crate::{Start, declared_start};
 use sim_kernel::{Description, Input, Mechanism};
 
+/// A mechanism with the parameters, and its start with the values, that the user gives.
+pub(super) fn as_given<M: Mechanism>(mechanism: &M, set: &[String], initial: &[String]) -> Result<(M, Start<M>), Stop> {
+    let mechanism = with_set(mechanism, set)?;
+    let start = start_with(&mechanism, initial)?;
+    Ok((mechanism, start))
+}
+
 /// The mechanism with the parameters that the user sets.
-pub(super) fn with_set<M: Mechanism>(mechanism: &M, settings: &[String]) -> Result<M, Stop> {
+fn with_set<M: Mechanism>(mechanism: &M, settings: &[String]) -> Result<M, Stop> {
     let mut parameters = mechanism.parameters();
     set(parameters.as_mut(), mechanism.description(), settings)?;
     Ok(mechanism.with_parameters(parameters))
@@ -30,9 +37,9 @@ fn set(parameters: &mut [f64], description: &Description, settings: &[String]) -
 }
 
 /// The mechanism with inputs held at the user's values.
-pub(super) fn held_at<M: Mechanism>(mechanism: &M, description: &Description, settings: &[String]) -> Result<M, Stop> {
+pub(super) fn held_at<M: Mechanism>(mechanism: &M, settings: &[String]) -> Result<M, Stop> {
     let mut inputs = mechanism.inputs();
-    hold(inputs.as_mut(), description, settings)?;
+    hold(inputs.as_mut(), mechanism.description(), settings)?;
     Ok(mechanism.with_inputs(inputs))
 }
 
@@ -50,11 +57,8 @@ fn hold(inputs: &mut [Input<f64>], description: &Description, settings: &[String
 }
 
 /// The declared start with the user's values.
-pub(super) fn start_with<M: Mechanism>(
-    mechanism: &M,
-    description: &Description,
-    settings: &[String],
-) -> Result<Start<M>, Stop> {
+fn start_with<M: Mechanism>(mechanism: &M, settings: &[String]) -> Result<Start<M>, Stop> {
+    let description = mechanism.description();
     let mut start = declared_start(mechanism);
     for (started, value) in started(description, settings)? {
         match started {

@@ -25,7 +25,7 @@ fn measure(table: &mut Table, folder: &Path) -> io::Result<()> {
     let clock = Instant::now();
     let mut build = Command::new("cargo");
     succeed(build.args(["build", "--release", "--quiet"]).current_dir(workspace).env("CARGO_TARGET_DIR", &target))?;
-    table.at_most("first build of the workspace, in seconds, of a machine that is idle", elapsed(clock), 100.0);
+    table.at_most("first build of the workspace, in seconds; two idle cores", elapsed(clock), 100.0);
     let own = folder.join("own");
     succeed(Command::new(target.join("release/sim")).arg("new").arg(&own))?;
     for (profile, options, bound) in [("debug", "", 3.0), ("release", "--release", 5.0)] {

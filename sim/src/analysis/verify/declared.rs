@@ -1,7 +1,7 @@
 //! A mechanism's declaration, parsed again: its oracle and its Lagrange's equations.
 
 use super::VerifyError;
-use crate::model::{At, Differentiable};
+use crate::model::{AnyMechanism, At};
 use codegen::dsl::{self, Declaration};
 use codegen::dynamics::{Lagrange, lagrange};
 use codegen::model::{self, Model, Resolved, Unit};
@@ -36,7 +36,7 @@ impl Declared {
     }
 
     /// The oracle, with the constraints that the mechanism holds.
-    pub(super) fn oracle(&self, mechanism: &dyn Differentiable) -> Oracle<'_> {
+    pub(super) fn oracle(&self, mechanism: &dyn AnyMechanism) -> Oracle<'_> {
         let active = mechanism.activities().iter().map(|activity| *activity != 0.0).collect();
         Oracle::new(&self.declaration, &si_factor).with_active(active)
     }
@@ -47,7 +47,7 @@ fn si_factor(unit: &dsl::Unit) -> f64 {
 }
 
 /// The value that each input of a mechanism is set to.
-pub(super) fn held(mechanism: &dyn Differentiable) -> Vec<Option<f64>> {
+pub(super) fn held(mechanism: &dyn AnyMechanism) -> Vec<Option<f64>> {
     mechanism.inputs().into_iter().map(Input::held).collect()
 }
 
@@ -62,7 +62,7 @@ pub(super) fn solution_of(accelerations: &[f64], multipliers: &[f64]) -> Solutio
 }
 
 /// The accelerations and multipliers that the kernels give at a state.
-pub(super) fn solved(mechanism: &dyn Differentiable, at: &At<f64>) -> Result<Solution, VerifyError> {
+pub(super) fn solved(mechanism: &dyn AnyMechanism, at: &At<f64>) -> Result<Solution, VerifyError> {
     let found = mechanism.accelerate(*at)?;
     let (accelerations, multipliers) = found.as_slice().split_at(at.positions.len());
     Ok(solution_of(accelerations, multipliers))

@@ -4,7 +4,7 @@ use super::declared::{Declared, held, solved, uninterpreted};
 use super::scale::scales;
 use super::worst::{Worst, largest, relative};
 use super::{Check, VerifyError, places};
-use crate::model::{At, Differentiable};
+use crate::model::{AnyMechanism, At};
 use crate::motion::typed::Any;
 use crate::state::trajectory::Sample;
 use codegen::oracle::State;
@@ -29,7 +29,7 @@ pub fn reactions_against_balance<M: Mechanism>(
 }
 
 pub(super) fn check_balance(
-    mechanism: &dyn Differentiable,
+    mechanism: &dyn AnyMechanism,
     declared: &Declared,
     samples: &[At<f64>],
 ) -> Result<Check, VerifyError> {

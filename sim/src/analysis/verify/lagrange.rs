@@ -4,7 +4,7 @@ use super::declared::{Declared, held, solved, uninterpreted};
 use super::scale::scales;
 use super::worst::{Worst, largest, relative};
 use super::{Check, VerifyError, places};
-use crate::model::{At, Differentiable};
+use crate::model::{AnyMechanism, At};
 use crate::motion::typed::Any;
 use crate::state::trajectory::Sample;
 use codegen::oracle::State;
@@ -30,7 +30,7 @@ pub fn lagrange_against_kernels<M: Mechanism>(
 }
 
 pub(super) fn compare_with_lagrange(
-    mechanism: &dyn Differentiable,
+    mechanism: &dyn AnyMechanism,
     declared: &Declared,
     samples: &[At<f64>],
 ) -> Result<Check, VerifyError> {
@@ -74,7 +74,7 @@ struct Row {
 }
 
 /// M q'' + C_q' lambda - Q along each coordinate, then C_q q'' and the rest of each constraint.
-fn equations(mechanism: &dyn Differentiable, declared: &Declared, sample: &At<f64>) -> Result<Vec<Row>, VerifyError> {
+fn equations(mechanism: &dyn AnyMechanism, declared: &Declared, sample: &At<f64>) -> Result<Vec<Row>, VerifyError> {
     let (n, m) = (sample.positions.len(), mechanism.description().constraints.len());
     let solution = solved(mechanism, sample)?;
     let (parameters, inputs) = (mechanism.parameters(), held(mechanism));
@@ -113,7 +113,7 @@ fn equations(mechanism: &dyn Differentiable, declared: &Declared, sample: &At<f6
 }
 
 /// The values of the model's expressions at a state of the mechanism.
-fn value(mechanism: &dyn Differentiable, declared: &Declared, state: &At<f64>, exprs: &[Expr]) -> Vec<f64> {
+fn value(mechanism: &dyn AnyMechanism, declared: &Declared, state: &At<f64>, exprs: &[Expr]) -> Vec<f64> {
     let (parameters, inputs, activities) = (mechanism.parameters(), mechanism.inputs(), mechanism.activities());
     let model = &declared.model;
     let given = |symbol| {

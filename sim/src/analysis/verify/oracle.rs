@@ -2,7 +2,7 @@
 
 use super::declared::{Declared, held, solution_of, uninterpreted};
 use super::{Check, VerifyError, places};
-use crate::model::{At, Differentiable};
+use crate::model::{AnyMechanism, At};
 use crate::motion::typed::Any;
 use crate::state::trajectory::Sample;
 use codegen::oracle::{Comparison, Computed, Observed, State};
@@ -30,7 +30,7 @@ pub fn kernels_against_oracle<M: Mechanism>(
 }
 
 pub(super) fn compare_with_oracle(
-    mechanism: &dyn Differentiable,
+    mechanism: &dyn AnyMechanism,
     declared: &Declared,
     samples: &[At<f64>],
 ) -> Result<Check, VerifyError> {
@@ -62,7 +62,7 @@ pub fn observed<M: Mechanism>(mechanism: &M, t: f64, q: &M::Q, qd: &M::Q, qdd: &
     observed_by(&Any(mechanism), &At { accelerations, multipliers, ..At::moving(t, q.as_ref(), qd.as_ref()) })
 }
 
-fn computed_by(mechanism: &dyn Differentiable, at: &At<f64>) -> Computed {
+fn computed_by(mechanism: &dyn AnyMechanism, at: &At<f64>) -> Computed {
     let (t, q, qd) = (at.time, at.positions, at.speeds);
     // Entries of matrices here are by columns.
     let by_rows = |matrix: DMatrix<f64>| matrix.transpose().as_slice().to_vec();
@@ -79,6 +79,6 @@ fn computed_by(mechanism: &dyn Differentiable, at: &At<f64>) -> Computed {
     }
 }
 
-fn observed_by(mechanism: &dyn Differentiable, at: &At<f64>) -> Observed {
+fn observed_by(mechanism: &dyn AnyMechanism, at: &At<f64>) -> Observed {
     Observed { events: mechanism.events(*at), outputs: mechanism.outputs(*at), power: mechanism.power(*at) }
 }

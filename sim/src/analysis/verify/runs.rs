@@ -3,7 +3,7 @@
 use super::scale::scales;
 use super::worst::{Worst, largest, relative};
 use super::{Check, places};
-use crate::model::{At, Differentiable};
+use crate::model::{AnyMechanism, At};
 use crate::motion::typed::Any;
 use crate::run::Run;
 use crate::state::trajectory::{Sample, State};
@@ -58,7 +58,7 @@ struct Open {
 }
 
 /// C, then C_q q' + C_t.
-fn residuals(mechanism: &dyn Differentiable, at: &At<f64>, scales: &[f64], speed: f64) -> [Vec<Open>; 2] {
+fn residuals(mechanism: &dyn AnyMechanism, at: &At<f64>, scales: &[f64], speed: f64) -> [Vec<Open>; 2] {
     let (t, q) = (at.time, at.positions);
     let (values, magnitudes) = (mechanism.constraints(t, q), mechanism.constraint_magnitudes(t, q));
     let (jacobian, drift) = (mechanism.constraint_jacobian(t, q), mechanism.constraint_time_derivative(t, q));

@@ -1,7 +1,7 @@
 //! The scales of differences of coordinates, speeds and accelerations, independent of units.
 
 use super::worst::largest;
-use crate::model::{At, Differentiable};
+use crate::model::{AnyMechanism, At};
 
 /// One number s for each coordinate, such that all s q are comparable, in sqrt(kg)*m: the root of its inertia, M_jj at
 /// its largest in these samples. Rounding of a solution, by elimination or by projection, spreads among unknowns in
@@ -10,7 +10,7 @@ use crate::model::{At, Differentiable};
 ///
 /// A coordinate without inertia takes that of the coordinates to which a constraint couples it, scaled by the ratio of
 /// their entries in C_q.
-pub(super) fn scales(mechanism: &dyn Differentiable, samples: &[At<f64>]) -> Vec<f64> {
+pub(super) fn scales(mechanism: &dyn AnyMechanism, samples: &[At<f64>]) -> Vec<f64> {
     let n = samples.first().map_or(0, |sample| sample.positions.len());
     let masses: Vec<_> = samples.iter().map(|sample| mechanism.mass_matrix(sample.time, sample.positions)).collect();
     let mut scales: Vec<f64> = (0..n).map(|j| largest(masses.iter().map(|mass| mass[(j, j)])).sqrt()).collect();

@@ -5,7 +5,7 @@ use crate::cli::arguments::{KinematicsArguments, Voice};
 use crate::cli::files::asked;
 use crate::cli::files::folder;
 use crate::cli::files::written::Files;
-use crate::cli::given::{start_with, with_set};
+use crate::cli::given::as_given;
 use crate::cli::quantity::parse_quantity;
 use crate::cli::signals;
 use crate::cli::{Stop, unknown};
@@ -118,8 +118,7 @@ pub(in crate::cli) fn kinematics_command<M: Mechanism>(
     voice: Voice,
 ) -> Result<(), Stop> {
     let description = mechanism.description();
-    let mechanism = with_set(&mechanism, &arguments.set)?;
-    let start = start_with(&mechanism, description, &arguments.initial)?;
+    let (mechanism, start) = as_given(&mechanism, &arguments.set, &arguments.initial)?;
     let now = |driven: Driven| driven.value(&mechanism, 0.0, &start.positions);
     let speeds: Vec<Option<f64>> = start.speed_given.iter().zip(start.speeds.iter()).map(given).collect();
     let prescribed = prescribed_coordinate(&mechanism, &start.positions);

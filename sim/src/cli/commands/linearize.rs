@@ -3,7 +3,7 @@
 use crate::cli::arguments::{LinearizeArguments, Voice};
 use crate::cli::commands::steady::advice;
 use crate::cli::files::asked;
-use crate::cli::given::{start_with, with_set};
+use crate::cli::given::as_given;
 use crate::cli::settings::positive;
 use crate::cli::{Stop, print, unknown};
 use crate::output::formats::numpy::write_matrices;
@@ -22,8 +22,7 @@ pub(in crate::cli) fn linearize_command<M: Mechanism>(
     voice: Voice,
 ) -> Result<(), Stop> {
     let description = mechanism.description();
-    let mechanism = with_set(&mechanism, &arguments.start.set)?;
-    let start = start_with(&mechanism, description, &arguments.start.initial)?;
+    let (mechanism, start) = as_given(&mechanism, &arguments.start.set, &arguments.start.initial)?;
     let inputs = controls(description, &arguments.input)?;
     let state = state_at(&mechanism, &start, &arguments.at)?;
     let State { time, positions, speeds, .. } = &state;

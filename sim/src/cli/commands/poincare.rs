@@ -4,7 +4,7 @@ use crate::cli::arguments::{PoincareArguments, Voice};
 use crate::cli::files::asked;
 use crate::cli::files::folder;
 use crate::cli::files::written::Files;
-use crate::cli::given::{start_with, with_set};
+use crate::cli::given::as_given;
 use crate::cli::progress;
 use crate::cli::settings::positive;
 use crate::cli::{Stop, unknown};
@@ -21,8 +21,7 @@ pub(in crate::cli) fn poincare_command<M: Mechanism>(
     voice: Voice,
 ) -> Result<(), Stop> {
     let description = mechanism.description();
-    let mechanism = with_set(&mechanism, &arguments.start.set)?;
-    let start = start_with(&mechanism, description, &arguments.start.initial)?;
+    let (mechanism, start) = as_given(&mechanism, &arguments.start.set, &arguments.start.initial)?;
     let events = || description.events.iter().map(|event| event.name);
     let event = events().position(|name| name == arguments.event);
     let event = event.ok_or_else(|| unknown("event", &arguments.event, events()))?;

@@ -6,7 +6,7 @@ use crate::cli::commands::list::counted;
 use crate::cli::files::folder;
 use crate::cli::files::reproduction::Reproduction;
 use crate::cli::files::written::Files;
-use crate::cli::given::{held_at, start_with, with_set};
+use crate::cli::given::{as_given, held_at};
 use crate::cli::progress;
 use crate::output::happening::impulses;
 use crate::output::outcome::{Outcome, Recorded};
@@ -26,9 +26,8 @@ pub(in crate::cli) fn run_command<M: Mechanism>(
 ) -> Result<(), Stop> {
     let description = mechanism.description();
     let clock = Instant::now();
-    let mechanism = with_set(&mechanism, &arguments.set)?;
-    let mechanism = held_at(&mechanism, description, &arguments.input)?;
-    let start = start_with(&mechanism, description, &arguments.initial)?;
+    let (mechanism, start) = as_given(&mechanism, &arguments.set, &arguments.initial)?;
+    let mechanism = held_at(&mechanism, &arguments.input)?;
     let settings = arguments.settings.settings(description)?;
     let mut reproduction = Reproduction::new(&mechanism, &start, &settings, arguments);
     let directory = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(description.name));

@@ -2,7 +2,7 @@
 
 use crate::cli::arguments::{AssembleArguments, StartArguments, Voice};
 use crate::cli::commands::list::counted;
-use crate::cli::given::{start_with, with_set};
+use crate::cli::given::as_given;
 use crate::cli::quantity::fixed;
 use crate::cli::{Stop, print};
 use crate::output::outcome::list;
@@ -19,8 +19,7 @@ pub(in crate::cli) fn assemble_command<M: Mechanism>(
     voice: Voice,
 ) -> Result<(), Stop> {
     let description = mechanism.description();
-    let mechanism = with_set(&mechanism, &arguments.start.set)?;
-    let start = start_with(&mechanism, description, &arguments.start.initial)?;
+    let (mechanism, start) = as_given(&mechanism, &arguments.start.set, &arguments.start.initial)?;
     if arguments.branches {
         let Branches { loops, open, positions } = branches(&mechanism, &start);
         return say_branches(description, &loops, &open, &positions.iter().map(list).collect::<Vec<_>>(), voice);
@@ -129,8 +128,8 @@ pub(in crate::cli) fn equilibrium_command<M: Mechanism>(
     voice: Voice,
 ) -> Result<(), Stop> {
     let description = mechanism.description();
-    let mechanism = with_set(&mechanism, &arguments.set)?;
-    let found = equilibrium(&mechanism, &start_with(&mechanism, description, &arguments.initial)?)?;
+    let (mechanism, start) = as_given(&mechanism, &arguments.set, &arguments.initial)?;
+    let found = equilibrium(&mechanism, &start)?;
     let (positions, multipliers) = (found.state.positions.as_ref(), found.multipliers.as_ref());
     say_equilibrium(description, positions, multipliers, &found.eigenvalues, voice)
 }

@@ -2,7 +2,7 @@
 
 use crate::analysis::verify::{Check, verify};
 use crate::cli::arguments::{VerifyArguments, Voice};
-use crate::cli::given::{start_with, with_set};
+use crate::cli::given::as_given;
 use crate::cli::settings::positive;
 use crate::cli::{Stop, print};
 use serde_json::json;
@@ -15,8 +15,7 @@ pub(in crate::cli) fn verify_command<M: Mechanism>(
     voice: Voice,
 ) -> Result<(), Stop> {
     let description = mechanism.description();
-    let mechanism = with_set(&mechanism, &arguments.set)?;
-    let start = start_with(&mechanism, description, &arguments.initial)?;
+    let (mechanism, start) = as_given(&mechanism, &arguments.set, &arguments.initial)?;
     let checks = verify(mechanism, &start, positive("--t-end", &arguments.t_end)?)?;
     if !voice.quiet {
         print(&if voice.json { as_json(&checks) } else { as_text(description.name, &checks) })?;
