@@ -47,7 +47,7 @@ fn the_matrices_of_a_cart_with_a_pendulum() {
 #[test]
 fn the_inputs_of_a_cart_with_a_pole() {
     let cart: CartPole = CartPole::default();
-    let state = State { time: 0.3, positions: [0.2, 0.0], speeds: [1.5, 0.0], work: 0.0 };
+    let state: State<CartPole> = State { time: 0.3, positions: [0.2, 0.0], speeds: [1.5, 0.0], work: 0.0 };
     let course = 3.0 * (4.0 * state.time).sin();
     for (cart, push) in [(cart, course), (CartPole { push: Input::Held(-2.0), ..cart }, -2.0)] {
         let found = linearize(&cart, &state, &[Control::Input(0), Control::Parameter(4)]).unwrap();

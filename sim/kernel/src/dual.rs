@@ -95,8 +95,18 @@ impl<S: Scalar> Scalar for Dual<S> {
     }
 
     #[inline(always)]
+    fn first_value(self) -> f64 {
+        self.value.first_value()
+    }
+
+    #[inline(always)]
     fn greater(self, other: Self) -> S::Mask {
         self.value.greater(other.value)
+    }
+
+    #[inline(always)]
+    fn at_most(self, other: Self) -> S::Mask {
+        self.value.at_most(other.value)
     }
 
     #[inline(always)]

@@ -6,7 +6,7 @@
 
 use crate::wave::sin_cos_each;
 use crate::{Mask, Scalar};
-use core::ops::{Add, BitOr, Div, Mul, Neg, Sub};
+use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 
 /// `N` numbers side by side, on which every operation is that of `f64` lane by lane, with the same bits.
 ///
@@ -81,6 +81,15 @@ impl<const N: usize> Mask for LaneMask<N> {
     }
 }
 
+impl<const N: usize> BitAnd for LaneMask<N> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        LaneMask(core::array::from_fn(|lane| self.0[lane] & other.0[lane]))
+    }
+}
+
 impl<const N: usize> BitOr for LaneMask<N> {
     type Output = Self;
 
@@ -134,8 +143,18 @@ impl<const N: usize> Scalar for Lanes<N> {
     }
 
     #[inline(always)]
+    fn first_value(self) -> f64 {
+        self.0[0]
+    }
+
+    #[inline(always)]
     fn greater(self, other: Self) -> LaneMask<N> {
         LaneMask::from_fn(|lane| self.0[lane] > other.0[lane])
+    }
+
+    #[inline(always)]
+    fn at_most(self, other: Self) -> LaneMask<N> {
+        LaneMask::from_fn(|lane| self.0[lane] <= other.0[lane])
     }
 
     #[inline(always)]

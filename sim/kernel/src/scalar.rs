@@ -2,10 +2,10 @@
 
 use crate::wave::sin_cos_each;
 use core::fmt::Debug;
-use core::ops::{Add, BitOr, Div, Mul, Neg, Sub};
+use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 
 /// The result of a comparison: one truth value, or one for each lane.
-pub trait Mask: Copy + BitOr<Output = Self> {
+pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> {
     /// False everywhere.
     const NONE: Self;
     /// Whether it is true anywhere.
@@ -42,8 +42,12 @@ pub trait Scalar:
     const ZERO: Self;
 
     fn from_f64(value: f64) -> Self;
+    /// The number, without derivatives; of several side by side, the first. For messages.
+    fn first_value(self) -> f64;
     /// Whether `self > other`; false for NaN.
     fn greater(self, other: Self) -> Self::Mask;
+    /// Whether `self <= other`; false for NaN.
+    fn at_most(self, other: Self) -> Self::Mask;
     /// Truth values swapped.
     fn not(mask: Self::Mask) -> Self::Mask;
     /// `yes` where the mask is true and `no` elsewhere.
@@ -101,8 +105,16 @@ macro_rules! real {
                 value as $type
             }
             #[inline(always)]
+            fn first_value(self) -> f64 {
+                f64::from(self)
+            }
+            #[inline(always)]
             fn greater(self, other: Self) -> bool {
                 self > other
+            }
+            #[inline(always)]
+            fn at_most(self, other: Self) -> bool {
+                self <= other
             }
             #[inline(always)]
             fn not(mask: bool) -> bool {

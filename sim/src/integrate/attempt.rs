@@ -11,7 +11,7 @@ use crate::motion::singular::{AT, weakest_constraint};
 use crate::state::failure::{Failure, What};
 use crate::state::settings::Tolerance;
 use crate::state::trajectory::{Sample, State};
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::{Array, Mechanism, Scalar};
 
 /// The largest move of a step's end by projection, in units of the tolerance: further away lies another branch of the
 /// motion.
@@ -20,7 +20,7 @@ const MOST_MOVED: f64 = 1000.0;
 const MOST_MOVED_THERE: f64 = 1.0;
 
 /// The differences of positions and speeds.
-fn difference<M: Mechanism>(a: &State<M>, b: &State<M>) -> (M::Q, M::Q) {
+pub(super) fn difference<S: Scalar, M: Mechanism<S>>(a: &State<M, S>, b: &State<M, S>) -> (M::Q, M::Q) {
     (a.positions.like(|i| a.positions[i] - b.positions[i]), a.speeds.like(|i| a.speeds[i] - b.speeds[i]))
 }
 
@@ -49,8 +49,13 @@ pub(super) fn attempt<M: Mechanism>(
     motion.keep(&mut end)?;
     *to = motion.sample_in_place(end)?;
     let moved = |tolerance: &Tolerance| tolerance.norm(motion.measures(), &before, &end, &difference(&before, &end));
-    let most_moved = if motion.relative_sine() < AT { MOST_MOVED_THERE } else { MOST_MOVED };
-    Ok(tolerance.map_or(error, |tolerance| error.max(moved(tolerance) / most_moved)))
+    Ok(tolerance.map_or(error, |tolerance| with_move(error, moved(tolerance), motion.relative_sine())))
+}
+
+/// The estimate of an error with the move by projection, in units of the tolerance, to where this is the smallest sine.
+#[inline]
+pub(super) fn with_move(error: f64, moved: f64, sine: f64) -> f64 {
+    error.max(moved / if sine < AT { MOST_MOVED_THERE } else { MOST_MOVED })
 }
 
 /// A constraint whose rows are this close to dependence, as a sine, explains why a step fails.

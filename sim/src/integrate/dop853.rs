@@ -8,7 +8,7 @@ use crate::state::failure::Failure;
 use crate::state::saved::{Bytes, Damaged};
 use crate::state::settings::Tolerance;
 use crate::state::trajectory::{Rates, Sample, State};
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::{Array, Mechanism, Scalar};
 
 /// The method, with the interpolant of its last step once it has been asked for.
 ///
@@ -26,6 +26,16 @@ impl<M: Mechanism> Dop853<M> {
     /// The method.
     pub fn new(mechanism: &M) -> Dop853<M> {
         Dop853 { method: ExplicitRungeKutta::new(mechanism, &DOP853), interpolant: None }
+    }
+
+    /// Takes the stages of a step that was made on other numbers.
+    pub(super) fn take_stages<S: Scalar, N: Mechanism<S>>(
+        &mut self,
+        made: &ExplicitRungeKutta<N, S>,
+        number: impl Fn(S) -> f64,
+    ) {
+        self.interpolant = None;
+        self.method.take_stages(made, number);
     }
 
     /// The interpolant as bytes, or from them.

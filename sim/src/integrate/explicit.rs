@@ -1,4 +1,4 @@
-//! Explicit Runge-Kutta methods.
+//! Explicit Runge-Kutta methods, on numbers of any kind.
 //!
 //! The right-hand side is compiled into the steps, and its rare cases (a refused pivot, partitioning, projected stages)
 //! take and give states by value in functions of their own, so that the states of stages stay in registers.
@@ -6,47 +6,61 @@
 use super::method::{Advance, Attempt};
 use super::tableau::{ErrorEstimate, MOST_STAGES, RK4, Tableau, Weight};
 use crate::motion::Motion;
+use crate::motion::field::Field;
 use crate::motion::velocity_variables::Integrated;
 use crate::state::failure::{Failure, What};
 use crate::state::settings::Tolerance;
 use crate::state::trajectory::{Rates, Sample, State};
-use sim_kernel::Mechanism;
+use sim_kernel::{Array, Mechanism, Scalar};
 
 /// The method of a tableau, with the stages of its last step.
 #[derive(Clone, Debug)]
-pub struct ExplicitRungeKutta<M: Mechanism> {
+pub struct ExplicitRungeKutta<M: Mechanism<S>, S: Scalar = f64> {
     tableau: &'static Tableau,
     is_rk4: bool,
-    pub(super) stages: [Rates<M>; MOST_STAGES],
+    pub(super) stages: [Rates<M, S>; MOST_STAGES],
 }
 
-impl<M: Mechanism> ExplicitRungeKutta<M> {
+impl<S: Scalar, M: Mechanism<S>> ExplicitRungeKutta<M, S> {
     /// The method of a tableau.
-    pub fn new(mechanism: &M, tableau: &'static Tableau) -> ExplicitRungeKutta<M> {
+    pub fn new(mechanism: &M, tableau: &'static Tableau) -> ExplicitRungeKutta<M, S> {
         ExplicitRungeKutta { tableau, is_rk4: *tableau == RK4, stages: [Rates::zero(mechanism.n()); MOST_STAGES] }
+    }
+
+    /// Takes the stages of a step that was made on other numbers.
+    pub(super) fn take_stages<T: Scalar, N: Mechanism<T>>(
+        &mut self,
+        made: &ExplicitRungeKutta<N, T>,
+        number: impl Fn(T) -> S,
+    ) {
+        for (stage, made) in self.stages.iter_mut().zip(&made.stages).take(self.tableau.c.len()) {
+            stage.positions = stage.positions.like(|i| number(made.positions[i]));
+            stage.speeds = stage.speeds.like(|i| number(made.speeds[i]));
+            stage.work = number(made.work);
+        }
     }
 
     /// Evaluates a stage from those before it.
     #[inline(always)]
     pub(super) fn evaluate(
         &mut self,
-        motion: &Motion<M>,
-        start: &Integrated<M>,
-        h: f64,
+        field: &impl Field<M, S>,
+        start: &Integrated<M, S>,
+        h: S,
         stage: usize,
         (weights, node): (&[Weight], f64),
     ) -> Result<(), Failure> {
-        let inner = start.changed(start.time() + node * h, h, &self.combined(weights));
-        self.stages[stage] = motion.rates(&motion.sample_in_place(motion.state(inner)?)?);
+        let inner = start.changed(start.time() + S::from_f64(node) * h, h, &self.combined(weights));
+        self.stages[stage] = field.rates(&field.stage(inner)?);
         Ok(())
     }
 
     /// The sum of weight times stage.
     #[inline(always)]
-    pub(super) fn combined(&self, weights: &[Weight]) -> Rates<M> {
-        let Some(((first, weight), others)) = weights.split_first() else { return self.stages[0].scaled(0.0) };
-        let mut sum = self.stages[*first].scaled(*weight);
-        others.iter().for_each(|(stage, weight)| sum.add(*weight, &self.stages[*stage]));
+    pub(super) fn combined(&self, weights: &[Weight]) -> Rates<M, S> {
+        let Some(((first, weight), others)) = weights.split_first() else { return self.stages[0].scaled(S::ZERO) };
+        let mut sum = self.stages[*first].scaled(S::from_f64(*weight));
+        others.iter().for_each(|(stage, weight)| sum.add(S::from_f64(*weight), &self.stages[*stage]));
         sum
     }
 
@@ -55,11 +69,11 @@ impl<M: Mechanism> ExplicitRungeKutta<M> {
         &mut self,
         tableau: &Tableau,
         stage: usize,
-        motion: &Motion<M>,
-        start: &Integrated<M>,
-        h: f64,
+        field: &impl Field<M, S>,
+        start: &Integrated<M, S>,
+        h: S,
     ) -> Result<(), Failure> {
-        self.evaluate(motion, start, h, stage, (tableau.a[stage], tableau.c[stage]))
+        self.evaluate(field, start, h, stage, (tableau.a[stage], tableau.c[stage]))
     }
 
     /// The end of a step from its stages.
@@ -67,41 +81,72 @@ impl<M: Mechanism> ExplicitRungeKutta<M> {
     fn finish(
         &self,
         tableau: &Tableau,
-        motion: &Motion<M>,
-        (from, start): (&State<M>, &Integrated<M>),
-        time: f64,
+        field: &impl Field<M, S>,
+        (from, start): (&State<M, S>, &Integrated<M, S>),
+        time: S,
         tolerance: Option<&Tolerance>,
-    ) -> Result<Attempt<M>, Failure> {
+    ) -> Result<Attempt<M, S>, Failure> {
         let h = time - from.time;
-        let end = motion.end(start.changed(time, h, &self.combined(tableau.b)))?;
+        let end = field.end(start.changed(time, h, &self.combined(tableau.b)))?;
         if !end.is_finite() {
-            return Err(not_finite(motion.mechanism(), from));
+            return Err(not_finite(field.mechanism(), from));
         }
-        let error = tolerance.map_or(Ok(0.0), |tolerance| self.error(motion, [from, &end], h, tolerance))?;
+        let error = tolerance.map_or(Ok(S::ZERO), |tolerance| self.error(field, [from, &end], h, tolerance))?;
         Ok(Attempt { end, error })
     }
 
     /// The estimated error of a step in units of the tolerance.
     fn error(
         &self,
-        motion: &Motion<M>,
-        [from, to]: [&State<M>; 2],
-        h: f64,
+        field: &impl Field<M, S>,
+        [from, to]: [&State<M, S>; 2],
+        h: S,
         tolerance: &Tolerance,
-    ) -> Result<f64, Failure> {
+    ) -> Result<S, Failure> {
         let size = |weights: &[Weight]| {
-            let difference = motion.in_speeds(from, &self.combined(weights))?;
-            Ok(h.abs() * tolerance.norm(motion.measures(), from, to, &difference))
+            let difference = field.in_speeds(from, &self.combined(weights))?;
+            Ok(h.abs() * tolerance.norm(field.measures(), from, to, &difference))
         };
         match self.tableau.error {
-            ErrorEstimate::None => Ok(0.0),
+            ErrorEstimate::None => Ok(S::ZERO),
             ErrorEstimate::Embedded(weights) => size(weights),
             ErrorEstimate::Embedded53(fifth, third) => {
                 let (e5, e3) = (size(fifth)?, size(third)?);
                 // (II.10.17); both are zero in equilibrium.
-                Ok(if e5 == 0.0 { 0.0 } else { e5 * e5 / (e5 * e5 + 0.01 * e3 * e3).sqrt() })
+                let norm = e5 * e5 / (e5 * e5 + S::from_f64(0.01) * e3 * e3).sqrt();
+                Ok(S::select(e5.at_most(S::ZERO), S::ZERO, norm))
             }
         }
+    }
+
+    /// Advances from a sample to a time: see [`Advance::step`].
+    ///
+    /// # Errors
+    /// As the right-hand side; if any lane fails.
+    #[inline(always)]
+    pub(crate) fn advance(
+        &mut self,
+        field: &impl Field<M, S>,
+        from: &Sample<M, S>,
+        time: S,
+        tolerance: Option<&Tolerance>,
+    ) -> Result<Attempt<M, S>, Failure> {
+        let (tableau, start) = (self.tableau, &field.integrated(&from.state));
+        let h = time - from.state.time;
+        self.stages[0] = field.rates(from);
+        if self.is_rk4 && tolerance.is_none() {
+            // Written out with constant weights: straight-line code, which saves a twentieth of a run.
+            self.stage(&RK4, 1, field, start, h)?;
+            self.stage(&RK4, 2, field, start, h)?;
+            self.stage(&RK4, 3, field, start, h)?;
+            return self.finish(&RK4, field, (&from.state, start), time, None);
+        }
+        // The last stage of an embedded pair serves its estimate alone.
+        let needed = if tolerance.is_none() { tableau.stages_of_step() } else { tableau.c.len() };
+        for stage in 1..needed {
+            self.stage(tableau, stage, field, start, h)?;
+        }
+        self.finish(tableau, field, (&from.state, start), time, tolerance)
     }
 }
 
@@ -122,27 +167,12 @@ impl<M: Mechanism> Advance<M> for ExplicitRungeKutta<M> {
         time: f64,
         tolerance: Option<&Tolerance>,
     ) -> Result<Attempt<M>, Failure> {
-        let (tableau, start) = (self.tableau, &motion.integrated(&from.state));
-        let h = time - from.state.time;
-        self.stages[0] = motion.rates(from);
-        if self.is_rk4 && tolerance.is_none() {
-            // Written out with constant weights: straight-line code, which saves a twentieth of a run.
-            self.stage(&RK4, 1, motion, start, h)?;
-            self.stage(&RK4, 2, motion, start, h)?;
-            self.stage(&RK4, 3, motion, start, h)?;
-            return self.finish(&RK4, motion, (&from.state, start), time, None);
-        }
-        // The last stage of an embedded pair serves its estimate alone.
-        let needed = if tolerance.is_none() { tableau.stages_of_step() } else { tableau.c.len() };
-        for stage in 1..needed {
-            self.stage(tableau, stage, motion, start, h)?;
-        }
-        self.finish(tableau, motion, (&from.state, start), time, tolerance)
+        self.advance(motion, from, time, tolerance)
     }
 }
 
 #[cold]
-fn not_finite<M: Mechanism>(mechanism: &M, start: &State<M>) -> Failure {
+fn not_finite<S: Scalar, M: Mechanism<S>>(mechanism: &M, start: &State<M, S>) -> Failure {
     let what = What::NotFinite { quantity: "the state after this step".into() };
     Failure::at(mechanism, what, start.time, &start.positions)
 }

@@ -1,9 +1,23 @@
 //! The methods that settings name.
 
-use super::{Advance, DOPRI5, Dop853, EULER, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5};
+use super::tableau::{DOPRI5, EULER, HEUN, RK3, RK4, Tableau};
+use super::{Advance, DOP853, Dop853, ExplicitRungeKutta, Radau5};
 use crate::state::saved::{Bytes, Damaged};
 use crate::state::settings::Method;
-use sim_kernel::Mechanism;
+use sim_kernel::{Mechanism, Scalar};
+
+/// The tableau of a method, if it is explicit.
+pub(crate) fn tableau(method: Method) -> Option<&'static Tableau> {
+    match method {
+        Method::Euler => Some(&EULER),
+        Method::Heun => Some(&HEUN),
+        Method::Rk3 => Some(&RK3),
+        Method::Rk4 => Some(&RK4),
+        Method::Dopri5 => Some(&DOPRI5),
+        Method::Dop853 => Some(&DOP853),
+        Method::Radau5 => None,
+    }
+}
 
 /// One of the methods that settings name, with its memory of the last step.
 #[derive(Clone, Debug)]
@@ -15,15 +29,22 @@ pub(crate) enum Integrator<M: Mechanism> {
 
 impl<M: Mechanism> Integrator<M> {
     pub(crate) fn new(mechanism: &M, method: Method) -> Integrator<M> {
-        let explicit = |tableau| Integrator::Explicit(ExplicitRungeKutta::new(mechanism, tableau));
-        match method {
-            Method::Euler => explicit(&EULER),
-            Method::Heun => explicit(&HEUN),
-            Method::Rk3 => explicit(&RK3),
-            Method::Rk4 => explicit(&RK4),
-            Method::Dopri5 => explicit(&DOPRI5),
-            Method::Dop853 => Integrator::Dop853(Dop853::new(mechanism)),
-            Method::Radau5 => Integrator::Radau5(Radau5::new(mechanism)),
+        match (method, tableau(method)) {
+            (Method::Dop853, _) => Integrator::Dop853(Dop853::new(mechanism)),
+            (_, Some(tableau)) => Integrator::Explicit(ExplicitRungeKutta::new(mechanism, tableau)),
+            (_, None) => Integrator::Radau5(Radau5::new(mechanism)),
+        }
+    }
+
+    /// Takes the stages of a step that was made elsewhere, on other numbers: in each its number is found by `number`.
+    pub(crate) fn take_stages<S: Scalar, N: Mechanism<S>>(
+        &mut self,
+        made: &ExplicitRungeKutta<N, S>,
+        number: impl Fn(S) -> f64,
+    ) {
+        // Other explicit methods look into a step by its ends alone.
+        if let Integrator::Dop853(method) = self {
+            method.take_stages(made, number);
         }
     }
 
@@ -35,6 +56,7 @@ impl<M: Mechanism> Integrator<M> {
         }
     }
 
+    /// As [`Advance`].
     pub(crate) fn method(&mut self) -> &mut dyn Advance<M> {
         match self {
             Integrator::Explicit(method) => method,

@@ -2,11 +2,12 @@
 
 use crate::motion::Motion;
 use crate::motion::measures::Measures;
+use crate::numerics::numbers::larger;
 use crate::state::failure::Failure;
 use crate::state::interpolate::hermite;
 use crate::state::settings::Tolerance;
 use crate::state::trajectory::{Sample, State};
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::{Array, Mechanism, Scalar};
 
 /// A method that advances a motion step by step. `examples/own_integrator.rs` shows a custom one.
 ///
@@ -60,20 +61,20 @@ pub trait Advance<M: Mechanism> {
 
 /// The end of a step.
 #[derive(Debug)]
-pub struct Attempt<M: Mechanism> {
+pub struct Attempt<M: Mechanism<S>, S: Scalar = f64> {
     /// The state at its end.
-    pub end: State<M>,
+    pub end: State<M, S>,
     /// The estimate of its error in units of the tolerance; 0 if there is none.
-    pub error: f64,
+    pub error: S,
 }
 
-impl<M: Mechanism> Clone for Attempt<M> {
-    fn clone(&self) -> Attempt<M> {
+impl<S: Scalar, M: Mechanism<S>> Clone for Attempt<M, S> {
+    fn clone(&self) -> Attempt<M, S> {
         *self
     }
 }
 
-impl<M: Mechanism> Copy for Attempt<M> {}
+impl<S: Scalar, M: Mechanism<S>> Copy for Attempt<M, S> {}
 
 impl Tolerance {
     /// The norm of an error of positions and speeds in units of the tolerance: root of the mean square.
@@ -81,21 +82,25 @@ impl Tolerance {
     /// Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, (II.4.11); the absolute part is a fraction
     /// of the scale of each coordinate, so it depends on neither units nor sizes.
     #[inline]
-    pub fn norm<M: Mechanism>(
+    pub fn norm<S: Scalar, M: Mechanism<S>>(
         &self,
-        measures: &Measures<M>,
-        from: &State<M>,
-        to: &State<M>,
+        measures: &Measures<M, S>,
+        from: &State<M, S>,
+        to: &State<M, S>,
         error: &(M::Q, M::Q),
-    ) -> f64 {
-        let mut sum = 0.0;
+    ) -> S {
+        let (mut sum, number) = (S::ZERO, S::from_f64);
         let n = measures.coordinates().len();
         for i in 0..n {
-            let absolute = self.absolute * measures.coordinates()[i];
-            let scale = |a: f64, b: f64| absolute + self.relative * a.abs().max(b.abs());
-            sum += (error.0[i] / scale(from.positions[i], to.positions[i])).powi(2);
-            sum += (error.1[i] / scale(from.speeds[i], to.speeds[i])).powi(2);
+            let absolute = number(self.absolute) * measures.coordinates()[i];
+            let scale = |a: S, b: S| absolute + number(self.relative) * larger(a.abs(), b.abs());
+            let [of_position, of_speed] = [
+                error.0[i] / scale(from.positions[i], to.positions[i]),
+                error.1[i] / scale(from.speeds[i], to.speeds[i]),
+            ];
+            sum = sum + of_position * of_position;
+            sum = sum + of_speed * of_speed;
         }
-        (sum / (2 * n).max(1) as f64).sqrt()
+        (sum / number((2 * n).max(1) as f64)).sqrt()
     }
 }

@@ -12,6 +12,8 @@ mod integrator;
 mod method;
 #[cfg(test)]
 mod order_conditions;
+mod pace;
+mod plain;
 mod radau;
 mod step;
 mod stepper;
@@ -21,8 +23,10 @@ pub(crate) use beside::first_sample;
 pub use dop853::Dop853;
 pub use dop853_tableau::DOP853;
 pub use explicit::ExplicitRungeKutta;
-pub(crate) use integrator::Integrator;
+pub(crate) use integrator::{Integrator, tableau};
 pub use method::{Advance, Attempt};
+pub(crate) use pace::{Aim, Target};
+pub(crate) use plain::{Reached, attempt_plainly};
 pub use radau::Radau5;
 pub use step::Step;
 pub(crate) use stepper::Stepper;
@@ -111,9 +115,10 @@ pub fn integrate<M: Mechanism>(
     mut watch: impl FnMut(&mut Step<M>) -> Result<ControlFlow<()>, Failure>,
 ) -> Result<(), Failure> {
     let mut stepper = Stepper::new(motion, method, course, start)?;
-    while let Some(mut step) = stepper.next(motion, method, steps)? {
+    while stepper.advance(motion, method, steps)? {
+        let Some(mut step) = stepper.last_step(motion, method) else { break };
         if watch(&mut step)?.is_break() {
-            return Ok(());
+            break;
         }
     }
     Ok(())

@@ -10,13 +10,14 @@ use crate::model::AnyMechanism;
 use crate::model::conditional::released_rows;
 use crate::motion::lengths::measure;
 use crate::numerics::arrays::array;
+use crate::numerics::numbers::larger;
 use crate::state::saved::{Bytes, Damaged};
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::{Array, Mechanism, Scalar};
 
 /// The scales of a mechanism's coordinates and constraints, and the ranks of its constraint Jacobian, found once at the
 /// start of a motion.
 #[derive(Debug)]
-pub struct Measures<M: Mechanism> {
+pub struct Measures<M: Mechanism<S>, S: Scalar = f64> {
     /// For each coordinate the change that counts as 1: the mechanism's own length for lengths, and 1 for all others, n.
     coordinates: M::Q,
     /// For each constraint the largest of its terms, or of its changes by such changes of the coordinates, m.
@@ -27,13 +28,13 @@ pub struct Measures<M: Mechanism> {
     is_redundant: bool,
 }
 
-impl<M: Mechanism> Clone for Measures<M> {
-    fn clone(&self) -> Measures<M> {
+impl<S: Scalar, M: Mechanism<S>> Clone for Measures<M, S> {
+    fn clone(&self) -> Measures<M, S> {
         *self
     }
 }
 
-impl<M: Mechanism> Copy for Measures<M> {}
+impl<S: Scalar, M: Mechanism<S>> Copy for Measures<M, S> {}
 
 impl<M: Mechanism> Measures<M> {
     /// Those of a mechanism at a position, with known degrees of freedom.
@@ -71,6 +72,22 @@ impl<M: Mechanism> Measures<M> {
         bytes.flag(&mut self.is_redundant)
     }
 
+    /// The same ranks with scales on other numbers.
+    pub(crate) fn on<S: Scalar>(
+        &self,
+        coordinate: impl Fn(usize) -> S,
+        constraint: impl Fn(usize) -> S,
+    ) -> Measures<M::On<S>, S> {
+        Measures {
+            coordinates: Array::with_len(self.coordinates.len(), coordinate),
+            constraints: Array::with_len(self.constraints.len(), constraint),
+            ranks: self.ranks,
+            is_redundant: self.is_redundant,
+        }
+    }
+}
+
+impl<S: Scalar, M: Mechanism<S>> Measures<M, S> {
     /// For each coordinate the change that counts as 1, in SI units, n.
     pub fn coordinates(&self) -> &M::Q {
         &self.coordinates
@@ -117,8 +134,9 @@ impl<M: Mechanism> Measures<M> {
 
     /// The largest part of a change of coordinates, relative to those that count as 1.
     #[inline(always)]
-    pub(crate) fn size(&self, mechanism: &M, change: &M::Q) -> f64 {
-        let largest = |part: &dyn Fn(usize) -> f64| (0..change.len()).fold(0.0f64, |size, j| size.max(part(j).abs()));
+    pub(crate) fn size(&self, mechanism: &M, change: &M::Q) -> S {
+        let largest =
+            |part: &dyn Fn(usize) -> S| (0..change.len()).fold(S::ZERO, |size, j| larger(size, part(j).abs()));
         match mixes_lengths(mechanism) {
             false => largest(&|j| change[j]) / self.coordinates[0],
             true => largest(&|j| change[j] / self.coordinates[j]),
@@ -128,6 +146,6 @@ impl<M: Mechanism> Measures<M> {
 
 /// Whether the coordinates contain both lengths and others, so that they have different scales.
 #[inline(always)]
-pub(crate) fn mixes_lengths<M: Mechanism>(mechanism: &M) -> bool {
+pub(crate) fn mixes_lengths<S: Scalar, M: Mechanism<S>>(mechanism: &M) -> bool {
     mechanism.description().mixes_lengths
 }

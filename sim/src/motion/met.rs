@@ -2,7 +2,8 @@
 
 use crate::motion::measures::Measures;
 use crate::motion::rows::{Linear, Rows};
-use sim_kernel::{Array, Mechanism};
+use crate::numerics::numbers::smaller;
+use sim_kernel::{Array, Mask, Mechanism, Scalar};
 
 /// A constraint with a residual below this fraction of its terms is met.
 pub(crate) const TOLERANCE: f64 = 1e-12;
@@ -10,37 +11,53 @@ pub(crate) const TOLERANCE: f64 = 1e-12;
 /// projection grows with the terms of a constraint, so a run whose coordinates explode would otherwise pass.
 const LARGEST_ROUNDING: f64 = 1e-6;
 
-/// Whether all of these residuals are at most this fraction of the scales of the constraints.
+/// Where all of these residuals are at most this fraction of the scales of the constraints.
 #[inline(always)]
-pub(crate) fn is_within<M: Mechanism>(measures: &Measures<M>, values: &M::L, part: f64) -> bool {
-    (0..values.len()).all(|row| values[row].abs() <= part * measures.constraints()[row])
+pub(crate) fn is_within<S: Scalar, M: Mechanism<S>>(measures: &Measures<M, S>, values: &M::L, part: f64) -> S::Mask {
+    all::<S>(values.len(), |row| values[row].abs().at_most(S::from_f64(part) * measures.constraints()[row]))
 }
 
-/// Whether every residual is at the level of its own rounding.
+/// Where all of these are true.
+#[inline(always)]
+fn all<S: Scalar>(count: usize, is_true: impl Fn(usize) -> S::Mask) -> S::Mask {
+    let mut mask = S::not(S::Mask::NONE);
+    for i in 0..count {
+        mask = mask & is_true(i);
+    }
+    mask
+}
+
+/// Where every residual is at the level of its own rounding.
 #[inline]
-pub(crate) fn is_met<M: Mechanism, R: Rows<M>>(
+pub(crate) fn is_met<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     mechanism: &M,
-    measures: &Measures<M>,
-    time: f64,
+    measures: &Measures<M, S>,
+    time: S,
     q: &M::Q,
-    linear: &Linear<M, R>,
-) -> bool {
-    is_within(measures, &linear.values, TOLERANCE) || is_met_by_rounding::<M, R>(mechanism, measures, time, q, linear)
+    linear: &Linear<S, M, R>,
+) -> S::Mask {
+    let is_within = is_within(measures, &linear.values, TOLERANCE);
+    match S::not(is_within).any() {
+        false => is_within,
+        true => is_within | is_met_by_rounding::<S, M, R>(mechanism, measures, time, q, linear),
+    }
 }
 
 #[cold]
-fn is_met_by_rounding<M: Mechanism, R: Rows<M>>(
+fn is_met_by_rounding<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     mechanism: &M,
-    measures: &Measures<M>,
-    time: f64,
+    measures: &Measures<M, S>,
+    time: S,
     q: &M::Q,
-    linear: &Linear<M, R>,
-) -> bool {
+    linear: &Linear<S, M, R>,
+) -> S::Mask {
+    let number = S::from_f64;
     let magnitudes = mechanism.constraint_magnitudes(time, q);
-    (0..mechanism.m()).all(|i| {
+    all::<S>(mechanism.m(), |i| {
         let moved = R::terms(mechanism, &linear.jacobian, i, q);
-        let rounding = 8.0 * f64::EPSILON * (magnitudes[i] + moved);
+        let rounding = number(8.0 * f64::EPSILON) * (magnitudes[i] + moved);
         let size = measures.constraints()[i];
-        linear.values[i].abs() <= (rounding + TOLERANCE * size).min(LARGEST_ROUNDING * size)
+        let most = smaller(rounding + number(TOLERANCE) * size, number(LARGEST_ROUNDING) * size);
+        linear.values[i].abs().at_most(most)
     })
 }

@@ -1,6 +1,7 @@
 //! The equations of motion of one mechanism, and how its states are kept on the constraints.
 
 pub(crate) mod equations;
+pub(crate) mod field;
 pub(crate) mod generalized_speeds;
 pub(crate) mod gimbal;
 pub(crate) mod inertia;
@@ -13,6 +14,7 @@ pub(crate) mod met;
 pub(crate) mod mobility;
 mod nearby;
 pub(crate) mod partition;
+pub(crate) mod plain;
 pub(crate) mod project;
 pub(crate) mod reduction;
 pub(crate) mod residuals;
@@ -115,6 +117,17 @@ impl<M: Mechanism> Motion<M> {
     /// The number of evaluations of the right-hand side.
     pub fn evaluations(&self) -> u64 {
         self.evaluations.get()
+    }
+
+    /// Counts right-hand sides that were evaluated elsewhere.
+    pub(crate) fn count(&self, evaluations: u64) {
+        self.evaluations.set(self.evaluations.get() + evaluations);
+    }
+
+    /// Takes what a projection elsewhere found: 1/s^2, as [`keep`](Motion::keep), and the greatest squared lengths of rows.
+    pub(crate) fn take_projection(&self, closeness: f64, longest: M::L) {
+        self.closeness.set(closeness);
+        self.longest.set(longest);
     }
 
     /// The right-hand side at a state inside a step. With partitioning, the dependent parts of the coordinates are

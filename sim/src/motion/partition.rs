@@ -74,7 +74,7 @@ impl<M: Mechanism> Partition<M> {
             subtract(q, &self.positions.solve(mechanism, measures, &by_positions, &linear.values, time, q)?);
             linear = mechanism.constraint_linearization(time, q);
             steps += 1;
-            if is_met::<M, Dense>(mechanism, measures, time, q, &linear) {
+            if is_met::<f64, M, Dense>(mechanism, measures, time, q, &linear) {
                 break;
             }
             if steps == MOST_STEPS {

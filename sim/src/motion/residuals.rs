@@ -3,16 +3,24 @@
 use crate::motion::rows::{Dense, Linear, Rows};
 use crate::state::failure::largest;
 use crate::state::trajectory::State;
-use sim_kernel::{Array, ConstraintLinearization, Mechanism};
+use sim_kernel::{Array, ConstraintLinearization, Mechanism, Scalar};
 
 /// C_q q' + C_t.
 #[inline]
-pub fn rates<M: Mechanism>(mechanism: &M, linear: &ConstraintLinearization<M::L, M::LQ>, qd: &M::Q) -> M::L {
-    rates_of::<M, Dense>(mechanism, linear, qd)
+pub fn rates<S: Scalar, M: Mechanism<S>>(
+    mechanism: &M,
+    linear: &ConstraintLinearization<M::L, M::LQ>,
+    qd: &M::Q,
+) -> M::L {
+    rates_of::<S, M, Dense>(mechanism, linear, qd)
 }
 
 #[inline(always)]
-pub(crate) fn rates_of<M: Mechanism, R: Rows<M>>(mechanism: &M, linear: &Linear<M, R>, qd: &M::Q) -> M::L {
+pub(crate) fn rates_of<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
+    mechanism: &M,
+    linear: &Linear<S, M, R>,
+    qd: &M::Q,
+) -> M::L {
     let along = R::times(mechanism, &linear.jacobian, qd);
     along.like(|i| along[i] + linear.time_derivative[i])
 }

@@ -85,7 +85,7 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
     fn is_met(&self, time: f64, q: &[f64]) -> bool {
         let q = array(self.0.n(), q);
         let measures = Measures::of_independent(self.0, self, time, &q);
-        is_met::<M, Dense>(self.0, &measures, time, &q, &self.0.constraint_linearization(time, &q))
+        is_met::<f64, M, Dense>(self.0, &measures, time, &q, &self.0.constraint_linearization(time, &q))
     }
     fn project_positions(&self, time: f64, q: &mut [f64]) -> Result<(), Failure> {
         let mut projected = array(self.0.n(), q);

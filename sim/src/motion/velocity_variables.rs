@@ -10,38 +10,38 @@
 use crate::motion::Motion;
 use crate::state::failure::{Failure, What};
 use crate::state::trajectory::{Rates, Sample, State};
-use sim_kernel::{Array, Dual, Mechanism};
+use sim_kernel::{Array, Dual, Mechanism, Scalar};
 
 /// q on dual numbers.
 type DualQ<M> = <<M as Mechanism>::On<Dual> as Mechanism<Dual>>::Q;
 
 /// A state with its velocity variables in the place of its speeds.
 #[derive(Debug)]
-pub(crate) struct Integrated<M: Mechanism>(State<M>);
+pub(crate) struct Integrated<M: Mechanism<S>, S: Scalar = f64>(pub(super) State<M, S>);
 
-impl<M: Mechanism> Clone for Integrated<M> {
-    fn clone(&self) -> Integrated<M> {
+impl<S: Scalar, M: Mechanism<S>> Clone for Integrated<M, S> {
+    fn clone(&self) -> Integrated<M, S> {
         *self
     }
 }
 
-impl<M: Mechanism> Copy for Integrated<M> {}
+impl<S: Scalar, M: Mechanism<S>> Copy for Integrated<M, S> {}
 
-impl<M: Mechanism> Integrated<M> {
+impl<S: Scalar, M: Mechanism<S>> Integrated<M, S> {
     /// Its time.
     #[inline(always)]
-    pub(crate) fn time(&self) -> f64 {
+    pub(crate) fn time(&self) -> S {
         self.0.time
     }
 
     /// The same at `time` after a change of `factor` times some rates.
     #[inline(always)]
-    pub(crate) fn changed(&self, time: f64, factor: f64, rates: &Rates<M>) -> Integrated<M> {
+    pub(crate) fn changed(&self, time: S, factor: S, rates: &Rates<M, S>) -> Integrated<M, S> {
         Integrated(self.0.changed(time, factor, rates))
     }
 
     /// The change from another.
-    pub(crate) fn change_from(&self, from: &Integrated<M>) -> Rates<M> {
+    pub(crate) fn change_from(&self, from: &Integrated<M, S>) -> Rates<M, S> {
         let (a, b) = (&from.0, &self.0);
         Rates {
             positions: b.positions.like(|i| b.positions[i] - a.positions[i]),

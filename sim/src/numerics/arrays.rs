@@ -1,18 +1,19 @@
 //! Arrays as vectors.
 
+use super::numbers::sum;
 use sim_kernel::{Array, Scalar};
 
 /// a' b.
-#[inline]
-pub(crate) fn inner<A: Array<f64>>(a: &A, b: &A) -> f64 {
-    a.iter().zip(b.iter()).map(|(a, b)| a * b).sum()
+#[inline(always)]
+pub(crate) fn inner<S: Scalar, A: Array<S>>(a: &A, b: &A) -> S {
+    sum(a.iter().zip(b.iter()).map(|(a, b)| *a * *b))
 }
 
 /// Subtracts a correction from an array.
-#[inline]
-pub(crate) fn subtract<A: Array<f64>>(from: &mut A, correction: &A) {
+#[inline(always)]
+pub(crate) fn subtract<S: Scalar, A: Array<S>>(from: &mut A, correction: &A) {
     for (value, correction) in from.as_mut().iter_mut().zip(correction.iter()) {
-        *value -= correction;
+        *value = *value - *correction;
     }
 }
 

@@ -5,5 +5,6 @@ pub(crate) mod eigen;
 pub(crate) mod insertion;
 pub(crate) mod lu;
 pub(crate) mod nearest;
+pub(crate) mod numbers;
 pub(crate) mod root;
 pub(crate) mod solve;

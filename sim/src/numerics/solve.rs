@@ -1,6 +1,8 @@
 //! Small dense linear systems of fixed size, without allocation.
 
-use sim_kernel::Array;
+use super::numbers::{finite, sum};
+use sim_kernel::{Array, Mask, Scalar};
+use std::marker::PhantomData;
 
 /// A pivot this much smaller than the largest counts as zero. Rows and columns are first scaled to comparable size, so
 /// that units do not matter.
@@ -143,51 +145,60 @@ pub(crate) struct Undefined {
 
 /// L D L' factors of a symmetric matrix that is positive definite, or semidefinite because rows depend on each other.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Definite<A, R> {
+pub(crate) struct Definite<A, R, S = f64> {
     /// L, below the diagonal.
     lower: A,
     /// 1/D; zero for rows that depend on those before.
     inverse_pivots: R,
+    numbers: PhantomData<S>,
 }
 
-impl<A: Array<R>, R: Array<f64>> Definite<A, R> {
+impl<S: Scalar, A: Array<R>, R: Array<S>> Definite<A, R, S> {
     /// Factorises a matrix of which the lower triangle is given.
     ///
     /// A row whose pivot has lost all but a few digits to cancellation depends on those before.
     #[inline]
-    pub(crate) fn new(mut lower: A) -> Result<Definite<A, R>, Undefined> {
+    pub(crate) fn new(mut lower: A) -> Result<Definite<A, R, S>, Undefined> {
         let n = lower.len();
-        let mut inverse_pivots = R::repeat(n, 0.0);
+        let mut inverse_pivots = R::repeat(n, S::ZERO);
         for k in 0..n {
             let mut pivot = lower[k][k];
             for j in 0..k {
-                let known: f64 = (0..j).map(|i| lower[k][i] * lower[j][i]).sum();
-                lower[k][j] -= known;
+                let known = sum((0..j).map(|i| lower[k][i] * lower[j][i]));
+                lower[k][j] = lower[k][j] - known;
             }
             for j in 0..k {
                 let scaled = lower[k][j] * inverse_pivots[j];
-                pivot -= lower[k][j] * scaled;
+                pivot = pivot - lower[k][j] * scaled;
                 lower[k][j] = scaled;
             }
-            if pivot > LEAST_INDEPENDENCE * lower[k][k] {
-                inverse_pivots[k] = 1.0 / pivot;
-            } else if !pivot.is_finite() {
-                return Err(Undefined { row: k });
-            }
+            inverse_pivots[k] = inverse_pivot(pivot, lower[k][k]).ok_or(Undefined { row: k })?;
         }
-        Ok(Definite { lower, inverse_pivots })
+        Ok(Definite { lower, inverse_pivots, numbers: PhantomData })
     }
 
     /// Factors of nothing yet.
     #[inline(always)]
-    pub(crate) fn blank(n: usize) -> Definite<A, R> {
-        Definite { lower: A::repeat(n, R::repeat(n, 0.0)), inverse_pivots: R::repeat(n, 0.0) }
+    pub(crate) fn blank(n: usize) -> Definite<A, R, S> {
+        let lower = A::repeat(n, R::repeat(n, S::ZERO));
+        Definite { lower, inverse_pivots: R::repeat(n, S::ZERO), numbers: PhantomData }
     }
 
     /// The diagonal entry of a row, and the inverse of its pivot: zero if the row depends on those before it.
     #[inline]
-    pub(crate) fn row(&self, k: usize) -> (f64, f64) {
+    pub(crate) fn row(&self, k: usize) -> (S, S) {
         (self.lower[k][k], self.inverse_pivots[k])
+    }
+
+    /// These where the mask is true, and others elsewhere.
+    #[inline]
+    pub(crate) fn or(self, mask: S::Mask, others: &Definite<A, R, S>) -> Definite<A, R, S> {
+        let select = |yes: &R, no: &R| yes.like(|i| S::select(mask, yes[i], no[i]));
+        Definite {
+            lower: self.lower.like(|i| select(&self.lower[i], &others.lower[i])),
+            inverse_pivots: select(&self.inverse_pivots, &others.inverse_pivots),
+            numbers: PhantomData,
+        }
     }
 
     /// The solution for a right-hand side; zero for unknowns whose rows depend on others.
@@ -195,16 +206,25 @@ impl<A: Array<R>, R: Array<f64>> Definite<A, R> {
     pub(crate) fn solve(&self, mut rhs: R) -> R {
         let (n, lower) = (rhs.len(), &self.lower);
         for k in 0..n {
-            let known: f64 = (0..k).map(|j| lower[k][j] * rhs[j]).sum();
-            rhs[k] -= known;
+            let known = sum((0..k).map(|j| lower[k][j] * rhs[j]));
+            rhs[k] = rhs[k] - known;
         }
         for k in (0..n).rev() {
-            let known: f64 = (k + 1..n).map(|i| lower[i][k] * rhs[i]).sum();
-            let solves = self.inverse_pivots[k] != 0.0;
-            rhs[k] = if solves { rhs[k] * self.inverse_pivots[k] - known } else { 0.0 };
+            let known = sum((k + 1..n).map(|i| lower[i][k] * rhs[i]));
+            let solved = rhs[k] * self.inverse_pivots[k] - known;
+            rhs[k] = S::select(self.inverse_pivots[k].abs().greater(S::ZERO), solved, S::ZERO);
         }
         rhs
     }
+}
+
+/// The inverse of the pivot of a row with this diagonal entry: zero if the row depends on those before it, none if it
+/// is not finite.
+#[inline(always)]
+pub(crate) fn inverse_pivot<S: Scalar>(pivot: S, diagonal: S) -> Option<S> {
+    let is_independent = pivot.greater(S::from_f64(LEAST_INDEPENDENCE) * diagonal);
+    let is_known = is_independent | finite(pivot);
+    (!S::not(is_known).any()).then(|| S::select(is_independent, S::from_f64(1.0) / pivot, S::ZERO))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Failures of a motion, with place and time.
 
 pub use super::what::What;
-use sim_kernel::{Description, Mechanism};
+use sim_kernel::{Description, Mechanism, Scalar};
 use std::fmt;
 
 /// A failure with the time and state at which it happened.
@@ -19,15 +19,15 @@ pub struct Failure {
 
 impl Failure {
     /// A failure at a state of a mechanism.
-    pub fn at<M: Mechanism>(mechanism: &M, what: What, time: f64, q: &M::Q) -> Failure {
+    pub fn at<S: Scalar, M: Mechanism<S>>(mechanism: &M, what: What, time: S, q: &M::Q) -> Failure {
         Failure::of(mechanism.description(), what, time, q.as_ref())
     }
 
     /// A failure at a state of the mechanism of this description.
-    pub(crate) fn of(description: &'static Description, what: What, time: f64, q: &[f64]) -> Failure {
+    pub(crate) fn of<S: Scalar>(description: &'static Description, what: What, time: S, q: &[S]) -> Failure {
         let coordinates = || description.coordinates.iter().map(|c| &c.position);
-        let state = coordinates().map(|c| c.name).zip(q.iter().copied()).collect();
-        Failure { what, time, state, units: coordinates().map(|c| (c.unit, c.factor)).collect() }
+        let state = coordinates().map(|c| c.name).zip(q.iter().map(|value| value.first_value())).collect();
+        Failure { what, time: time.first_value(), state, units: coordinates().map(|c| (c.unit, c.factor)).collect() }
     }
 }
 
@@ -62,7 +62,7 @@ fn readable(value: f64) -> String {
 }
 
 /// The name of a constraint row.
-pub(crate) fn constraint_name<M: Mechanism>(mechanism: &M, row: usize) -> &'static str {
+pub(crate) fn constraint_name<S: Scalar, M: Mechanism<S>>(mechanism: &M, row: usize) -> &'static str {
     row_name(mechanism.description(), row)
 }
 
@@ -72,12 +72,12 @@ pub(crate) fn row_name(description: &Description, row: usize) -> &'static str {
 }
 
 /// The entry of largest magnitude, a NaN before all others. `None` for an empty vector.
-pub(crate) fn largest<'a>(values: impl IntoIterator<Item = &'a f64>) -> Option<(usize, f64)> {
+pub(crate) fn largest<'a, S: Scalar>(values: impl IntoIterator<Item = &'a S>) -> Option<(usize, f64)> {
     let mut found: Option<(usize, f64)> = None;
-    for (i, value) in values.into_iter().enumerate() {
+    for (i, value) in values.into_iter().map(|value| value.first_value()).enumerate() {
         let exceeds = |best: f64| !(value.abs() <= best.abs());
         if found.is_none_or(|(_, best)| exceeds(best) && !best.is_nan()) {
-            found = Some((i, *value));
+            found = Some((i, value));
         }
     }
     found

@@ -1,33 +1,35 @@
-//! States, samples and trajectories.
+//! States, samples and trajectories. States, samples and rates may be of any numbers: of several motions side by side,
+//! or with derivatives.
 
 use crate::Failure;
-use sim_kernel::{Array, Dynamics, Mechanism};
+use crate::numerics::numbers::are_finite;
+use sim_kernel::{Array, Dynamics, Mechanism, Scalar};
 
 /// The integrated variables: the state of a mechanism, and the work done on it.
 #[derive(Debug)]
-pub struct State<M: Mechanism> {
+pub struct State<M: Mechanism<S>, S: Scalar = f64> {
     /// t, in seconds.
-    pub time: f64,
+    pub time: S,
     /// q.
     pub positions: M::Q,
     /// q'.
     pub speeds: M::Q,
     /// The work of loads and drives since the start, in joules.
-    pub work: f64,
+    pub work: S,
 }
 
-impl<M: Mechanism> Clone for State<M> {
-    fn clone(&self) -> State<M> {
+impl<S: Scalar, M: Mechanism<S>> Clone for State<M, S> {
+    fn clone(&self) -> State<M, S> {
         *self
     }
 }
 
-impl<M: Mechanism> Copy for State<M> {}
+impl<S: Scalar, M: Mechanism<S>> Copy for State<M, S> {}
 
-impl<M: Mechanism> State<M> {
+impl<S: Scalar, M: Mechanism<S>> State<M, S> {
     /// The state at `time` after a change of `factor` times some rates.
     #[inline(always)]
-    pub fn changed(&self, time: f64, factor: f64, rates: &Rates<M>) -> State<M> {
+    pub fn changed(&self, time: S, factor: S, rates: &Rates<M, S>) -> State<M, S> {
         State {
             time,
             positions: self.positions.like(|i| self.positions[i] + factor * rates.positions[i]),
@@ -39,76 +41,75 @@ impl<M: Mechanism> State<M> {
     /// Whether all of it is finite.
     #[inline(always)]
     pub fn is_finite(&self) -> bool {
-        let all_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
-        all_finite(self.positions.as_ref()) && all_finite(self.speeds.as_ref()) && self.work.is_finite()
+        are_finite(self.positions.as_ref()) && are_finite(self.speeds.as_ref()) && are_finite(&[self.work])
     }
 }
 
 /// A state with the quantities that follow from it, all at one time.
 #[derive(Debug)]
-pub struct Sample<M: Mechanism> {
+pub struct Sample<M: Mechanism<S>, S: Scalar = f64> {
     /// The state.
-    pub state: State<M>,
+    pub state: State<M, S>,
     /// q''.
     pub accelerations: M::Q,
     /// lambda.
     pub multipliers: M::L,
     /// The power of loads and drives, in watts.
-    pub power: f64,
+    pub power: S,
     /// The inputs that all of this follows from.
     pub inputs: M::Inputs,
 }
 
-impl<M: Mechanism> Clone for Sample<M> {
-    fn clone(&self) -> Sample<M> {
+impl<S: Scalar, M: Mechanism<S>> Clone for Sample<M, S> {
+    fn clone(&self) -> Sample<M, S> {
         *self
     }
 }
 
-impl<M: Mechanism> Copy for Sample<M> {}
+impl<S: Scalar, M: Mechanism<S>> Copy for Sample<M, S> {}
 
-impl<M: Mechanism> Sample<M> {
+impl<S: Scalar, M: Mechanism<S>> Sample<M, S> {
     /// A state with the solution of the equations of motion there, at these inputs.
-    pub fn new(state: State<M>, dynamics: &Dynamics<f64, M::Q, M::L>, inputs: M::Inputs) -> Sample<M> {
+    pub fn new(state: State<M, S>, dynamics: &Dynamics<S, M::Q, M::L>, inputs: M::Inputs) -> Sample<M, S> {
         let Dynamics { accelerations, multipliers, power, .. } = *dynamics;
         Sample { state, accelerations, multipliers, power, inputs }
     }
 
     /// The rates of the state in time.
-    pub fn rates(&self) -> Rates<M> {
+    pub fn rates(&self) -> Rates<M, S> {
         Rates { positions: self.state.speeds, speeds: self.accelerations, work: self.power }
     }
 }
 
 /// The rate of each part of a state, or a change of it.
 #[derive(Debug)]
-pub struct Rates<M: Mechanism> {
+pub struct Rates<M: Mechanism<S>, S: Scalar = f64> {
     /// Of the positions: q'.
     pub positions: M::Q,
     /// Of the speeds: q''.
     pub speeds: M::Q,
     /// Of the work: the power, in watts.
-    pub work: f64,
+    pub work: S,
 }
 
-impl<M: Mechanism> Clone for Rates<M> {
-    fn clone(&self) -> Rates<M> {
+impl<S: Scalar, M: Mechanism<S>> Clone for Rates<M, S> {
+    fn clone(&self) -> Rates<M, S> {
         *self
     }
 }
 
-impl<M: Mechanism> Copy for Rates<M> {}
+impl<S: Scalar, M: Mechanism<S>> Copy for Rates<M, S> {}
 
-impl<M: Mechanism> Rates<M> {
+impl<S: Scalar, M: Mechanism<S>> Rates<M, S> {
     /// No change of a state with so many coordinates.
     #[inline(always)]
-    pub fn zero(n: usize) -> Rates<M> {
-        Rates { positions: M::Q::repeat(n, 0.0), speeds: M::Q::repeat(n, 0.0), work: 0.0 }
+    pub fn zero(n: usize) -> Rates<M, S> {
+        Rates { positions: M::Q::repeat(n, S::ZERO), speeds: M::Q::repeat(n, S::ZERO), work: S::ZERO }
     }
 
     /// These, times a factor.
     #[inline(always)]
-    pub fn scaled(&self, factor: f64) -> Rates<M> {
+    pub fn scaled(&self, factor: S) -> Rates<M, S> {
         Rates {
             positions: self.positions.like(|i| factor * self.positions[i]),
             speeds: self.speeds.like(|i| factor * self.speeds[i]),
@@ -118,12 +119,12 @@ impl<M: Mechanism> Rates<M> {
 
     /// Adds a multiple of others.
     #[inline(always)]
-    pub fn add(&mut self, weight: f64, other: &Rates<M>) {
+    pub fn add(&mut self, weight: S, other: &Rates<M, S>) {
         for i in 0..self.positions.len() {
-            self.positions[i] += weight * other.positions[i];
-            self.speeds[i] += weight * other.speeds[i];
+            self.positions[i] = self.positions[i] + weight * other.positions[i];
+            self.speeds[i] = self.speeds[i] + weight * other.speeds[i];
         }
-        self.work += weight * other.work;
+        self.work = self.work + weight * other.work;
     }
 }
 

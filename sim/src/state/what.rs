@@ -100,6 +100,12 @@ pub enum What {
              to integrate coordinates and their speeds"
     )]
     SpeedsUndetermined,
+    /// What is asked for is found only of motions without this.
+    #[error("this motion cannot be differentiated step by step: {why}")]
+    NotPlain {
+        /// What stands in the way.
+        why: &'static str,
+    },
     /// The angles of an attitude do not determine its motion here.
     #[error(
         "gimbal lock: {angles} turn about the same axis here, and together they turn nothing, so their accelerations are not \
@@ -334,6 +340,7 @@ impl What {
             What::SingularState { .. } => "E-SINGULAR-STATE",
             What::NoEigenvalues { .. } => "E-NO-EIGENVALUES",
             What::Singular { .. } => "E-SINGULAR",
+            What::NotPlain { .. } => "E-NOT-PLAIN",
             What::SpeedsUndetermined => "E-SPEEDS-UNDETERMINED",
             What::GimbalLock { .. } => "E-GIMBAL-LOCK",
             What::NegativeMass { .. } => "E-NEGATIVE-MASS",

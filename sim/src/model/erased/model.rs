@@ -102,7 +102,7 @@ pub trait Model: Debug + Send + Sync {
     /// Gives the rows of a kernel's result. True if the kernel refuses a pivot: the result is then not valid.
     fn call(&self, kernel: Kernel, at: At<f64>, found: Found<f64>) -> bool;
     /// The same on dual numbers, with these values in place of its own, for the kernels that analyses differentiate:
-    /// the linearised constraints, dynamics, velocities and their variables, outputs and their rates. It refuses others.
+    /// the linearised constraints and their magnitudes, dynamics, velocities and their variables, outputs and their rates. It refuses others.
     fn call_on_duals(&self, values: &Values<Dual>, kernel: Kernel, at: At<Dual>, found: Found<Dual>) -> bool;
     /// Its equations of motion, with all that the parameters determine computed.
     fn prepare(&self) -> Box<dyn Prepared>;

@@ -110,6 +110,13 @@ fn call_differentiable<S: Scalar, M: Mechanism<S>>(mechanism: &M, kernel: Kernel
             found(1, linear.time_derivative.as_ref());
             rows(2, &linear.jacobian, found);
         }
+        Kernel::ConstraintMagnitudes => found(0, mechanism.constraint_magnitudes(t, &q).as_ref()),
+        Kernel::SparseLinearization => {
+            let linear = mechanism.sparse_linearization(t, &q);
+            found(0, linear.values.as_ref());
+            found(1, linear.time_derivative.as_ref());
+            found(2, linear.jacobian.as_ref());
+        }
         Kernel::Dynamics | Kernel::Velocities => {
             return call_prepared::<S, M>(&mechanism.prepare(), kernel, at, found);
         }
@@ -134,16 +141,9 @@ fn call<M: Mechanism>(mechanism: &M, kernel: Kernel, at: At<f64>, found: Found<f
         Kernel::ConvectiveForces => found(0, mechanism.convective_forces(t, &q, &qd).as_ref()),
         Kernel::GeneralizedForces => found(0, mechanism.generalized_forces(t, &q, &qd).as_ref()),
         Kernel::Constraints => found(0, mechanism.constraints(t, &q).as_ref()),
-        Kernel::ConstraintMagnitudes => found(0, mechanism.constraint_magnitudes(t, &q).as_ref()),
         Kernel::ConstraintJacobian => rows(0, &mechanism.constraint_jacobian(t, &q), found),
         Kernel::ConstraintTimeDerivative => found(0, mechanism.constraint_time_derivative(t, &q).as_ref()),
         Kernel::ConstraintConvective => found(0, mechanism.constraint_convective(t, &q, &qd).as_ref()),
-        Kernel::SparseLinearization => {
-            let linear = mechanism.sparse_linearization(t, &q);
-            found(0, linear.values.as_ref());
-            found(1, linear.time_derivative.as_ref());
-            found(2, linear.jacobian.as_ref());
-        }
         Kernel::KineticEnergy => found(0, &[mechanism.kinetic_energy(t, &q, &qd)]),
         Kernel::InverseDynamics => found(0, mechanism.inverse_dynamics(t, &q, &qd, &accelerations()).as_ref()),
         Kernel::DynamicsJacobian => {
@@ -165,6 +165,8 @@ fn call<M: Mechanism>(mechanism: &M, kernel: Kernel, at: At<f64>, found: Found<f
         Kernel::EventValues => found(0, mechanism.event_values(t, &q, &qd).as_ref()),
         Kernel::Drawing => found(0, mechanism.drawing(t, &q).as_ref()),
         Kernel::ConstraintLinearization
+        | Kernel::ConstraintMagnitudes
+        | Kernel::SparseLinearization
         | Kernel::Dynamics
         | Kernel::Velocities
         | Kernel::VelocityVariables

@@ -6,20 +6,21 @@
 //! residuals are first reduced to the rank of C_q (`redundant`).
 //!
 
+mod by_mass;
 mod redundant;
 
-use crate::model::level::{between_positions, has_speed_rows};
-use crate::motion::equations::by_inertia;
+use crate::model::level::has_speed_rows;
 use crate::motion::measures::Measures;
 use crate::motion::met::{TOLERANCE, is_met, is_within};
-use crate::motion::reduction::Reduction;
 use crate::motion::residuals::{rates, rates_of};
-use crate::motion::rows::{Dense, Linear, Rows, Sparse, is_sparse};
+use crate::motion::rows::{Dense, Linear, Rows, Sparse, is_sparse, select_each};
 use crate::numerics::arrays::subtract;
+use crate::numerics::numbers::{are_finite, larger};
 use crate::state::failure::{Failure, What, constraint_name, largest};
 use crate::state::trajectory::State;
+pub(crate) use by_mass::{by_mass, smallest_by_inertia};
 use redundant::{correct_redundant_positions, project_redundant, reduced_change};
-use sim_kernel::{Array, ConstraintLinearization, Mechanism};
+use sim_kernel::{Array, ConstraintLinearization, Mask, Mechanism, Scalar};
 use std::cell::Cell;
 
 /// Corrections after which a projection that has not converged is given up.
@@ -51,57 +52,74 @@ pub(crate) fn project_measured<M: Mechanism>(
     state: &mut State<M>,
     longest: &Cell<M::L>,
 ) -> Result<f64, Failure> {
-    if mechanism.m() == 0 {
-        return Ok(0.0);
-    }
-    if measures.is_redundant() {
+    if mechanism.m() > 0 && measures.is_redundant() {
         return project_redundant(mechanism, measures, state);
     }
-    match is_sparse(mechanism) {
-        false => project_independent::<M, Dense>(mechanism, measures, state, longest),
-        true => project_independent::<M, Sparse>(mechanism, measures, state, longest),
+    project_by_rows(mechanism, measures, state, longest)
+}
+
+/// The same without redundant constraints, on numbers of any kind.
+///
+/// # Errors
+/// As [`project`], if any lane fails.
+#[inline(always)]
+pub(crate) fn project_by_rows<S: Scalar, M: Mechanism<S>>(
+    mechanism: &M,
+    measures: &Measures<M, S>,
+    state: &mut State<M, S>,
+    longest: &Cell<M::L>,
+) -> Result<S, Failure> {
+    match (mechanism.m(), is_sparse(mechanism)) {
+        (0, _) => Ok(S::ZERO),
+        (_, false) => project_independent::<S, M, Dense>(mechanism, measures, state, longest),
+        (_, true) => project_independent::<S, M, Sparse>(mechanism, measures, state, longest),
     }
 }
 
-/// The same without redundant constraints.
+/// The same with rows stored in this way.
 #[inline(always)]
-fn project_independent<M: Mechanism, R: Rows<M>>(
+fn project_independent<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     mechanism: &M,
-    measures: &Measures<M>,
-    state: &mut State<M>,
+    measures: &Measures<M, S>,
+    state: &mut State<M, S>,
     longest: &Cell<M::L>,
-) -> Result<f64, Failure> {
+) -> Result<S, Failure> {
     let (time, q) = (state.time, &mut state.positions);
     let (mut linear, mut factors) = (R::linearization(mechanism, time, q), R::no_factors(mechanism));
-    let last_change = correct_positions::<M, R>(mechanism, measures, (time, q), &mut linear, &mut factors)?;
-    let open = rates_of::<M, R>(mechanism, &linear, &state.speeds);
-    let is_slow = |row: usize| open[row].abs() <= SMALL_RATE * measures.constraints()[row];
-    let serves = !has_speed_rows(mechanism) && last_change <= SMALL_CHANGE && (0..mechanism.m()).all(is_slow);
+    let last_change = correct_positions::<S, M, R>(mechanism, measures, (time, q), &mut linear, &mut factors)?;
+    let open = rates_of::<S, M, R>(mechanism, &linear, &state.speeds);
     let columns = R::columns(mechanism, &linear.jacobian, measures);
-    if !serves {
-        factorise_again::<M, R>(mechanism, &columns, &mut factors, time, q)?;
+    let is_small = last_change.at_most(S::from_f64(SMALL_CHANGE)) & is_within(measures, &open, SMALL_RATE);
+    let serves = if has_speed_rows(mechanism) { S::Mask::NONE } else { is_small };
+    if S::not(serves).any() {
+        factorise_again::<S, M, R>(mechanism, &columns, serves, &mut factors, time, q)?;
     }
     if !R::is_regular(mechanism, &factors)
         && R::dependent(mechanism, &factors).count() > mechanism.m() - measures.rank()
     {
-        return Err(singular_position::<M, R>(mechanism, &factors, time, q));
+        return Err(singular_position::<S, M, R>(mechanism, &factors, time, q));
     }
-    subtract(&mut state.speeds, &least_change::<M, R>(mechanism, measures, &columns, &factors, open));
+    subtract(&mut state.speeds, &least_change::<S, M, R>(mechanism, measures, &columns, &factors, open));
     if !R::is_regular(mechanism, &factors) {
-        check_dependent_rates::<M, R>(mechanism, &linear, measures, time, q, &state.speeds)?;
+        check_dependent_rates::<S, M, R>(mechanism, &linear, measures, time, q, &state.speeds)?;
     }
-    let (mut squares, mut closeness) = (longest.get(), 0.0f64);
+    let (mut squares, mut closeness) = (longest.get(), S::ZERO);
     for k in 0..mechanism.m() {
         let (row, (square, inverse_pivot)) = (R::constraint(mechanism, k), R::pivot(mechanism, &factors, k));
-        squares[row] = squares[row].max(square);
-        closeness = closeness.max(squares[row] * inverse_pivot);
+        squares[row] = larger(squares[row], square);
+        closeness = larger(closeness, squares[row] * inverse_pivot);
     }
     longest.set(squares);
     Ok(closeness)
 }
 
 #[cold]
-fn singular_position<M: Mechanism, R: Rows<M>>(mechanism: &M, factors: &R::Factors, time: f64, q: &M::Q) -> Failure {
+fn singular_position<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
+    mechanism: &M,
+    factors: &R::Factors,
+    time: S,
+    q: &M::Q,
+) -> Failure {
     let constraint = R::dependent(mechanism, factors)
         .last()
         .map_or("?", |k| constraint_name(mechanism, R::constraint(mechanism, k)));
@@ -129,7 +147,7 @@ pub fn project_positions<M: Mechanism>(
         _ if measures.is_redundant() => correct_redundant_positions(mechanism, measures, (time, q), &mut linear)?,
         _ => {
             let mut factors = Dense::no_factors(mechanism);
-            correct_positions::<M, Dense>(mechanism, measures, (time, q), &mut linear, &mut factors)?;
+            correct_positions::<f64, M, Dense>(mechanism, measures, (time, q), &mut linear, &mut factors)?;
         }
     }
     Ok(linear)
@@ -157,11 +175,11 @@ pub fn project_velocities<M: Mechanism>(
     let open = rates(mechanism, linear, qd);
     let columns = measures.columns(mechanism, &linear.jacobian);
     let mut factors = Dense::no_factors(mechanism);
-    factorise::<M, Dense>(mechanism, &columns, &mut factors, time, q)?;
-    subtract(qd, &least_change::<M, Dense>(mechanism, measures, &columns, &factors, open));
-    match <Dense as Rows<M>>::is_regular(mechanism, &factors) {
+    factorise::<f64, M, Dense>(mechanism, &columns, false, &mut factors, time, q)?;
+    subtract(qd, &least_change::<f64, M, Dense>(mechanism, measures, &columns, &factors, open));
+    match <Dense as Rows<f64, M>>::is_regular(mechanism, &factors) {
         true => Ok(()),
-        false => check_dependent_rates::<M, Dense>(mechanism, linear, measures, time, q, qd),
+        false => check_dependent_rates::<f64, M, Dense>(mechanism, linear, measures, time, q, qd),
     }
 }
 
@@ -176,45 +194,7 @@ fn project_redundant_velocities<M: Mechanism>(
 ) -> Result<(), Failure> {
     let open = rates(mechanism, linear, qd);
     subtract(qd, &reduced_change(mechanism, measures, (&linear.jacobian, measures.rank()), &open, time, q)?.0);
-    check_dependent_rates::<M, Dense>(mechanism, linear, measures, time, q, qd)
-}
-
-/// The same projections in the metric of the mass matrix M: q -= M^-1 C_q' (C_q M^-1 C_q')^-1 C, and so for q'.
-///
-/// # Errors
-/// As [`project`], and where the mass matrix does not determine the change.
-pub(crate) fn by_mass<M: Mechanism>(
-    mechanism: &M,
-    measures: &Measures<M>,
-    state: &mut State<M>,
-) -> Result<(), Failure> {
-    let (time, q) = (state.time, &mut state.positions);
-    let mut linear = mechanism.constraint_linearization(time, q);
-    correct::<M, Dense>(mechanism, measures, (time, q), &mut linear, |linear, q| {
-        let jacobian = between_positions(mechanism, &linear.jacobian);
-        let rank = measures.rank_of_positions();
-        smallest_by_inertia(mechanism, measures, time, q, (&jacobian, &linear.values), rank)
-    })?;
-    let open = rates(mechanism, &linear, &state.speeds);
-    let change = smallest_by_inertia(mechanism, measures, time, q, (&linear.jacobian, &open), measures.rank())?;
-    subtract(&mut state.speeds, &change);
-    Ok(())
-}
-
-/// M^-1 C_q' (C_q M^-1 C_q')^-1 r, for C_q of this rank away from singular positions.
-pub(crate) fn smallest_by_inertia<M: Mechanism>(
-    mechanism: &M,
-    measures: &Measures<M>,
-    time: f64,
-    q: &M::Q,
-    (jacobian, open): (&M::LQ, &M::L),
-    rank: usize,
-) -> Result<M::Q, Failure> {
-    if !measures.is_redundant() {
-        return by_inertia(mechanism, time, q, jacobian, open);
-    }
-    let reduction = Reduction::new(mechanism, jacobian, measures, rank);
-    by_inertia(mechanism, time, q, &reduction.rows(jacobian), &reduction.values(open))
+    check_dependent_rates::<f64, M, Dense>(mechanism, linear, measures, time, q, qd)
 }
 
 /// Corrects positions; leaves the constraints linearised there, and the factors that the last correction was made with.
@@ -222,48 +202,53 @@ pub(crate) fn smallest_by_inertia<M: Mechanism>(
 ///
 /// Both are left in place: copies of them would take as long as the projection.
 #[inline]
-fn correct_positions<M: Mechanism, R: Rows<M>>(
+fn correct_positions<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     mechanism: &M,
-    measures: &Measures<M>,
-    (time, q): (f64, &mut M::Q),
-    linear: &mut Linear<M, R>,
+    measures: &Measures<M, S>,
+    (time, q): (S, &mut M::Q),
+    linear: &mut Linear<S, M, R>,
     factors: &mut R::Factors,
-) -> Result<f64, Failure> {
-    let mut last_change = 0.0;
-    correct::<M, R>(mechanism, measures, (time, q), linear, |linear, q| {
+) -> Result<S, Failure> {
+    let mut last_change = S::ZERO;
+    correct::<S, M, R>(mechanism, measures, (time, q), linear, |linear, q, is_done| {
         let columns = match has_speed_rows(mechanism) {
             false => R::columns(mechanism, &linear.jacobian, measures),
             true => R::columns(mechanism, &R::between_positions(mechanism, &linear.jacobian), measures),
         };
-        factorise::<M, R>(mechanism, &columns, factors, time, q)?;
-        let change = least_change::<M, R>(mechanism, measures, &columns, factors, linear.values);
-        last_change = measures.size(mechanism, &change);
+        factorise::<S, M, R>(mechanism, &columns, is_done, factors, time, q)?;
+        let change = least_change::<S, M, R>(mechanism, measures, &columns, factors, linear.values);
+        last_change = S::select(is_done, last_change, measures.size(mechanism, &change));
         Ok(change)
     })?;
     Ok(last_change)
 }
 
 /// Subtracts corrections from positions, at which the constraints are linearised, until these are met; leaves them linearised
-/// there.
+/// there. Each lane ends with its own correction: `change` is told which are done.
 #[inline]
-fn correct<M: Mechanism, R: Rows<M>>(
+fn correct<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     mechanism: &M,
-    measures: &Measures<M>,
-    (time, q): (f64, &mut M::Q),
-    linear: &mut Linear<M, R>,
-    mut change: impl FnMut(&Linear<M, R>, &M::Q) -> Result<M::Q, Failure>,
+    measures: &Measures<M, S>,
+    (time, q): (S, &mut M::Q),
+    linear: &mut Linear<S, M, R>,
+    mut change: impl FnMut(&Linear<S, M, R>, &M::Q, S::Mask) -> Result<M::Q, Failure>,
 ) -> Result<(), Failure> {
+    let mut is_done = S::Mask::NONE;
     for _ in 0..MOST_CORRECTIONS {
-        if !linear.values.iter().all(|value| value.is_finite()) {
+        if !are_finite(linear.values.as_ref()) {
             return Err(not_finite(mechanism, &linear.values, time, q));
         }
-        let correction = change(linear, q)?;
-        subtract(q, &correction);
-        if is_rounding(mechanism, measures, &linear.values, &correction) {
+        let correction = change(linear, q, is_done)?;
+        for (value, correction) in q.as_mut().iter_mut().zip(correction.iter()) {
+            *value = S::select(is_done, *value, *value - *correction);
+        }
+        is_done = is_done | is_rounding(mechanism, measures, &linear.values, &correction);
+        if !S::not(is_done).any() {
             return Ok(());
         }
-        *linear = R::linearization(mechanism, time, q);
-        if is_met::<M, R>(mechanism, measures, time, q, linear) {
+        relinearise::<S, M, R>(linear, R::linearization(mechanism, time, q), is_done);
+        is_done = is_done | is_met::<S, M, R>(mechanism, measures, time, q, linear);
+        if !S::not(is_done).any() {
             return Ok(());
         }
     }
@@ -273,52 +258,81 @@ fn correct<M: Mechanism, R: Rows<M>>(
     Err(Failure::at(mechanism, what, time, q))
 }
 
+/// Takes a new linearisation, but where the old one stays.
+#[inline(always)]
+fn relinearise<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
+    linear: &mut Linear<S, M, R>,
+    new: Linear<S, M, R>,
+    stays: S::Mask,
+) {
+    *linear = match stays.any() {
+        false => new,
+        true => ConstraintLinearization {
+            values: select_each(stays, &linear.values, &new.values),
+            jacobian: R::select(S::not(stays), new.jacobian, &linear.jacobian),
+            time_derivative: select_each(stays, &linear.time_derivative, &new.time_derivative),
+        },
+    };
+}
+
 #[cold]
-fn not_finite<M: Mechanism>(mechanism: &M, values: &M::L, time: f64, q: &M::Q) -> Failure {
+fn not_finite<S: Scalar, M: Mechanism<S>>(mechanism: &M, values: &M::L, time: S, q: &M::Q) -> Failure {
     let (row, value) = largest(values.iter()).unwrap_or((0, f64::NAN));
     let quantity = format!("constraint `{}` ({value})", constraint_name(mechanism, row));
     Failure::at(mechanism, What::NotFinite { quantity }, time, q)
 }
 
-/// Whether a correction was so small that the constraints linearised before it still hold after it, within rounding:
+/// Where a correction was so small that the constraints linearised before it still hold after it, within rounding:
 /// the residual of C is of second order.
 #[inline]
-fn is_rounding<M: Mechanism>(mechanism: &M, measures: &Measures<M>, values: &M::L, correction: &M::Q) -> bool {
-    is_within(measures, values, 0.1 * TOLERANCE) && measures.size(mechanism, correction) <= ROUNDING
+fn is_rounding<S: Scalar, M: Mechanism<S>>(
+    mechanism: &M,
+    measures: &Measures<M, S>,
+    values: &M::L,
+    correction: &M::Q,
+) -> S::Mask {
+    is_within(measures, values, 0.1 * TOLERANCE) & measures.size(mechanism, correction).at_most(S::from_f64(ROUNDING))
 }
 
-/// The factors of A A'.
+/// The factors of A A', except where the old ones stay.
 #[inline(always)]
-fn factorise<M: Mechanism, R: Rows<M>>(
+fn factorise<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     mechanism: &M,
     columns: &R::Jacobian,
+    stay: S::Mask,
     factors: &mut R::Factors,
-    time: f64,
+    time: S,
     q: &M::Q,
 ) -> Result<(), Failure> {
+    let old = stay.any().then(|| std::mem::replace(factors, R::no_factors(mechanism)));
     R::factorise(mechanism, columns, factors).map_err(|undefined| {
         let quantity = format!("constraint `{}`", constraint_name(mechanism, undefined.row));
         Failure::at(mechanism, What::NotFinite { quantity }, time, q)
-    })
+    })?;
+    if let Some(old) = old {
+        *factors = R::select_factors(stay, old, factors);
+    }
+    Ok(())
 }
 
 /// Rarely needed: out of line it keeps the calling loop small.
 #[inline(never)]
-fn factorise_again<M: Mechanism, R: Rows<M>>(
+fn factorise_again<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     mechanism: &M,
     columns: &R::Jacobian,
+    stay: S::Mask,
     factors: &mut R::Factors,
-    time: f64,
+    time: S,
     q: &M::Q,
 ) -> Result<(), Failure> {
-    factorise::<M, R>(mechanism, columns, factors, time, q)
+    factorise::<S, M, R>(mechanism, columns, stay, factors, time, q)
 }
 
 /// D A' (A A')^-1 r, with A = C_q D.
 #[inline]
-fn least_change<M: Mechanism, R: Rows<M>>(
+fn least_change<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     mechanism: &M,
-    measures: &Measures<M>,
+    measures: &Measures<M, S>,
     columns: &R::Jacobian,
     factors: &R::Factors,
     residual: M::L,
@@ -328,21 +342,21 @@ fn least_change<M: Mechanism, R: Rows<M>>(
 
 /// A constraint that depends on others must not require another speed than they do.
 #[cold]
-fn check_dependent_rates<M: Mechanism, R: Rows<M>>(
+fn check_dependent_rates<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     mechanism: &M,
-    linear: &Linear<M, R>,
-    measures: &Measures<M>,
-    time: f64,
+    linear: &Linear<S, M, R>,
+    measures: &Measures<M, S>,
+    time: S,
     q: &M::Q,
     qd: &M::Q,
 ) -> Result<(), Failure> {
-    let left = rates_of::<M, R>(mechanism, linear, qd);
+    let left = rates_of::<S, M, R>(mechanism, linear, qd);
     // A position within 1e-6 of a singular one leaves this residual in the speeds.
     let bound = |i: usize| {
-        1e-6 * (R::terms(mechanism, &linear.jacobian, i, qd) + linear.time_derivative[i].abs())
-            + TOLERANCE * measures.constraints()[i]
+        S::from_f64(1e-6) * (R::terms(mechanism, &linear.jacobian, i, qd) + linear.time_derivative[i].abs())
+            + S::from_f64(TOLERANCE) * measures.constraints()[i]
     };
-    match (0..mechanism.m()).find(|row| !(left[*row].abs() <= bound(*row))) {
+    match (0..mechanism.m()).find(|row| S::not(left[*row].abs().at_most(bound(*row))).any()) {
         None => Ok(()),
         Some(row) => {
             let what = What::DependentConstraint { constraint: constraint_name(mechanism, row) };

@@ -11,6 +11,9 @@ use crate::state::failure::Failure;
 use crate::state::trajectory::State;
 use sim_kernel::Mechanism;
 
+/// The factors of the products of rows.
+type Factors<M> = <Dense as Rows<f64, M>>::Factors;
+
 /// Corrects positions and speeds; gives 1/s^2, with s the smallest sine between rows of C_q D. Rows of the reduced C_q count relative to 1.
 #[cold]
 pub(super) fn project_redundant<M: Mechanism>(
@@ -29,11 +32,11 @@ pub(super) fn project_redundant<M: Mechanism>(
         time,
         q,
     )?;
-    if <Dense as Rows<M>>::dependent(mechanism, &factors).count() > mechanism.m() - measures.rank() {
-        return Err(singular_position::<M, Dense>(mechanism, &factors, time, q));
+    if <Dense as Rows<f64, M>>::dependent(mechanism, &factors).count() > mechanism.m() - measures.rank() {
+        return Err(singular_position::<f64, M, Dense>(mechanism, &factors, time, q));
     }
     subtract(&mut state.speeds, &change);
-    check_dependent_rates::<M, Dense>(mechanism, &linear, measures, time, q, &state.speeds)?;
+    check_dependent_rates::<f64, M, Dense>(mechanism, &linear, measures, time, q, &state.speeds)?;
     Ok((0..measures.rank()).fold(0.0, |closeness, row| closeness.max(factors.row(row).1)))
 }
 
@@ -44,7 +47,7 @@ pub(super) fn correct_redundant_positions<M: Mechanism>(
     (time, q): (f64, &mut M::Q),
     linear: &mut Linearization<M>,
 ) -> Result<(), Failure> {
-    correct::<M, Dense>(mechanism, measures, (time, q), linear, |linear, q| {
+    correct::<f64, M, Dense>(mechanism, measures, (time, q), linear, |linear, q, _| {
         let jacobian = between_positions(mechanism, &linear.jacobian);
         let rank = measures.rank_of_positions();
         reduced_change(mechanism, measures, (&jacobian, rank), &linear.values, time, q).map(|(change, _)| change)
@@ -60,10 +63,10 @@ pub(super) fn reduced_change<M: Mechanism>(
     open: &M::L,
     time: f64,
     q: &M::Q,
-) -> Result<(M::Q, <Dense as Rows<M>>::Factors), Failure> {
+) -> Result<(M::Q, Factors<M>), Failure> {
     let reduction = Reduction::new(mechanism, jacobian, measures, rank);
     let columns = measures.columns(mechanism, &reduction.rows(jacobian));
     let mut factors = Dense::no_factors(mechanism);
-    factorise::<M, Dense>(mechanism, &columns, &mut factors, time, q)?;
-    Ok((least_change::<M, Dense>(mechanism, measures, &columns, &factors, reduction.values(open)), factors))
+    factorise::<f64, M, Dense>(mechanism, &columns, false, &mut factors, time, q)?;
+    Ok((least_change::<f64, M, Dense>(mechanism, measures, &columns, &factors, reduction.values(open)), factors))
 }

@@ -2,45 +2,46 @@
 //!
 //! Rows are taken in the order of elimination.
 
-use super::{Linear, Rows};
+use super::{Linear, Rows, select_each};
 use crate::model::level::is_speed_row;
 use crate::motion::measures::{Measures, mixes_lengths};
-use crate::numerics::solve::{LEAST_INDEPENDENCE, Undefined};
-use sim_kernel::{Array, Mechanism, SparseRow};
+use crate::numerics::numbers::sum;
+use crate::numerics::solve::{Undefined, inverse_pivot};
+use sim_kernel::{Array, Mechanism, Scalar, SparseRow};
 
 /// Rows by their entries that may be nonzero.
 pub(crate) struct Sparse;
 
 /// Whether the rows of a mechanism are stored this way.
 #[inline(always)]
-pub(crate) fn is_sparse<M: Mechanism>(mechanism: &M) -> bool {
+pub(crate) fn is_sparse<S: Scalar, M: Mechanism<S>>(mechanism: &M) -> bool {
     !mechanism.description().sparsity.is_empty()
 }
 
 /// The rows of a mechanism in the order of elimination.
 #[inline(always)]
-pub(crate) fn sparse_rows<M: Mechanism>(mechanism: &M) -> &'static [SparseRow] {
+pub(crate) fn sparse_rows<S: Scalar, M: Mechanism<S>>(mechanism: &M) -> &'static [SparseRow] {
     mechanism.description().sparsity
 }
 
-impl<M: Mechanism> Rows<M> for Sparse {
+impl<S: Scalar, M: Mechanism<S>> Rows<S, M> for Sparse {
     type Jacobian = M::Entries;
-    type Factors = Envelope<M>;
+    type Factors = Envelope<M, S>;
 
     #[inline]
-    fn linearization(mechanism: &M, time: f64, q: &M::Q) -> Linear<M, Sparse> {
+    fn linearization(mechanism: &M, time: S, q: &M::Q) -> Linear<S, M, Sparse> {
         mechanism.sparse_linearization(time, q)
     }
 
     #[inline]
-    fn columns(mechanism: &M, entries: &M::Entries, measures: &Measures<M>) -> M::Entries {
+    fn columns(mechanism: &M, entries: &M::Entries, measures: &Measures<M, S>) -> M::Entries {
         let mut columns = entries.clone();
         if !mixes_lengths(mechanism) {
             return columns;
         }
         for row in sparse_rows(mechanism) {
             for (entry, j) in entries_of_mut(&mut columns, row) {
-                *entry *= measures.coordinates()[j];
+                *entry = *entry * measures.coordinates()[j];
             }
         }
         columns
@@ -50,14 +51,14 @@ impl<M: Mechanism> Rows<M> for Sparse {
     fn between_positions(mechanism: &M, entries: &M::Entries) -> M::Entries {
         let mut between = entries.clone();
         for row in sparse_rows(mechanism).iter().filter(|row| is_speed_row(mechanism, row.constraint)) {
-            entries_of_mut(&mut between, row).for_each(|(entry, _)| *entry = 0.0);
+            entries_of_mut(&mut between, row).for_each(|(entry, _)| *entry = S::ZERO);
         }
         between
     }
 
     #[inline]
     fn times(mechanism: &M, entries: &M::Entries, x: &M::Q) -> M::L {
-        let mut products = M::L::repeat(mechanism.m(), 0.0);
+        let mut products = M::L::repeat(mechanism.m(), S::ZERO);
         for row in sparse_rows(mechanism) {
             products[row.constraint] = inner(entries, row, x);
         }
@@ -65,38 +66,38 @@ impl<M: Mechanism> Rows<M> for Sparse {
     }
 
     #[cold]
-    fn terms(mechanism: &M, entries: &M::Entries, constraint: usize, x: &M::Q) -> f64 {
+    fn terms(mechanism: &M, entries: &M::Entries, constraint: usize, x: &M::Q) -> S {
         let row = sparse_rows(mechanism).iter().find(|row| row.constraint == constraint);
-        row.map_or(0.0, |row| entries_of(entries, row).map(|(entry, j)| (entry * x[j]).abs()).sum())
+        row.map_or(S::ZERO, |row| sum(entries_of(entries, row).map(|(entry, j)| (entry * x[j]).abs())))
     }
 
     #[inline]
     fn transposed_times(mechanism: &M, entries: &M::Entries, y: &M::L) -> M::Q {
-        let mut sums = M::Q::repeat(mechanism.n(), 0.0);
+        let mut sums = M::Q::repeat(mechanism.n(), S::ZERO);
         for row in sparse_rows(mechanism) {
             let factor = y[row.constraint];
-            entries_of(entries, row).for_each(|(entry, j)| sums[j] += factor * entry);
+            entries_of(entries, row).for_each(|(entry, j)| sums[j] = sums[j] + factor * entry);
         }
         sums
     }
 
     #[inline]
-    fn factorise(mechanism: &M, entries: &M::Entries, factors: &mut Envelope<M>) -> Result<(), Undefined> {
+    fn factorise(mechanism: &M, entries: &M::Entries, factors: &mut Envelope<M, S>) -> Result<(), Undefined> {
         products(mechanism, entries, entries, &mut factors.lower);
         factors.factorise(mechanism)
     }
 
-    fn no_factors(mechanism: &M) -> Envelope<M> {
-        Envelope { lower: blank_envelope(mechanism), inverse_pivots: M::L::repeat(mechanism.m(), 0.0) }
+    fn no_factors(mechanism: &M) -> Envelope<M, S> {
+        Envelope { lower: blank_envelope(mechanism), inverse_pivots: M::L::repeat(mechanism.m(), S::ZERO) }
     }
 
     #[inline]
-    fn pivot(mechanism: &M, factors: &Envelope<M>, k: usize) -> (f64, f64) {
+    fn pivot(mechanism: &M, factors: &Envelope<M, S>, k: usize) -> (S, S) {
         (factors.lower[sparse_rows(mechanism)[k].diagonal], factors.inverse_pivots[k])
     }
 
     #[inline]
-    fn solve(mechanism: &M, factors: &Envelope<M>, rhs: M::L) -> M::L {
+    fn solve(mechanism: &M, factors: &Envelope<M, S>, rhs: M::L) -> M::L {
         factors.solve(mechanism, rhs)
     }
 
@@ -104,68 +105,89 @@ impl<M: Mechanism> Rows<M> for Sparse {
     fn constraint(mechanism: &M, k: usize) -> usize {
         sparse_rows(mechanism)[k].constraint
     }
+
+    #[inline]
+    fn select(mask: S::Mask, yes: M::Entries, no: &M::Entries) -> M::Entries {
+        select_each(mask, &yes, no)
+    }
+
+    #[inline]
+    fn select_factors(mask: S::Mask, yes: Envelope<M, S>, no: &Envelope<M, S>) -> Envelope<M, S> {
+        Envelope {
+            lower: select_each(mask, &yes.lower, &no.lower),
+            inverse_pivots: select_each(mask, &yes.inverse_pivots, &no.inverse_pivots),
+        }
+    }
 }
 
 /// The entries of a row with their columns.
 #[inline(always)]
-fn entries_of<'a, E: Array<f64>>(entries: &'a E, row: &'static SparseRow) -> impl Iterator<Item = (f64, usize)> + 'a {
+fn entries_of<'a, S: Scalar, E: Array<S>>(
+    entries: &'a E,
+    row: &'static SparseRow,
+) -> impl Iterator<Item = (S, usize)> + 'a {
     let own = &entries.as_ref()[row.entries..row.entries + row.columns.len()];
     own.iter().copied().zip(row.columns.iter().copied())
 }
 
 #[inline(always)]
-fn entries_of_mut<'a, E: Array<f64>>(
+fn entries_of_mut<'a, S: Scalar, E: Array<S>>(
     entries: &'a mut E,
     row: &'static SparseRow,
-) -> impl Iterator<Item = (&'a mut f64, usize)> {
+) -> impl Iterator<Item = (&'a mut S, usize)> {
     let own = &mut entries.as_mut()[row.entries..row.entries + row.columns.len()];
     own.iter_mut().zip(row.columns.iter().copied())
 }
 
 /// A row times a vector.
 #[inline(always)]
-fn inner<E: Array<f64>, Q: Array<f64>>(entries: &E, row: &'static SparseRow, x: &Q) -> f64 {
-    entries_of(entries, row).map(|(entry, j)| entry * x[j]).sum()
+fn inner<S: Scalar, E: Array<S>, Q: Array<S>>(entries: &E, row: &'static SparseRow, x: &Q) -> S {
+    sum(entries_of(entries, row).map(|(entry, j)| entry * x[j]))
 }
 
 /// The lower triangle of A B' within the envelope.
 #[inline]
-pub(super) fn products<M: Mechanism>(mechanism: &M, a: &M::Entries, b: &M::Entries, products: &mut M::Envelope) {
+pub(super) fn products<S: Scalar, M: Mechanism<S>>(
+    mechanism: &M,
+    a: &M::Entries,
+    b: &M::Entries,
+    products: &mut M::Envelope,
+) {
     let rows = sparse_rows(mechanism);
     // The row of A that rows of B are multiplied with, by all of its entries; 0 elsewhere.
-    let mut spread = M::Q::repeat(mechanism.n(), 0.0);
+    let mut spread = M::Q::repeat(mechanism.n(), S::ZERO);
     for (k, row) in rows.iter().enumerate() {
         entries_of(a, row).for_each(|(entry, j)| spread[j] = entry);
         let own = &mut products.as_mut()[row.diagonal + row.first - k..=row.diagonal];
         for (other, product) in rows[row.first..=k].iter().zip(own) {
             *product = inner(b, other, &spread);
         }
-        row.columns.iter().for_each(|j| spread[*j] = 0.0);
+        row.columns.iter().for_each(|j| spread[*j] = S::ZERO);
     }
 }
 
 /// An envelope of zeros.
-pub(super) fn blank_envelope<M: Mechanism>(mechanism: &M) -> M::Envelope {
+pub(super) fn blank_envelope<S: Scalar, M: Mechanism<S>>(mechanism: &M) -> M::Envelope {
     let last = sparse_rows(mechanism).last();
-    M::Envelope::repeat(last.map_or(0, |row| row.diagonal + 1), 0.0)
+    M::Envelope::repeat(last.map_or(0, |row| row.diagonal + 1), S::ZERO)
 }
 
 /// The inner product.
 #[inline(always)]
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+pub(super) fn dot<S: Scalar>(a: &[S], b: &[S]) -> S {
+    sum(a.iter().zip(b).map(|(a, b)| *a * *b))
 }
 
 /// L D L' factors within the envelope.
 #[derive(Clone, Debug)]
-pub(crate) struct Envelope<M: Mechanism> {
+pub(crate) struct Envelope<M: Mechanism<S>, S: Scalar = f64> {
     /// L, below the diagonal; the diagonal is that of the matrix.
     lower: M::Envelope,
     /// 1/D; zero for rows that depend on those before.
     inverse_pivots: M::L,
 }
 
-impl<M: Mechanism> Envelope<M> {
+impl<S: Scalar, M: Mechanism<S>> Envelope<M, S> {
     /// As [`Definite`](crate::numerics::solve::Definite) does.
     #[inline]
     fn factorise(&mut self, mechanism: &M) -> Result<(), Undefined> {
@@ -177,28 +199,24 @@ impl<M: Mechanism> Envelope<M> {
                 let first = row.first.max(other.first);
                 let theirs = &before[other.diagonal + first - j..other.diagonal];
                 let known = dot(&own[first - row.first..j - row.first], theirs);
-                own[j - row.first] -= known;
+                own[j - row.first] = own[j - row.first] - known;
             }
             let square = own[k - row.first];
             let mut pivot = square;
             for (entry, inverse) in own.iter_mut().zip(&self.inverse_pivots.as_ref()[row.first..k]) {
-                let scaled = *entry * inverse;
-                pivot -= *entry * scaled;
+                let scaled = *entry * *inverse;
+                pivot = pivot - *entry * scaled;
                 *entry = scaled;
             }
-            self.inverse_pivots[k] = 0.0;
-            if pivot > LEAST_INDEPENDENCE * square {
-                self.inverse_pivots[k] = 1.0 / pivot;
-            } else if !pivot.is_finite() {
-                return Err(Undefined { row: row.constraint });
-            }
+            let found = inverse_pivot(pivot, square);
+            self.inverse_pivots[k] = found.ok_or(Undefined { row: row.constraint })?;
         }
         Ok(())
     }
 
     /// The entries of L in a row.
     #[inline(always)]
-    fn row_of_l(&self, k: usize, row: &SparseRow) -> &[f64] {
+    fn row_of_l(&self, k: usize, row: &SparseRow) -> &[S] {
         &self.lower.as_ref()[row.diagonal + row.first - k..row.diagonal]
     }
 
@@ -208,14 +226,14 @@ impl<M: Mechanism> Envelope<M> {
         let mut x = rhs.like(|k| rhs[rows[k].constraint]);
         for (k, row) in rows.iter().enumerate() {
             let known = dot(self.row_of_l(k, row), &x.as_ref()[row.first..k]);
-            x[k] -= known;
+            x[k] = x[k] - known;
         }
-        (0..mechanism.m()).for_each(|k| x[k] *= self.inverse_pivots[k]);
+        (0..mechanism.m()).for_each(|k| x[k] = x[k] * self.inverse_pivots[k]);
         for (k, row) in rows.iter().enumerate().rev() {
-            let value = if self.inverse_pivots[k] != 0.0 { x[k] } else { 0.0 };
+            let value = S::select(self.inverse_pivots[k].abs().greater(S::ZERO), x[k], S::ZERO);
             x[k] = value;
             let before = x.as_mut()[row.first..k].iter_mut();
-            before.zip(self.row_of_l(k, row)).for_each(|(x, entry)| *x -= entry * value);
+            before.zip(self.row_of_l(k, row)).for_each(|(x, entry)| *x = *x - *entry * value);
         }
         let mut solution = x;
         rows.iter().zip(x.iter()).for_each(|(row, x)| solution[row.constraint] = *x);

@@ -1,0 +1,296 @@
+//! The length of steps: equal, or as long as a tolerance allows.
+//!
+//! Times of equal steps are computed from the start each time, so that they do not accumulate rounding.
+
+use super::attempt::{explained, too_small};
+use super::control::{Controller, initial_step};
+use super::crossing::{Crossing, Way};
+use super::headway::Headway;
+use super::method::Advance;
+use super::{Course, Steps};
+use crate::motion::Motion;
+use crate::state::failure::{Failure, What};
+use crate::state::saved::{Bytes, Damaged};
+use crate::state::settings::{Stepping, Tolerance};
+use crate::state::trajectory::Sample;
+use sim_kernel::Mechanism;
+
+/// The tolerance of steps over singular positions between equal steps.
+const EXACT: Tolerance = Tolerance::new(1e-12);
+
+/// What a stepper does next.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Aim {
+    /// Nothing: the end of its course is reached.
+    End,
+    /// The next step is made.
+    Made,
+    /// An attempt.
+    At(Target),
+}
+
+/// The end of an attempted step.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Target {
+    /// Its time, in seconds.
+    pub(crate) time: f64,
+    /// The time that was wanted, unless a singular position is ahead.
+    pub(super) wanted: f64,
+    /// The bound of its error, if that is estimated.
+    pub(crate) tolerance: Option<Tolerance>,
+    /// Whether singular positions in it are looked for.
+    pub(super) notes: bool,
+}
+
+/// The length of steps.
+#[derive(Clone, Debug)]
+pub(super) enum Pace {
+    /// The index of the next equal step.
+    Equal { count: usize, step: usize },
+    /// As long as the tolerance allows.
+    Adaptive(Adaptive),
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Adaptive {
+    tolerance: Tolerance,
+    controller: Controller,
+    /// The length of the next step, in seconds.
+    h: f64,
+    /// The length of the first step.
+    first: f64,
+    headway: Headway,
+}
+
+impl Pace {
+    /// At the start; of adaptive steps the length is still to be found.
+    pub(super) fn new<M: Mechanism>(course: &Course, method: &dyn Advance<M>, now: f64) -> Pace {
+        match course.stepping {
+            Stepping::Equal(count) => Pace::Equal { count, step: first_step(course, count, now) },
+            Stepping::Adaptive(tolerance) => {
+                let controller = Controller::new(method.control_order().unwrap_or(1.0));
+                Pace::Adaptive(Adaptive { tolerance, controller, h: 0.0, first: 0.0, headway: Headway::from(now) })
+            }
+        }
+    }
+
+    /// Finds the first length of adaptive steps, from a sample.
+    ///
+    /// # Errors
+    /// [`What::NoErrorEstimate`], and as the right-hand side.
+    pub(super) fn start<M: Mechanism>(
+        &mut self,
+        motion: &Motion<M>,
+        method: &dyn Advance<M>,
+        course: &Course,
+        start: &Sample<M>,
+    ) -> Result<(), Failure> {
+        let Pace::Adaptive(adaptive) = self else { return Ok(()) };
+        let (time, positions) = (start.state.time, &start.state.positions);
+        let order = method.control_order();
+        let order = order.ok_or_else(|| Failure::at(motion.mechanism(), What::NoErrorEstimate, time, positions))?;
+        motion.start(&start.state);
+        let first = initial_step(motion, start, course.end - time, order, &adaptive.tolerance)?;
+        adaptive.h = first.max(shortest(time));
+        adaptive.first = adaptive.h;
+        Ok(())
+    }
+
+    /// Goes on by another course from this time.
+    pub(super) fn head_for(&mut self, course: &Course, now: f64) {
+        if let (Pace::Equal { count, step }, Stepping::Equal(new)) = (self, course.stepping) {
+            (*count, *step) = (new, first_step(course, new, now));
+        }
+    }
+
+    /// Says what the next step is, or makes it if it leads over a singular position.
+    ///
+    /// # Errors
+    /// As steps over singular positions, and if no step is small enough.
+    #[inline(always)]
+    pub(super) fn aim<M: Mechanism>(
+        &mut self,
+        motion: &Motion<M>,
+        course: &Course,
+        ends: [&mut Sample<M>; 2],
+        crossing: &mut Crossing<M>,
+        steps: &mut Steps,
+    ) -> Result<Aim, Failure> {
+        match self {
+            Pace::Equal { count, step } => aim_equally(motion, course, (*count, step), ends, crossing, steps),
+            Pace::Adaptive(adaptive) => adaptive.aim(motion, course, ends, crossing, steps),
+        }
+    }
+
+    /// Takes or refuses an attempt from a sample on the way to an end, which a singular position may have surprised.
+    ///
+    /// # Errors
+    /// That of the attempt, if steps are equal or no smaller one is left.
+    #[inline(always)]
+    pub(super) fn judge<M: Mechanism>(
+        &mut self,
+        motion: &Motion<M>,
+        (from, end): (&Sample<M>, f64),
+        target: &Target,
+        attempted: Result<f64, Failure>,
+        is_surprised: bool,
+    ) -> Result<bool, Failure> {
+        match self {
+            Pace::Equal { step, .. } => {
+                attempted.map_err(|failure| explained(motion, &from.state, failure))?;
+                *step += usize::from(target.time == target.wanted);
+                Ok(true)
+            }
+            Pace::Adaptive(adaptive) => adaptive.judge(motion, (from, end), target, attempted, is_surprised),
+        }
+    }
+
+    pub(super) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
+        match self {
+            // The time tells which is the next.
+            Pace::Equal { .. } => Ok(()),
+            Pace::Adaptive(Adaptive { controller, h, first, headway, .. }) => {
+                controller.transfer(bytes)?;
+                bytes.duration(h)?;
+                bytes.duration(first)?;
+                headway.transfer(bytes)?;
+                if *h > 0.0 { Ok(()) } else { Err(Damaged) }
+            }
+        }
+    }
+}
+
+/// Aims at the end of the next of so many equal steps.
+#[inline]
+fn aim_equally<M: Mechanism>(
+    motion: &Motion<M>,
+    course: &Course,
+    (count, step): (usize, &mut usize),
+    [from, to]: [&mut Sample<M>; 2],
+    crossing: &mut Crossing<M>,
+    steps: &mut Steps,
+) -> Result<Aim, Failure> {
+    let Some(goal) = next_goal(course, count, step, from.state.time) else { return Ok(Aim::End) };
+    let length = (course.end - course.begin) / count as f64;
+    let is_near = crossing.may_be_ahead(motion);
+    let way = match is_near {
+        true => crossing.lead(motion, [from, to], [length, course.end], &EXACT, steps)?,
+        false => Way::On,
+    };
+    let time = match way {
+        Way::Crossed => {
+            crossing.ended(motion);
+            return Ok(Aim::Made);
+        }
+        Way::UpTo(time) => goal.min(time),
+        Way::On => goal,
+    };
+    Ok(Aim::At(Target { time, wanted: goal, tolerance: None, notes: is_near }))
+}
+
+/// The first of so many equal steps that may end later than now, or the one before it.
+fn first_step(course: &Course, count: usize, now: f64) -> usize {
+    let passed = count as f64 * (now - course.begin) / (course.end - course.begin);
+    (passed as usize).max(1)
+}
+
+/// A step that still changes a time.
+fn shortest(now: f64) -> f64 {
+    16.0 * f64::EPSILON * now.abs()
+}
+
+/// The end of the next of so many equal steps.
+fn next_goal(course: &Course, count: usize, step: &mut usize, now: f64) -> Option<f64> {
+    let Course { begin, end, .. } = *course;
+    let length = (end - begin) / count as f64;
+    while *step <= count {
+        // From the start each time, so that times do not accumulate rounding.
+        let goal = if *step == count { end } else { begin + (end - begin) * (*step as f64 / count as f64) };
+        // A step over a singular position may end near one of these times or beyond it; that time is then skipped.
+        let rest = if *step < count { 0.1 * length } else { 4.0 * f64::EPSILON * goal.abs() };
+        if goal - now > rest {
+            return Some(goal);
+        }
+        *step += 1;
+    }
+    None
+}
+
+impl Adaptive {
+    /// Aims at the end of a step that may meet the tolerance.
+    fn aim<M: Mechanism>(
+        &mut self,
+        motion: &Motion<M>,
+        course: &Course,
+        [from, to]: [&mut Sample<M>; 2],
+        crossing: &mut Crossing<M>,
+        steps: &mut Steps,
+    ) -> Result<Aim, Failure> {
+        let (now, tolerance) = (from.state.time, self.tolerance);
+        if !(now < course.end) {
+            return Ok(Aim::End);
+        }
+        if self.headway.is_lost(now) {
+            return Err(too_small(motion, &from.state, self.h, None));
+        }
+        // The last step is not followed by a tiny one.
+        let h = self.h.max(shortest(now));
+        let wanted = if now + 1.01 * h >= course.end { course.end } else { now + h };
+        let way = match crossing.may_be_ahead(motion) {
+            true => crossing.lead(motion, [from, to], [wanted - now, course.end], &tolerance, steps)?,
+            false => Way::On,
+        };
+        let time = match way {
+            Way::Crossed => {
+                crossing.ended(motion);
+                self.headway.comes(to.state.time - now);
+                return Ok(Aim::Made);
+            }
+            Way::UpTo(time) => wanted.min(time),
+            Way::On => wanted,
+        };
+        // These steps may be so long that they pass positions that nothing predicts.
+        Ok(Aim::At(Target { time, wanted, tolerance: Some(tolerance), notes: true }))
+    }
+
+    /// As [`Pace::judge`].
+    fn judge<M: Mechanism>(
+        &mut self,
+        motion: &Motion<M>,
+        (from, end): (&Sample<M>, f64),
+        target: &Target,
+        attempted: Result<f64, Failure>,
+        is_surprised: bool,
+    ) -> Result<bool, Failure> {
+        let (now, time) = (from.state.time, target.time);
+        match attempted {
+            Ok(error) if error <= 1.0 && is_surprised => {
+                self.h = (time - now) / 2.0;
+                Ok(false)
+            }
+            Ok(error) if error <= 1.0 => {
+                self.accepted([now, time, target.wanted], error, end);
+                Ok(true)
+            }
+            refused => {
+                self.h = (time - now) * self.controller.rejected(refused.as_ref().ok().copied());
+                if self.h < f64::EPSILON * (16.0 * now.abs()).max(self.first) {
+                    return Err(too_small(motion, &from.state, self.h, refused.err()));
+                }
+                Ok(false)
+            }
+        }
+    }
+
+    /// Records a step between two times, of this desired length and error, on the way to an end.
+    fn accepted(&mut self, [now, time, wanted]: [f64; 3], error: f64, end: f64) {
+        self.headway.comes(time - now);
+        let next = (time - now) * self.controller.accepted(error);
+        // A step that was cut short says little about the possible length.
+        let is_cut = time < wanted || time < now + self.h;
+        self.h = if is_cut { next.max(self.h) } else { next };
+        if time == end {
+            self.headway.is_asked_to_stop(time);
+        }
+    }
+}
