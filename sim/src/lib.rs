@@ -37,10 +37,11 @@ pub use analysis::kinematics::{
 };
 pub use analysis::linearize::{Linearization, Mode, linearize};
 pub use analysis::poincare::{Period, Section, Sectioning, poincare, poincare_while};
+pub use analysis::sensitivity::ForwardSensitivity;
 #[cfg(feature = "analysis")]
 pub use analysis::verify;
 pub use batch::{Vectors, Work};
-pub use batch::{accelerate_each, accelerate_each_with};
+pub use batch::{accelerate_each, accelerate_each_with, advance_each};
 pub use events::{Change, Crossing, EventSearch, Occurrence, act};
 pub use integrate::{
     Advance, Attempt, Course, DOP853, DOPRI5, Dop853, EULER, ErrorEstimate, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5,
@@ -73,6 +74,7 @@ pub use sim_kernel::{
     mechanism,
 };
 pub use start::assemble::{Start, assemble, branches, declared_start};
+pub use start::derivative::Direction;
 pub use start::dyads::{Branches, Form, Loop};
 pub use state::failure::{Failure, What};
 pub use state::interpolate::hermite;

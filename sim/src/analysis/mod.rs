@@ -4,5 +4,6 @@ pub(crate) mod equilibrium;
 pub(crate) mod kinematics;
 pub(crate) mod linearize;
 pub(crate) mod poincare;
+pub(crate) mod sensitivity;
 #[cfg(feature = "analysis")]
 pub mod verify;

@@ -1,11 +1,14 @@
-//! The equations of motion at many states, several at once.
+//! The equations of motion at many states, and many simulations, several at once.
 
+mod lanes;
+mod simulations;
 mod vector;
 
 use crate::Failure;
 use crate::motion::equations::accelerate;
 use crate::state::trajectory::State;
 use sim_kernel::{Array, Dynamics, LaneMask, Lanes, Mask, Mechanism, Scalar};
+pub use simulations::advance_each;
 pub use vector::{Vectors, Work};
 
 /// The number of states evaluated at once: as many as the widest vector instructions hold.

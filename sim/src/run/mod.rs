@@ -1,10 +1,12 @@
 //! A whole run: a simulation that is recorded, and its balance.
 
+mod attempt;
 mod change;
 mod control;
 mod save;
 mod simulation;
 
+pub(crate) use attempt::Attempted;
 pub use control::Controller;
 pub use save::NotRestored;
 pub use simulation::Simulation;

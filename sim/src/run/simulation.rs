@@ -54,6 +54,8 @@ pub struct Simulation<M: Mechanism> {
     pub(super) stepper: Option<Stepper<M>>,
     /// Whether a phase begins there.
     pub(super) begins_phase: bool,
+    /// How often the motion has been started anew.
+    pub(super) changes: u64,
     pub(super) events: EventHandler<M>,
     pub(super) steps: Steps,
     /// Right-hand sides of motions before this one.
@@ -90,6 +92,7 @@ impl<M: Mechanism> Simulation<M> {
             integrator,
             stepper: None,
             begins_phase: true,
+            changes: 0,
             events,
             steps: Steps::default(),
             evaluations: 0,
@@ -191,23 +194,46 @@ impl<M: Mechanism> Simulation<M> {
     }
 
     fn advance_once(&mut self, until: f64, watch: &mut impl Watch<M>) -> Result<bool, Failure> {
+        if let Some(goes_on) = self.begin_or_head_for(until, watch)? {
+            return Ok(goes_on);
+        }
+        let Some(stepper) = &mut self.stepper else { return Ok(false) };
+        if !stepper.advance(&self.motion, self.integrator.method(), &mut self.steps)? {
+            self.reached(until);
+            return Ok(false);
+        }
+        self.conclude_step(watch)?;
+        Ok(true)
+    }
+
+    /// Begins a motion, and gives whether it goes on; `None` if one is on its way to a time already.
+    #[inline(always)]
+    pub(super) fn begin_or_head_for(&mut self, until: f64, watch: &mut impl Watch<M>) -> Result<Option<bool>, Failure> {
         // A phase after an event begins, even if the event ends the motion.
         if self.events.has_ended() && !self.begins_phase {
-            return Ok(false);
+            return Ok(Some(false));
         }
         let Some(stepper) = &mut self.stepper else {
             let course = self.course(until);
             self.stepper = self.begin(&course, watch)?;
-            return Ok(self.stepper.is_some() || !self.has_ended());
+            return Ok(Some(self.stepper.is_some() || !self.has_ended()));
         };
         if stepper.end() != until {
             stepper.head_for(&Course::new(&self.settings, self.begin, until));
         }
-        let Some(mut step) = stepper.next(&self.motion, self.integrator.method(), &mut self.steps)? else {
-            // With equal steps the remainder is rounding.
-            self.state.time = self.state.time.max(until);
-            return Ok(false);
-        };
+        Ok(None)
+    }
+
+    /// Comes to the end of a course. With equal steps the remainder is rounding.
+    pub(super) fn reached(&mut self, until: f64) {
+        self.state.time = self.state.time.max(until);
+    }
+
+    /// Looks for events in the last step, and carries them out.
+    #[inline(always)]
+    pub(super) fn conclude_step(&mut self, watch: &mut impl Watch<M>) -> Result<(), Failure> {
+        let Some(stepper) = &mut self.stepper else { return Ok(()) };
+        let Some(mut step) = stepper.last_step(&self.motion, self.integrator.method()) else { return Ok(()) };
         let ended = self.events.search(&mut step)?;
         watch.steps(&mut step, ended)?;
         match ended {
@@ -218,7 +244,7 @@ impl<M: Mechanism> Simulation<M> {
                 self.change_phase()?;
             }
         }
-        Ok(true)
+        Ok(())
     }
 
     /// Checks that it can continue.
@@ -271,6 +297,7 @@ impl<M: Mechanism> Simulation<M> {
 
     /// Makes the next step start a motion of this mechanism.
     pub(super) fn start_anew(&mut self, mechanism: M) {
+        self.changes += 1;
         self.evaluations += self.motion.evaluations();
         self.motion = Motion::new(mechanism, self.settings.stabilisation, self.measures);
         self.stepper = None;

@@ -180,7 +180,11 @@ fn assemble_speeds(mechanism: &dyn AnyMechanism, start: &Given, q: &[f64]) -> Re
 }
 
 /// The shortest x with J x nearest to the residual, x_j = 0 where j is given.
-fn least_norm_solution(mut jacobian: DMatrix<f64>, given: &[bool], residual: &DVector<f64>) -> Option<DVector<f64>> {
+pub(super) fn least_norm_solution(
+    mut jacobian: DMatrix<f64>,
+    given: &[bool],
+    residual: &DVector<f64>,
+) -> Option<DVector<f64>> {
     if jacobian.nrows() == 0 {
         return Some(DVector::zeros(given.len()));
     }

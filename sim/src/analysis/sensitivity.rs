@@ -1,0 +1,157 @@
+//! Forward sensitivities: how a motion changes with parameters and start.
+//!
+//! Each step that a simulation takes is repeated on dual numbers: the same stages and the same projection, between the same
+//! times. So the derivative is that of the computed motion, to rounding, with its steps held (internal differentiation;
+//! Bock, Numerical treatment of inverse problems in chemical reaction kinetics, 1981). Decisions have no derivative:
+//! which steps are taken follows from values alone.
+
+use crate::integrate::{ExplicitRungeKutta, attempt_plainly, tableau};
+use crate::motion::plain::Plain;
+use crate::run::Simulation;
+use crate::start::assemble::Start;
+use crate::start::derivative::{Direction, along};
+use crate::state::failure::{Failure, What};
+use crate::state::settings::{Settings, Stabilisation};
+use crate::state::trajectory::{Sample, State};
+use sim_kernel::{Array, Dual, Mechanism};
+
+/// A mechanism on dual numbers.
+type Lifted<M> = <M as Mechanism>::On<Dual>;
+
+/// A simulation with the derivative of its state in a direction.
+///
+/// ```
+/// use sim::{Direction, ForwardSensitivity, Settings, declared_start};
+/// # sim::mechanism! {
+/// #     Cart;
+/// #     coordinates { x [m]; }
+/// #     parameters { m [kg] = 2; F [N] = 4; }
+/// #     bodies { cart: mass m at [x, 0]; }
+/// #     loads { force [F, 0] at [x, 0]; }
+/// #     initial { x = 0; dot(x) = 0; }
+/// # }
+/// let cart = Cart::default();
+/// let by_mass = Direction { parameters: [1.0, 0.0], positions: [0.0], speeds: [0.0] };
+/// let mut motion = ForwardSensitivity::new(cart, &declared_start(&cart), &Settings::new(1.0), &by_mass)?;
+/// motion.advance_to(1.0)?;
+/// // x = F t^2 / (2 m).
+/// assert!((motion.state().positions[0].derivative + 4.0 / (2.0 * 4.0)).abs() < 1e-12);
+/// # Ok::<(), sim::Failure>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct ForwardSensitivity<M: Mechanism> {
+    simulation: Simulation<M>,
+    plain: Plain<Lifted<M>, Dual>,
+    method: ExplicitRungeKutta<Lifted<M>, Dual>,
+    sample: Sample<Lifted<M>, Dual>,
+}
+
+impl<M: Mechanism> ForwardSensitivity<M> {
+    /// A motion that has not begun yet, with the derivative of its start.
+    ///
+    /// # Errors
+    /// As [`Simulation::new`]; [`What::NotPlain`] if the method is implicit, constraints are redundant or not kept by
+    /// projection, or generalised speeds are declared.
+    pub fn new(
+        mechanism: M,
+        start: &Start<M>,
+        settings: &Settings,
+        direction: &Direction<M>,
+    ) -> Result<ForwardSensitivity<M>, Failure> {
+        let simulation = Simulation::new(mechanism, start, settings)?;
+        let (state, mechanism) = (*simulation.state(), simulation.mechanism());
+        let fail = |why| Failure::at(mechanism, What::NotPlain { why }, state.time, &state.positions);
+        let tableau = tableau(settings.method).ok_or_else(|| fail("its method is implicit; choose an explicit one"))?;
+        if let Some(why) = obstacle(&simulation, settings) {
+            return Err(fail(why));
+        }
+        let lifted = mechanism.on(Dual::constant);
+        let constant = lifted.parameters();
+        let rate = |p: usize| Dual { derivative: direction.parameters[p], ..constant[p] };
+        let lifted = lifted.with_parameters(constant.like(rate));
+        let measures = simulation.motion().measures();
+        let measures =
+            measures.on(|j| Dual::constant(measures.coordinates()[j]), |i| Dual::constant(measures.constraints()[i]));
+        let method = ExplicitRungeKutta::new(&lifted, tableau);
+        let begun = along((mechanism, &lifted), start, &state, direction)?;
+        let plain = Plain::new(lifted, measures);
+        let sample = plain.sample(begun)?;
+        Ok(ForwardSensitivity { simulation, plain, method, sample })
+    }
+
+    /// The motion itself.
+    pub fn simulation(&self) -> &Simulation<M> {
+        &self.simulation
+    }
+
+    /// The present state with its derivative.
+    pub fn state(&self) -> &State<Lifted<M>, Dual> {
+        &self.sample.state
+    }
+
+    /// The same with accelerations and multipliers.
+    pub fn sample(&self) -> &Sample<Lifted<M>, Dual> {
+        &self.sample
+    }
+
+    /// Advances to a time, at which a step ends, or to the end of the motion if that is earlier.
+    ///
+    /// # Errors
+    /// As [`Simulation::advance_to`]; [`What::NotPlain`] where the motion passes a singular position, or an event changes
+    /// it.
+    pub fn advance_to(&mut self, time: f64) -> Result<(), Failure> {
+        while let Some(target) = self.simulation.aim(time)? {
+            self.check_followed()?;
+            let before = self.simulation.state().time;
+            self.simulation.attempt(&target)?;
+            let now = self.simulation.state().time;
+            if now > before {
+                self.follow(now)?;
+                self.check_followed()?;
+            }
+        }
+        self.check_followed()
+    }
+
+    /// Repeats a step to this time on dual numbers.
+    fn follow(&mut self, time: f64) -> Result<(), Failure> {
+        let (plain, method) = (&self.plain, &mut self.method);
+        self.sample = attempt_plainly(plain, method, &self.sample, Dual::constant(time), None)?.to;
+        // The same to rounding.
+        let state = self.simulation.state();
+        set_values(&mut self.sample.state.positions, &state.positions);
+        set_values(&mut self.sample.state.speeds, &state.speeds);
+        self.sample.state.work.value = state.work;
+        Ok(())
+    }
+
+    /// Checks that the simulation has made no steps of other kinds.
+    fn check_followed(&self) -> Result<(), Failure> {
+        let (state, here) = (self.simulation.state(), &self.sample.state);
+        let are_equal = |duals: &[Dual], values: &[f64]| duals.iter().map(|dual| dual.value).eq(values.iter().copied());
+        let is_here = are_equal(here.positions.as_ref(), state.positions.as_ref())
+            && are_equal(here.speeds.as_ref(), state.speeds.as_ref());
+        if is_here && self.simulation.changes() == 0 && self.simulation.steps().singularities.is_empty() {
+            return Ok(());
+        }
+        let why = "it passes a singular position, or an event changes it";
+        Err(Failure::at(self.simulation.mechanism(), What::NotPlain { why }, state.time, &state.positions))
+    }
+}
+
+/// Why a simulation cannot be repeated on dual numbers.
+fn obstacle<M: Mechanism>(simulation: &Simulation<M>, settings: &Settings) -> Option<&'static str> {
+    if simulation.motion().measures().is_redundant() {
+        return Some("some of its constraints are redundant; leave them out");
+    }
+    if simulation.mechanism().rows_left().is_some() {
+        return Some("generalised speeds are declared; leave them out");
+    }
+    let is_kept = settings.stabilisation == Stabilisation::Projection || simulation.mechanism().m() == 0;
+    (!is_kept).then_some("its constraints are not kept by projection; choose that stabilisation")
+}
+
+/// Sets values, not derivatives.
+fn set_values(of: &mut impl Array<Dual>, values: &impl Array<f64>) {
+    of.as_mut().iter_mut().zip(values.iter()).for_each(|(number, value)| number.value = *value);
+}
