@@ -1,7 +1,7 @@
 //! Mechanisms driven through a range, against their geometry.
 
 use models::{FourBar, QuickReturn, SliderCrank};
-use sim::{Compiled, Driven, Kinematics, Sweep, declared_start, kinematics, mechanism};
+use sim::{Compiled, Driven, Kinematics, Mechanism, Sweep, declared_start, kinematics, mechanism};
 use std::f64::consts::{PI, TAU};
 
 /// Drives a coordinate or output from the declared start.
@@ -35,6 +35,32 @@ fn the_transmission_index_of_a_four_bar_is_the_sine_of_its_transmission_angle() 
     // Worst where crank and ground link are aligned: cos mu = (b^2 + c^2 - (d - a)^2) / (2 b c), which is 3/4.
     let least = found.extremes.transmission.unwrap().least;
     assert!((least.value - (7f64 / 16.0).sqrt()).abs() < 1e-12 && least.at.sin().abs() < 1e-7, "{least:?}");
+}
+
+/// Virtual work: the torque that holds the crank balances the force on the slider by their ratio, and gravity by the slope of
+/// its potential; so does the limit of ever slower sweeps.
+#[test]
+fn a_mechanism_at_rest_is_held_by_static_forces() {
+    let quick = QuickReturn::default();
+    let found = driven(quick, "alpha", [0.0, TAU], 0.0, 72);
+    let (x6, force) = (output::<QuickReturn>("x6"), quick.F);
+    let rated = quick.description().rated_outputs.iter().position(|rated| *rated == x6).unwrap();
+    let moving = driven(quick, "alpha", [0.0, TAU], 3.0, 72);
+    for (k, sample) in found.trajectory.samples.iter().enumerate() {
+        assert!(sample.state.time == 0.0 && sample.state.speeds == [0.0; 3] && sample.accelerations == [0.0; 3]);
+        let (torque, ratio) = (found.forces[0][k], found.ratios[k][rated]);
+        // Rounding of torques of some hundred newton metres.
+        assert!((torque + force * ratio).abs() < 1e-10, "{k}: {torque} {ratio}");
+        assert!((ratio - moving.ratios[k][rated]).abs() < 1e-13);
+        assert!((sample.state.positions[1] - moving.trajectory.samples[k].state.positions[1]).abs() < 1e-14);
+    }
+    let four_bar = FourBar::default();
+    let speed = [2.0, 1.0, 0.0].map(|speed| driven(four_bar, "theta2", [0.0, TAU], speed, 36).forces[0].clone());
+    for ((fast, slow), rest) in speed[0].iter().zip(&speed[1]).zip(&speed[2]) {
+        // Forces of inertia grow with the square of the speed.
+        assert!((rest - (4.0 * slow - fast) / 3.0).abs() < 1e-11, "{rest} {slow} {fast}");
+    }
+    assert!(speed[2].iter().any(|torque| torque.abs() > 0.1));
 }
 
 /// x = r cos theta + sqrt(l^2 - (r sin theta - e)^2): its stroke is sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2), with crank

@@ -38,12 +38,22 @@ fn a_limit_position_is_named_and_what_came_before_is_kept() {
     assert!(crate::column(&directory, "x [m]").len() > 500);
 }
 
+/// Without a speed the mechanism rests in each position.
+#[test]
+fn a_sweep_without_a_speed_is_static() {
+    let directory = fresh("static");
+    let out = directory.to_str().unwrap();
+    let range = ["--drive", "x", "--from", "0.5", "--to", "0.4", "--no-figures"];
+    let output = sim(&[&["kinematics", "slider-crank", "--out", out], &range[..]].concat());
+    assert!(output.status.success() && stdout(&output).contains("at rest in each"), "{}", stdout(&output));
+    assert!(crate::column(&directory, "x_dot [m/s]").iter().all(|speed| *speed == 0.0));
+}
+
 #[test]
 fn what_is_wrong_with_a_sweep_is_said() {
-    let rows: [(&[&str], &str); 6] = [
+    let rows: [(&[&str], &str); 5] = [
         (&["quick-return", "--drive", "alph"], "did you mean `alpha`"),
         (&["slider-crank", "--drive", "x"], "--from is needed for `x`"),
-        (&["slider-crank", "--drive", "x", "--from", "0.5", "--to", "0.4"], "give one with --speed"),
         (&["quick-return", "--from", "1", "--to", "1"], "nothing to drive"),
         (&["quick-return", "--speed", "3mm"], "dimension"),
         (&["double-pendulum", "--speed", "1"], "there are 2 of them here, and 1"),

@@ -29,6 +29,8 @@ pub struct Prescribed<M: Mechanism> {
 pub(super) struct AnyPrescribed {
     pub(super) time: f64,
     pub(super) positions: Vec<f64>,
+    /// dq/dp: the speeds, unless the mechanism rests.
+    pub(super) direction: Vec<f64>,
     pub(super) speeds: Vec<f64>,
     pub(super) accelerations: Vec<f64>,
     pub(super) multipliers: Vec<f64>,
@@ -51,8 +53,17 @@ impl AnyPrescribed {
         }
     }
 
+    /// dy/ds of each output y that has a rate, where s is what is driven first.
+    pub(super) fn ratios(&self, system: &System) -> Vec<f64> {
+        let along = At { speeds: &self.direction, ..self.at() };
+        system.mechanism.output_rates(along).iter().map(|rate| rate / system.laws[0].rate).collect()
+    }
+
     /// It with the power of loads and drives.
     pub(super) fn with_power(mut self, system: &System) -> AnyPrescribed {
+        if system.rests {
+            return self;
+        }
         let driving: f64 = self.forces.iter().zip(&system.laws).map(|(force, law)| force * law.rate).sum();
         let multipliers = system.without_stand_ins(&self.multipliers);
         self.power = driving + system.mechanism.power(At { multipliers: &multipliers, ..self.at() });
@@ -117,15 +128,22 @@ pub(super) fn prescribed(
     }
     let mut qd = factors.solve(&-linear.by_parameter).ok_or_else(singular)?;
     system.prescribe(|k| system.laws[k].rate, &mut qd);
-    let mut open = -system.convective(q, qd.as_slice(), p);
-    accelerations.iter().enumerate().for_each(|(k, value)| open[system.rows.len() + k] += value);
-    let mut qdd = factors.solve(&open).ok_or_else(singular)?;
-    system.prescribe(|k| accelerations.get(k).copied().unwrap_or(0.0), &mut qdd);
+    let direction = qd.as_slice().to_vec();
+    let mut qdd = DVector::zeros(q.len());
+    if system.rests {
+        qd.fill(0.0);
+    } else {
+        let mut open = -system.convective(q, qd.as_slice(), p);
+        accelerations.iter().enumerate().for_each(|(k, value)| open[system.rows.len() + k] += value);
+        qdd = factors.solve(&open).ok_or_else(singular)?;
+        system.prescribe(|k| accelerations.get(k).copied().unwrap_or(0.0), &mut qdd);
+    }
     let rest = left_over(system, q, p, [&qd, &qdd])?;
     let (multipliers, reactions) = system.split(&factors.solve_transposed(&rest).ok_or_else(singular)?);
     let found = AnyPrescribed {
         time: system.time(p),
         positions: q.to_vec(),
+        direction,
         speeds: qd.as_slice().to_vec(),
         accelerations: qdd.as_slice().to_vec(),
         multipliers,

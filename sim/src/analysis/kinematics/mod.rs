@@ -61,6 +61,8 @@ pub struct Kinematics<M: Mechanism> {
     /// (Balli and Chand, Transmission angle in mechanisms, Mech. Mach. Theory 37, 2002), for a slider-crank sin mu over
     /// its largest value.
     pub transmission: Vec<f64>,
+    /// At each sample dy/ds of each output y that has a rate ([`Description::rated_outputs`]), where s is what is driven.
+    pub ratios: Vec<Vec<f64>>,
     /// Degrees of freedom without drives and dependent constraints, at the start.
     pub mobility: Mobility,
     /// The positions where other branches cross the one that was followed.
@@ -72,6 +74,8 @@ pub struct Kinematics<M: Mechanism> {
 }
 
 /// Drives a mechanism through a range, on the branch on which it is assembled.
+///
+/// With a speed of 0 the mechanism rests in each position, at time 0.
 ///
 /// Positions by continuation along the curve of C(q, t) = 0 and the drives' conditions, in steps that adapt to its
 /// direction and not to what is recorded; velocities, accelerations and reactions exactly from the kernels, by
@@ -98,9 +102,9 @@ pub fn kinematics_until<M: Mechanism>(
     start: &Start<M>,
     sweep: &Sweep,
 ) -> Result<Kinematics<M>, Failure> {
-    let sensible = sweep.steps > 0 && sweep.from != sweep.to && sweep.speed != 0.0;
+    let sensible = sweep.steps > 0 && sweep.from != sweep.to;
     if !sensible || ![sweep.from, sweep.to, sweep.speed].iter().all(|value| value.is_finite()) {
-        let quantity = "the time that the sweep takes, (to - from) / speed,".to_owned();
+        let quantity = "the way of the sweep or its speed".to_owned();
         return Err(Failure::at(&mechanism, What::NotFinite { quantity }, 0.0, &start.positions));
     }
     if let Some(row) = mechanism.description().speed_constraints.first() {
@@ -114,6 +118,7 @@ pub fn kinematics_until<M: Mechanism>(
     let swept = sweep::sweep(&any, assembled.as_ref().to_vec(), sweep, interrupt)?;
     let extremes = extremes::extremes(&swept, sweep);
     let transmission = transmission(&swept);
+    let ratios = swept.motion.iter().map(|motion| motion.ratios(&swept.system)).collect();
     let work = work(&swept);
     let samples = swept.motion.iter().zip(work).map(|(motion, work)| motion.sample(&mechanism, work)).collect();
     let (values, forces) = drives(&swept);
@@ -123,6 +128,7 @@ pub fn kinematics_until<M: Mechanism>(
         values,
         forces,
         transmission,
+        ratios,
         extremes,
         mobility: swept.mobility.clone(),
         branches: swept.branches.clone(),

@@ -140,7 +140,8 @@ impl Path<'_> {
         let found = AnyPrescribed {
             time: self.system.time(p),
             positions: q,
-            speeds: values[..n].to_vec(),
+            direction: values[..n].to_vec(),
+            speeds: if self.system.rests { vec![0.0; n] } else { values[..n].to_vec() },
             accelerations: values[n..2 * n].to_vec(),
             multipliers: values[2 * n..2 * n + m].to_vec(),
             power: 0.0,
@@ -170,5 +171,5 @@ impl Path<'_> {
 
 /// The parts of a motion that pass smoothly through a crossing.
 fn numbers(found: &AnyPrescribed) -> Vec<f64> {
-    [&found.speeds[..], &found.accelerations, &found.multipliers, &found.forces].concat()
+    [&found.direction[..], &found.accelerations, &found.multipliers, &found.forces].concat()
 }

@@ -125,7 +125,7 @@ impl<'s> Search<'s> {
         let mut values = system.mechanism.outputs(motion.at());
         values.extend(&motion.multipliers);
         values.extend(&motion.forces);
-        values.extend(system.mechanism.output_rates(motion.at()).iter().map(|rate| rate / system.laws[0].rate));
+        values.extend(motion.ratios(system));
         values.push(motion.volume);
         values.extend(self.columns.iter().map(|j| motion.columns[*j]));
         values

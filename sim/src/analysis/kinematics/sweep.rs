@@ -24,7 +24,8 @@ pub struct Sweep {
     pub from: f64,
     /// To where.
     pub to: f64,
-    /// The speed; its sign is that of `to - from`, whatever is given.
+    /// The speed; its sign is that of `to - from`, whatever is given. With 0 the mechanism rests in each position, at time
+    /// 0: forces and reactions are static.
     pub speed: f64,
     /// Positions are recorded at the ends of so many equal intervals.
     pub steps: usize,
@@ -38,9 +39,20 @@ impl Sweep {
         self.speed.abs() * (self.to - self.from).signum()
     }
 
-    /// When the k-th position is reached.
+    /// Whether the mechanism rests in each position.
+    pub fn is_at_rest(&self) -> bool {
+        self.speed == 0.0
+    }
+
+    /// The way in a unit of the sweep's parameter, which is time unless the mechanism rests.
+    fn pace(&self) -> f64 {
+        let speed = if self.is_at_rest() { 1.0 } else { self.speed };
+        speed.abs() * (self.to - self.from).signum()
+    }
+
+    /// The sweep's parameter where the k-th position is reached.
     pub(super) fn parameter(&self, k: usize) -> f64 {
-        ((self.to - self.from) / self.speed).abs() * (k as f64 / self.steps as f64)
+        ((self.to - self.from) / self.pace()).abs() * (k as f64 / self.steps as f64)
     }
 }
 
@@ -76,8 +88,8 @@ pub(super) fn sweep<'m>(
 ) -> Result<Swept<'m>, Failure> {
     let (system, mobility, q) = approach(mechanism, assembled, sweep)?;
     let held = sweep.held.iter().map(|(driven, value)| Law { driven: *driven, start: *value, rate: 0.0 });
-    let laws = [Law { driven: sweep.driven, start: sweep.from, rate: sweep.rate() }].into_iter().chain(held).collect();
-    let system = system.running(laws);
+    let laws = [Law { driven: sweep.driven, start: sweep.from, rate: sweep.pace() }].into_iter().chain(held).collect();
+    let system = if sweep.is_at_rest() { system.resting(laws) } else { system.running(laws) };
     let path = Path::new(&system, &q, sweep.parameter(sweep.steps));
     let start = path.start(&q)?;
     let mut followed =

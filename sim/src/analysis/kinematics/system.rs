@@ -3,7 +3,8 @@
 //! F stacks the constraints and, for each drive, y(q, t) - y0 - r p. With redundant constraints it has more rows than
 //! coordinates, and all of them take part, in least squares: which rows are redundant may change on the way, and
 //! leaving out a fixed choice would create singular positions. The parameter p is the time of the sweep; on the way
-//! from the assembled start to the beginning of the sweep, time stands still.
+//! from the assembled start to the beginning of the sweep, and where the mechanism rests in each position, time stands
+//! still.
 
 use super::driven::Driven;
 use super::stand_in::{StandIn, stand_in};
@@ -37,6 +38,8 @@ pub(super) struct System<'m> {
     stand_ins: Vec<StandIn>,
     /// Whether time runs: t = p, or t = 0.
     runs: bool,
+    /// Whether the mechanism rests in each position.
+    pub(super) rests: bool,
 }
 
 /// F, F_q (m x n, m >= n) and F_p at one place.
@@ -68,12 +71,17 @@ impl<'m> System<'m> {
         let constraints = 0..mechanism.description().constraints.len();
         let holds = |row: &usize| mechanism.is_active(*row) && stand_ins.iter().all(|drive| drive.row != *row);
         let rows = constraints.filter(holds).collect();
-        Ok((System { mechanism, laws, rows, stand_ins, runs: false }, found))
+        Ok((System { mechanism, laws, rows, stand_ins, runs: false, rests: false }, found))
     }
 
     /// The same mechanism on other laws, with time running.
     pub(super) fn running(&self, laws: Vec<Law>) -> System<'m> {
         System { laws, runs: true, ..self.clone() }
+    }
+
+    /// The same mechanism on other laws, at rest in each position.
+    pub(super) fn resting(&self, laws: Vec<Law>) -> System<'m> {
+        System { laws, rests: true, ..self.clone() }
     }
 
     pub(super) fn time(&self, p: f64) -> f64 {

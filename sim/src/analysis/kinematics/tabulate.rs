@@ -1,8 +1,6 @@
 //! A sweep as a table: that of its trajectory, with the columns of a sweep.
 
 use super::{Extremes, Kinematics, Sweep};
-use crate::model::{AnyMechanism, At};
-use crate::motion::typed::Any;
 use crate::record::table::{Column, Table};
 use sim_kernel::{Description, Mechanism, Quantity};
 
@@ -12,15 +10,13 @@ impl<M: Mechanism> Kinematics<M> {
     /// quantity, and `advantage_y`, the mechanical advantage ds/dy.
     pub fn table(&self) -> Table {
         let mut table = Table::of(&self.mechanism, &self.trajectory);
-        let any = Any(&self.mechanism);
-        let rates: Vec<_> = self.trajectory.samples.iter().map(|sample| any.output_rates(At::sample(sample))).collect();
         let swept = Columns {
             description: self.mechanism.description(),
             sweep: &self.sweep,
             forces: &self.forces,
             transmission: &self.transmission,
             extremes: &self.extremes,
-            rates: &rates,
+            ratios: &self.ratios,
         };
         table.insert_before_outputs(swept.columns());
         table
@@ -34,8 +30,7 @@ struct Columns<'a> {
     forces: &'a [Vec<f64>],
     transmission: &'a [f64],
     extremes: &'a Extremes,
-    /// The rates of the outputs that have one, at each sample.
-    rates: &'a [Vec<f64>],
+    ratios: &'a [Vec<f64>],
 }
 
 impl Columns<'_> {
@@ -56,12 +51,12 @@ impl Columns<'_> {
     }
 
     fn ratios(&self) -> impl Iterator<Item = Column> + '_ {
-        let (s, rate) = (self.sweep.driven.quantity(self.description), self.sweep.rate());
+        let s = self.sweep.driven.quantity(self.description);
         let rated = self.description.rated_outputs.iter().enumerate();
         let rated = rated.filter(|(_, output)| self.extremes.ratios[**output].is_some());
         rated.flat_map(move |(place, output)| {
             let y = &self.description.outputs[*output];
-            let values = self.rates.iter().map(|rates| rates[place] / rate * s.factor / y.factor);
+            let values = self.ratios.iter().map(|ratios| ratios[place] * s.factor / y.factor);
             let values: Vec<f64> = values.collect();
             let inverse = values.iter().map(|value| 1.0 / value).collect();
             [

@@ -64,7 +64,6 @@ impl KinematicsArguments {
     }
 
     fn speed(&self, description: &'static Description, driven: Driven, declared: Option<f64>) -> Result<f64, Stop> {
-        let name = driven.quantity(description).name;
         let speed = match (&self.speed, driven) {
             (Some(text), Driven::Coordinate(i)) => {
                 parse_quantity("--speed", text, description.coordinates[i].speed.unit)?
@@ -72,13 +71,9 @@ impl KinematicsArguments {
             (Some(text), Driven::Output(_)) => {
                 parse_quantity("--speed", text, &quotient(driven.quantity(description), &SECOND))?
             }
-            (None, _) => declared
-                .ok_or_else(|| Stop::Usage(format!("the start gives `{name}` no speed: give one with --speed")))?,
+            (None, _) => declared.unwrap_or(0.0),
         };
-        match speed == 0.0 {
-            true => Err(Stop::Usage(format!("`{name}` has to move: give it a speed other than 0 with --speed"))),
-            false => Ok(speed),
-        }
+        Ok(speed)
     }
 }
 
@@ -285,13 +280,16 @@ fn report(found: &Found) -> String {
     let value = |si: f64| format!("{:.6} {}", si / driven.factor, driven.unit);
     let mut text = format!("{:<12} {}\n", "model", description.name);
     text += &format!(
-        "{:<12} {} from {} to {} at {:.6} {}/s, {} positions\n",
+        "{:<12} {} from {} to {} {}, {} positions\n",
         "drive",
         driven.name,
         value(sweep.from),
         value(sweep.to),
-        sweep.rate() / driven.factor,
-        driven.unit,
+        if sweep.is_at_rest() {
+            "at rest in each".to_owned()
+        } else {
+            speed(sweep.rate() / driven.factor, driven.unit)
+        },
         found.values.len()
     );
     for position in found.branches {
@@ -327,6 +325,11 @@ fn report(found: &Found) -> String {
         text += &format!("{:<12} {}: {:.9} ({working} to {returning})\n", "time ratio", o.name, ratio.ratio);
     }
     text
+}
+
+/// A speed, to be read.
+fn speed(value: f64, unit: &str) -> String {
+    format!("at {value:.6} {unit}/s")
 }
 
 /// Nine significant digits.
