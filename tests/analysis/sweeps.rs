@@ -48,6 +48,7 @@ fn a_mechanism_at_rest_is_held_by_static_forces() {
     let moving = driven(quick, "alpha", [0.0, TAU], 3.0, 72);
     for (k, sample) in found.trajectory.samples.iter().enumerate() {
         assert!(sample.state.time == 0.0 && sample.state.speeds == [0.0; 3] && sample.accelerations == [0.0; 3]);
+        assert_eq!(found.values[k], sample.state.positions[0]);
         let (torque, ratio) = (found.forces[0][k], found.ratios[k][rated]);
         // Rounding of torques of some hundred newton metres.
         assert!((torque + force * ratio).abs() < 1e-10, "{k}: {torque} {ratio}");

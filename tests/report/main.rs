@@ -125,6 +125,44 @@ fn every_report_moves_in_a_browser() {
     }
 }
 
+/// The report of a sweep: what is driven is on the clock, under the slider and along the plots, also where it falls.
+#[test]
+#[ignore = "needs Chromium; .ci/run installs it and runs this"]
+fn a_sweep_shows_what_is_driven() {
+    let mut browser = Browser::start(&scratch("chromium-sweep"));
+    let sweeps: [(&str, &[&str], [f64; 3], &str); 3] = [
+        ("quick-return", &["--drive", "alpha", "--from", "0", "--to", "360deg"], [0.0, 1.0, 6.0], "alpha = 1.000 rad"),
+        ("slider-crank", &["--drive", "x", "--from", "0.5", "--to", "0.4"], [0.5, 0.42, 0.4], "x = 0.4200 m"),
+        ("four-bar", &["--from", "1", "--to", "-1", "--speed", "0"], [1.0, -0.5, -1.0], "theta2 = \u{2212}0.500 rad"),
+    ];
+    for (model, words, [from, place, last], clock) in sweeps {
+        let directory = scratch("reports").join("sweep").join(model);
+        let _ = fs::remove_dir_all(&directory);
+        sim(&[&["kinematics", model, "--out", directory.to_str().unwrap(), "--quiet"], words].concat());
+        let report = directory.join("report.html");
+        browser.window(1400, 1000, 1.0, false);
+        browser.open(&report, &format!("#t={place}"));
+        assert_eq!(browser.evaluate("document.getElementById('clock').textContent"), clock);
+        let driven = browser.evaluate(
+            "report.plots[0].chart.axes[0].values(report.plots[0].chart, report.plots[0].chart.axes[0].splits(report.plots[0].chart, 0, report.plots[0].chart.scales.x.min, report.plots[0].chart.scales.x.max))",
+        );
+        let ticks: Vec<f64> = driven
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|text| text.as_str().unwrap().replace('\u{2212}', "-").parse().unwrap())
+            .collect();
+        assert!((ticks[0] - from).abs() < 1e-9 && (ticks[ticks.len() - 1] - last).abs() < 1e-9, "{model}: {ticks:?}");
+        browser.screenshot(&pictures().join(format!("sweep-{model}.png")));
+        let (cursor, drawn) = (browser.evaluate(CURSOR), browser.evaluate(PIXELS));
+        browser.key("Home");
+        browser.settle();
+        assert_ne!(cursor[0], browser.evaluate(CURSOR)[0], "{model}: the cursor does not move");
+        assert_ne!(drawn[1], browser.evaluate(PIXELS)[1], "{model}: the drawing does not move");
+        assert!(browser.complaints.is_empty(), "{model}: {:?}", browser.complaints);
+    }
+}
+
 #[test]
 #[ignore = "needs Chromium; .ci/run installs it and runs this"]
 fn what_a_reader_does_has_its_effect() {

@@ -21,8 +21,9 @@ function addPlots() {
 }
 
 // What follows the time.
-const decimals = end > start ? Math.min(9, Math.max(2, 3 - Math.floor(Math.log10(end - start)))) : 3;
-const clockText = (time) => `t = ${time.toFixed(decimals).replace("-", MINUS)} s`;
+const range = Math.abs(abscissaAt(end) - abscissaAt(start));
+const decimals = range > 0 ? Math.min(9, Math.max(run.abscissa ? 1 : 2, 3 - Math.floor(Math.log10(range)))) : 3;
+const clockText = (time) => `${abscissa.name} = ${abscissaAt(time).toFixed(decimals).replace("-", MINUS)}${abscissa.unit === "°" ? "" : " "}${abscissa.unit}`;
 player.shows.push((time) => {
   if (drawing) {
     drawing.draw(time);
@@ -228,14 +229,19 @@ function frameCost(frames = 101, pixels = true) {
   return costs.sort((a, b) => a - b)[frames >> 1];
 }
 
-// A place in the address: #t=0.5 opens the report there, at rest.
+// A place in the address: #t=0.5 opens the report there, at rest; of a sweep it is a value of what is driven.
 const asked = new URLSearchParams(location.hash.slice(1));
 document.documentElement.classList.toggle("dark", asked.has("theme") ? asked.get("theme") === "dark" : system.matches);
 readPalette();
+if (run.abscissa) {
+  byId("scrubber").setAttribute("aria-label", abscissa.label);
+  byId("zoom-hint").textContent = "Drag to zoom, click to go to a position";
+}
 const phase = addPlots();
 player.ready = true;
 if (drawing) drawing.resize();
-if (asked.has("t")) player.seek(Number(asked.get("t")) || start);
+const place = Number(asked.get("t"));
+if (asked.has("t")) player.seek(Number.isFinite(place) ? timeAt(place) : start);
 else if (!matchMedia("(prefers-reduced-motion: reduce)").matches) player.play();
 player.render();
 window.report = { player, drawing, plots, zoomTo, frameCost, isDark };

@@ -72,7 +72,7 @@ class PlotCard {
       cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: true, dist: 6 } },
       scales: { x: { time: false }, y: { range: (_, low, high) => padded(low, high) } },
       axes: [
-        { ...axis, values: (_, splits) => ticks(splits), size: 26, label: "time [s]", labelSize: 16, labelGap: 0 },
+        { ...axis, ...abscissaTicks(), size: 26, label: abscissa.label, labelSize: 16, labelGap: 0 },
         { ...axis, values: (_, splits) => ticks(splits), space: 26, size: 62, label: units, labelSize: 20, labelGap: 2 },
       ],
       series: [{}, ...this.columns.map((column, i) => ({
@@ -98,12 +98,12 @@ class PlotCard {
   /** Hovering shows a time, a click goes there, a double click shows the whole run. */
   listen(over) {
     let pressed = null;
-    const timeAt = (event) => Math.min(end, Math.max(start, this.chart.posToVal(event.clientX - over.getBoundingClientRect().left, "x")));
+    const timeUnder = (event) => Math.min(end, Math.max(start, this.chart.posToVal(event.clientX - over.getBoundingClientRect().left, "x")));
     over.addEventListener("mousedown", (event) => (pressed = event.clientX));
-    over.addEventListener("mousemove", (event) => event.buttons === 0 && player.preview(timeAt(event)));
+    over.addEventListener("mousemove", (event) => event.buttons === 0 && player.preview(timeUnder(event)));
     over.addEventListener("mouseleave", () => player.preview(null));
     over.addEventListener("click", (event) => {
-      if (pressed === null || Math.abs(event.clientX - pressed) < 6) player.seek(timeAt(event));
+      if (pressed === null || Math.abs(event.clientX - pressed) < 6) player.seek(timeUnder(event));
       pressed = null;
     });
     over.addEventListener("dblclick", () => zoomTo(null));
@@ -141,6 +141,30 @@ class PlotCard {
       this.values[i].firstChild ? (this.values[i].firstChild.data = number(value)) : this.values[i].append(number(value), element("span", { class: "unit" }, ` ${column.unit}`));
     });
   }
+}
+
+/** Ticks along the abscissa: round values of what is shown for time. */
+function abscissaTicks() {
+  const values = (_, splits) => ticks(splits.map(abscissaAt));
+  if (!run.abscissa) return { values };
+  return {
+    values,
+    splits: (chart, _, min, max) => {
+      const ends = [abscissaAt(min), abscissaAt(max)].sort((a, b) => a - b);
+      const found = round(ends, Math.max(2, chart.bbox.width / devicePixelRatio / 70), abscissa.unit === "°").map(timeAt);
+      return abscissa.rate < 0 ? found.reverse() : found;
+    },
+  };
+}
+
+/** At most so many round values in a range; of degrees, parts of a turn. */
+function round([low, high], most, degrees = false) {
+  const raw = (high - low) / most;
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const digits = degrees && power >= 1 ? [1, 1.5, 3, 4.5, 6, 9, 10] : [1, 2, 5, 10];
+  const step = power * digits.find((digit) => digit * power >= raw * (1 - 1e-9));
+  const first = Math.ceil(low / step - 1e-9);
+  return Array.from({ length: Math.max(0, Math.floor(high / step + 1e-9) - first + 1) }, (_, i) => (first + i) * step);
 }
 
 /** Gaps where a value is not finite. */
@@ -269,13 +293,6 @@ class Phase {
     c.lineWidth = 1;
     c.fillStyle = palette.muted;
     c.strokeStyle = palette.grid;
-    const round = (range, most) => {
-      const raw = (range[1] - range[0]) / most;
-      const power = 10 ** Math.floor(Math.log10(raw));
-      const step = power * [1, 2, 5, 10].find((digit) => digit * power >= raw);
-      const first = Math.ceil(range[0] / step);
-      return Array.from({ length: Math.floor(range[1] / step) - first + 1 }, (_, i) => (first + i) * step);
-    };
     const rule = (from, to) => {
       c.beginPath();
       c.moveTo(...from);

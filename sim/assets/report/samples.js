@@ -14,6 +14,12 @@ const times = floats(run.times, Float64Array);
 const sampleTimes = times;
 const start = times[0];
 const end = times[times.length - 1];
+
+// What is shown for a time: itself, or a quantity that changes in proportion to it.
+const abscissa = run.abscissa || { name: "t", unit: "s", label: "time [s]", from: start, rate: 1 };
+const abscissaAt = (time) => abscissa.from + abscissa.rate * (time - start);
+const timeAt = (value) => start + (value - abscissa.from) / abscissa.rate;
+
 for (const column of run.columns) column.values = floats(column.values, Float32Array);
 const drawn = floats(run.drawing.numbers, Float32Array);
 const arrowTimes = floats(run.vector_times, Float64Array);

@@ -1,6 +1,7 @@
 //! The results of a run without the type of its mechanism, so that all code for text, tables and pictures is compiled
 //! once.
 
+use crate::analysis::kinematics::Kinematics;
 use crate::events::{Crossing, Occurrence};
 use crate::integrate::Steps;
 use crate::motion::mobility::Mobility;
@@ -75,12 +76,16 @@ pub(crate) struct Row {
     pub(crate) drawing: Vec<f64>,
 }
 
-/// A run whose mechanism has no type.
-pub(crate) trait Recorded {
-    /// All but the samples.
-    fn outcome(&self) -> Outcome;
+/// The samples of a motion, of a mechanism without a type.
+pub(crate) trait Rows {
     /// A sample.
     fn row(&self, index: usize) -> Row;
+}
+
+/// A run whose mechanism has no type.
+pub(crate) trait Recorded: Rows {
+    /// All but the samples.
+    fn outcome(&self) -> Outcome;
 }
 
 impl<M: Mechanism> Recorded for Run<M> {
@@ -108,11 +113,19 @@ impl<M: Mechanism> Recorded for Run<M> {
             integration_seconds: self.integration_time.as_secs_f64(),
         }
     }
+}
 
+impl<M: Mechanism> Rows for Run<M> {
     fn row(&self, index: usize) -> Row {
         let phase = self.trajectory.phase_of(index);
         let mechanism = phase.map_or(&self.mechanism, |phase| &phase.mechanism);
         Row::new(mechanism, &self.trajectory.samples[index], phase.map_or(0.0, |phase| phase.energy_taken))
+    }
+}
+
+impl<M: Mechanism> Rows for Kinematics<M> {
+    fn row(&self, index: usize) -> Row {
+        Row::new(&self.mechanism, &self.trajectory.samples[index], 0.0)
     }
 }
 

@@ -27,6 +27,8 @@ pub struct Prescribed<M: Mechanism> {
 
 /// The same for a mechanism of any type, with a measure of how well the drives determine it.
 pub(super) struct AnyPrescribed {
+    /// p, which is the time unless time stands still.
+    pub(super) parameter: f64,
     pub(super) time: f64,
     pub(super) positions: Vec<f64>,
     /// dq/dp: the speeds, unless the mechanism rests.
@@ -141,6 +143,7 @@ pub(super) fn prescribed(
     let rest = left_over(system, q, p, [&qd, &qdd])?;
     let (multipliers, reactions) = system.split(&factors.solve_transposed(&rest).ok_or_else(singular)?);
     let found = AnyPrescribed {
+        parameter: p,
         time: system.time(p),
         positions: q.to_vec(),
         direction,

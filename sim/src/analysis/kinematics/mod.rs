@@ -140,7 +140,7 @@ pub fn kinematics_until<M: Mechanism>(
 /// The values of what is driven, and the forces of each drive.
 fn drives(swept: &Swept) -> (Vec<f64>, Vec<Vec<f64>>) {
     let law = swept.system.laws[0];
-    let values = swept.motion.iter().map(|motion| law.at(motion.time)).collect();
+    let values = swept.motion.iter().map(|motion| law.at(motion.parameter)).collect();
     let forces = |k: usize| swept.motion.iter().map(|motion| motion.forces[k]).collect();
     (values, (0..swept.system.laws.len()).map(forces).collect())
 }

@@ -138,6 +138,7 @@ impl Path<'_> {
         let values: Vec<f64> = beside.iter().enumerate().map(value).collect();
         let factors = Factors::new(&self.system.linear(&q, p).jacobian, &self.sizes);
         let found = AnyPrescribed {
+            parameter: p,
             time: self.system.time(p),
             positions: q,
             direction: values[..n].to_vec(),

@@ -11,6 +11,7 @@ use std::path::PathBuf;
     sim kinematics four-bar\n  sim kinematics slider-crank --drive x --from 0.5 --to 0.4 --speed 0.1\n\n\
     Files written to DIR:\n  trajectory.csv   as of a run, and drive_NAME, transmission_index, ratio_OUTPUT, advantage_OUTPUT\n  \
     summary.json     strokes, time ratios, peaks, limit positions, and where they are\n  \
+    report.html      mechanism, plots against what is driven, tables and equations, for any browser\n  \
     NAME.svg, .png   a figure for each group of outputs against what is driven; drive, transmission, ratios, mechanism"
 )]
 pub(in crate::cli) struct KinematicsArguments {
@@ -56,6 +57,10 @@ pub(in crate::cli) struct KinematicsArguments {
     /// Where to write [default: out/MODEL-kinematics].
     #[arg(long, value_name = "DIR")]
     pub(in crate::cli) out: Option<PathBuf>,
+
+    /// Writes no report.
+    #[arg(long)]
+    pub(in crate::cli) no_report: bool,
 
     #[command(flatten)]
     pub(in crate::cli) written: WrittenArguments,

@@ -122,9 +122,19 @@ pub(in crate::cli) fn kinematics_command<M: Mechanism>(
     let directory = directory.unwrap_or_else(|| format!("out/{}-kinematics", description.name).into());
     let files = Files::new(description, &directory, &SWEEP_FIGURES)?;
     let found = signals::interruptible(|| kinematics_until(&signals::INTERRUPTED, mechanism, &start, &sweep))?;
-    let draw =
-        |table: &Table, directory: &Path| show::sweep_figures(&found, table, directory, arguments.written.size.show());
-    tell(&Found::new(&found), &mut found.table(), (arguments, files), &draw, voice)
+    let size = arguments.written.size.show();
+    let pictures = Pictures {
+        figures: &|table, directory| show::sweep_figures(&found, table, directory, size),
+        report: &|table, command, path| show::sweep_report(&found, table, command, path),
+    };
+    tell(&Found::new(&found), &mut found.table(), (arguments, files), &pictures, voice)
+}
+
+/// What draws a sweep.
+struct Pictures<'a> {
+    figures: &'a dyn Fn(&Table, &Path) -> show::Figures,
+    /// From the command that repeats it, to a file.
+    report: &'a dyn Fn(&Table, &str, &Path) -> Result<(), show::ShowError>,
 }
 
 /// A value, if it is given.
@@ -177,15 +187,20 @@ fn tell(
     found: &Found,
     table: &mut Table,
     (arguments, mut files): (&KinematicsArguments, Files),
-    draw: &dyn Fn(&Table, &Path) -> show::Figures,
+    pictures: &Pictures,
     voice: Voice,
 ) -> Result<(), Stop> {
     let mut summary = summary(found);
-    Files::name_run(table, asked::command(), &mut [&mut summary]);
+    let command = asked::command();
+    Files::name_run(table, command.clone(), &mut [&mut summary]);
     files.add_table(table, &arguments.written);
     folder::tell("summary.json", summary.clone());
-    if !arguments.written.no_figures && !table.times().is_empty() {
-        files.add_figures(|directory| draw(table, directory));
+    let is_shown = !table.times().is_empty() && files.has_room();
+    if !arguments.no_report && is_shown {
+        files.add("report.html", |path| (pictures.report)(table, &command, path));
+    }
+    if !arguments.written.no_figures && is_shown && files.has_room() {
+        files.add_figures(|directory| (pictures.figures)(table, directory));
     }
     files.finish();
     files.say(voice, summary, &format!("{}{}", report(found), files.line()))?;

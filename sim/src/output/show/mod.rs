@@ -47,9 +47,9 @@ pub(crate) use figures::figures_of;
 pub use figures::{Figures, figures};
 pub use length::Length;
 pub use parts::Shapes;
-#[cfg(feature = "cli")]
-pub(crate) use report::report_of;
 pub use report::{About, report};
+#[cfg(feature = "cli")]
+pub(crate) use report::{report_of, sweep_report};
 pub use section::section_figures;
 #[cfg(feature = "cli")]
 pub(crate) use sweep::SWEEP_FIGURES;

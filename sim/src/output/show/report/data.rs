@@ -1,7 +1,8 @@
 //! The data for the page's script.
 
+use super::Shown;
 use super::rows::{chosen, doubles, floats};
-use crate::output::outcome::{Outcome, Recorded};
+use crate::output::outcome::Rows;
 use crate::output::show::figures::{groups, label};
 use crate::output::show::parts::is_coloured;
 use crate::output::show::typeset;
@@ -18,45 +19,56 @@ struct Labelled {
     label: String,
 }
 
-/// A figure's title and its columns.
-struct Group {
-    title: String,
-    columns: Vec<usize>,
+/// A figure's title and its columns, without time.
+pub(super) struct Group {
+    pub(super) title: String,
+    pub(super) columns: Vec<usize>,
 }
 
-/// The run as JSON: columns and drawing as packed floats, figures as lists of columns.
-pub(super) fn data(run: &dyn Recorded, outcome: &Outcome, table: &Table) -> Value {
-    let description = outcome.description;
+/// The motion as JSON: columns and drawing as packed floats, figures as lists of columns.
+pub(super) fn data(shown: &Shown) -> Value {
+    let Shown { description, rows: all_rows, table, times, .. } = shown;
     let mut columns = labelled(description, table);
-    let figures = declared(description, table);
-    let mut more = states(description);
-    let work = columns.len() - description.outputs.len() - 1;
-    columns[work].label = "work of loads and drives since the start".into();
-    more.push(Group { title: "Energy".into(), columns: vec![columns.len(), work] });
-    more.push(Group { title: "Change of kinetic energy minus work".into(), columns: vec![columns.len() + 1] });
-    columns.extend(energy(run, outcome.samples));
+    let is_zero = |group: &Group| group.columns.iter().all(|k| table.columns[k + 1].values.iter().all(|v| *v == 0.0));
+    let figures = declared(description, table).into_iter().filter(|group| !(shown.is_at_rest && is_zero(group)));
+    let figures: Vec<Group> = figures.chain((shown.figures)()).collect();
+    let mut more = states(description, shown.is_at_rest);
+    if shown.has_energy {
+        let work = 3 * description.coordinates.len() + description.constraints.len();
+        columns[work].label = "work of loads and drives since the start".into();
+        more.push(Group { title: "Energy".into(), columns: vec![columns.len(), work] });
+        more.push(Group { title: "Change of kinetic energy minus work".into(), columns: vec![columns.len() + 1] });
+        columns.extend(energy(*all_rows, times.len()));
+    }
     let width = drawing_width(description);
     let all: Vec<&Column> = columns.iter().map(|labelled| &labelled.column).collect();
-    let rows = chosen(&all, table.times().len(), all.len() + width + 4 * description.constraints.len().max(4));
+    let rows = chosen(&all, times.len(), all.len() + width + 4 * description.constraints.len().max(4));
     let arrow_rows = every_nth(&rows);
-    let vectors = crate::output::show::vectors::vectors(run, description, &arrow_rows);
+    let vectors = crate::output::show::vectors::vectors(*all_rows, description, &arrow_rows);
     let pick = |values: &[f64]| floats(rows.iter().map(|row| values[*row]));
     let (open, closed) = if figures.is_empty() { more.split_at(more.len().min(2)) } else { (&figures[..], &more[..]) };
+    let abscissa = shown.abscissa.as_ref().map(|abscissa| {
+        json!({
+            "name": abscissa.name, "unit": printed_unit(abscissa.unit), "label": typeset(&abscissa.label),
+            "from": abscissa.from, "rate": abscissa.rate,
+        })
+    });
     json!({
-        "times": doubles(rows.iter().map(|row| table.times()[*row])),
+        "times": doubles(rows.iter().map(|row| times[*row])),
+        "abscissa": abscissa,
         "columns": columns.iter().map(|Labelled { column, label }| json!({
             "name": column.name, "label": typeset(label), "unit": printed_unit(&column.unit), "values": pick(&column.values),
         })).collect::<Vec<_>>(),
         "figures": open.iter().map(figure).collect::<Vec<_>>(),
         "more": closed.iter().map(figure).collect::<Vec<_>>(),
         "phase": [0, description.coordinates.len()],
-        "drawing": drawing(run, description, &rows),
-        "vector_times": doubles(arrow_rows.iter().map(|row| table.times()[*row])),
+        "drawing": drawing(*all_rows, description, &rows),
+        "vector_times": doubles(arrow_rows.iter().map(|row| times[*row])),
         "vectors": vectors.into_iter().map(|(vector, numbers)| json!({
             "label": vector.label, "about": vector.about, "kind": vector.kind, "numbers": floats(numbers),
         })).collect::<Vec<_>>(),
-        "events": outcome.events.iter().take(MOST_MARKS).map(|event| event.time).collect::<Vec<_>>(),
-        "period": outcome.period,
+        "events": shown.marks.iter().take(MOST_MARKS).collect::<Vec<_>>(),
+        "period": shown.period,
     })
 }
 
@@ -113,8 +125,8 @@ fn capital(text: &str) -> String {
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// Coordinates, speeds, accelerations and multipliers, those of one unit together.
-fn states(description: &Description) -> Vec<Group> {
+/// Coordinates, speeds, accelerations and multipliers, those of one unit together; without what is 0 at rest.
+fn states(description: &Description, is_at_rest: bool) -> Vec<Group> {
     let (n, m) = (description.coordinates.len(), description.constraints.len());
     let unit = |index: usize| match (index / n.max(1), index % n.max(1)) {
         (0, i) => description.coordinates[i].position.unit,
@@ -128,7 +140,9 @@ fn states(description: &Description) -> Vec<Group> {
         ("Accelerations", 2 * n..3 * n),
         ("Multipliers", 3 * n..3 * n + m),
     ];
-    kinds.into_iter().flat_map(|(title, indices)| of_one_unit(title, indices.collect(), unit)).collect()
+    let moves = |title: &str| matches!(title, "Speeds" | "Accelerations");
+    let kinds = kinds.into_iter().filter(|(title, _)| !(is_at_rest && moves(title)));
+    kinds.flat_map(|(title, indices)| of_one_unit(title, indices.collect(), unit)).collect()
 }
 
 fn of_one_unit(title: &str, indices: Vec<usize>, unit: impl Fn(usize) -> &'static str) -> Vec<Group> {
@@ -145,7 +159,7 @@ fn of_one_unit(title: &str, indices: Vec<usize>, unit: impl Fn(usize) -> &'stati
 }
 
 /// Kinetic energy, and the change of its difference from work.
-fn energy(run: &dyn Recorded, samples: usize) -> [Labelled; 2] {
+fn energy(run: &dyn Rows, samples: usize) -> [Labelled; 2] {
     let (mut kinetic, mut change, mut start) = (Vec::new(), Vec::new(), None);
     for index in 0..samples {
         let row = run.row(index);
@@ -165,7 +179,7 @@ fn drawing_width(description: &Description) -> usize {
 }
 
 /// The shapes with the names of their points, and their numbers row by row.
-fn drawing(run: &dyn Recorded, description: &Description, rows: &[usize]) -> Value {
+fn drawing(run: &dyn Rows, description: &Description, rows: &[usize]) -> Value {
     let names = crate::output::show::names::points(description);
     let (mut first, mut colour, mut shapes) = (0, 0, Vec::new());
     for (index, (shape, points)) in description.drawing.iter().zip(&names).enumerate() {

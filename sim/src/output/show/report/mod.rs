@@ -1,4 +1,4 @@
-//! The report of a run: one page with the mechanism in motion, plots, tables and equations, that needs no network.
+//! The report of a run or a sweep: one page with the mechanism in motion, plots, tables and equations, that needs no network.
 //!
 //! Tables and equations are written here, as HTML; the motion and the curves travel as packed floats and are drawn by
 //! the page's own script (`sim/assets/report`). The same run gives the same bytes.
@@ -7,15 +7,20 @@ mod data;
 mod html;
 mod page;
 mod rows;
+mod sweep;
 mod tables;
 
 use super::ShowError;
-use crate::output::outcome::{Outcome, Recorded};
+use crate::output::outcome::{Outcome, Recorded, Rows};
 use crate::output::whole::whole_bytes;
-use crate::{Run, Table};
+use crate::{Failure, Run, Table};
+use data::Group;
+use html::number;
 use serde_json::Value;
-use sim_kernel::Mechanism;
+use sim_kernel::{Description, Mechanism};
 use std::path::Path;
+
+pub(crate) use sweep::sweep_report;
 
 /// The contents of a report beside the run itself.
 #[derive(Clone, Copy, Debug)]
@@ -46,9 +51,88 @@ pub(crate) fn report_of(
     about: &About,
     path: &Path,
 ) -> Result<(), ShowError> {
-    if table.times().is_empty() {
-        return Err(ShowError::empty("report", "the run has no sample"));
+    let shown = Shown {
+        description: outcome.description,
+        rows: run,
+        table,
+        times: table.times().to_vec(),
+        abscissa: None,
+        figures: &Vec::new,
+        has_energy: true,
+        is_at_rest: false,
+        marks: outcome.events.iter().map(|event| event.time).collect(),
+        period: outcome.period,
+        failure: outcome.failure.as_ref(),
+        facts: facts(outcome, about),
+        tables: tables::tables(outcome, about.summary),
+        command: about.command,
+        run_file: about.run_file,
+    };
+    shown.write(path)
+}
+
+/// The run in short.
+fn facts(run: &Outcome, about: &About) -> Vec<Fact> {
+    let (n, m) = (run.description.coordinates.len(), run.description.constraints.len());
+    let mut facts = vec![("Time", format!("0 to {} s", number(run.reached, 12)), false)];
+    if let Some(period) = run.period {
+        facts.push(("Period", format!("{} s", number(period, 12)), false));
     }
-    let page = page::page(run, outcome, table, about);
-    whole_bytes(path, page.as_bytes()).map_err(|why| ShowError::write(path, why))
+    facts.push(("Coordinates", n.to_string(), false));
+    if m > 0 {
+        let open = number(run.position_residual, 2);
+        facts.push(("Constraints", format!("{m}, open by at most {open}"), false));
+    }
+    if let Some(name) = about.summary["method"]["name"].as_str() {
+        facts.push(("Method", name.to_owned(), false));
+    }
+    let doubtful = !(run.energy_balance < crate::DOUBTFUL_BALANCE);
+    facts.push(("Energy balance off by", number(run.energy_balance, 2), doubtful));
+    facts
+}
+
+/// A fact with its name, and whether it is a warning.
+type Fact = (&'static str, String, bool);
+
+/// What a page shows.
+struct Shown<'a> {
+    description: &'static Description,
+    rows: &'a dyn Rows,
+    table: &'a Table,
+    /// The time of each sample in the animation, in increasing order.
+    times: Vec<f64>,
+    /// What is shown for that time, if it is not time.
+    abscissa: Option<Abscissa>,
+    /// Figures beside those of outputs and states.
+    figures: &'a dyn Fn() -> Vec<Group>,
+    has_energy: bool,
+    is_at_rest: bool,
+    /// Times to be marked.
+    marks: Vec<f64>,
+    period: Option<f64>,
+    failure: Option<&'a Failure>,
+    facts: Vec<Fact>,
+    tables: String,
+    command: &'a str,
+    run_file: Option<&'a str>,
+}
+
+/// A quantity that changes in proportion to the time of the animation, in its declared unit.
+struct Abscissa {
+    name: &'static str,
+    unit: &'static str,
+    label: String,
+    /// At the start.
+    from: f64,
+    /// Per second.
+    rate: f64,
+}
+
+impl Shown<'_> {
+    fn write(&self, path: &Path) -> Result<(), ShowError> {
+        if self.times.is_empty() {
+            return Err(ShowError::empty("report", "the run has no sample"));
+        }
+        whole_bytes(path, page::page(self).as_bytes()).map_err(|why| ShowError::write(path, why))
+    }
 }

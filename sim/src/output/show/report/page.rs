@@ -1,11 +1,8 @@
 //! The page: its template, filled.
 
-use super::About;
+use super::Shown;
 use super::data::data;
-use super::html::{escaped, number};
-use super::tables::tables;
-use crate::Table;
-use crate::output::outcome::{Outcome, Recorded};
+use super::html::escaped;
 use crate::state::provenance::Provenance;
 use sim_kernel::Description;
 
@@ -30,22 +27,22 @@ const SCRIPT: [&str; 8] = [
 const MOST_OF_EQUATIONS: usize = 300_000;
 
 /// The whole page.
-pub(super) fn page(run: &dyn Recorded, outcome: &Outcome, table: &Table, about: &About) -> String {
-    let description = outcome.description;
+pub(super) fn page(shown: &Shown) -> String {
+    let description = shown.description;
     fill(TEMPLATE, |slot| match slot {
         "title" => escaped(&spaced(description.type_name)),
         "docs" => with_code(&escaped(&description.docs.replace('\n', " "))),
         "style" => STYLE.concat(),
-        "failure" => failure(outcome),
-        "facts" => facts(outcome, about),
-        "tables" => tables(outcome, about.summary),
+        "failure" => failure(shown),
+        "facts" => facts(shown),
+        "tables" => shown.tables.clone(),
         "equations" => equations(description),
-        "reproduce" => reproduce(description, about),
+        "reproduce" => reproduce(shown),
         "generator" => escaped(&Provenance::program()),
-        "provenance" => escaped(&table.provenance.to_json().to_string()),
-        "footer" => footer(&table.provenance),
+        "provenance" => escaped(&shown.table.provenance.to_json().to_string()),
+        "footer" => footer(&shown.table.provenance),
         // Within a script element only its end tag must not occur.
-        "data" => data(run, outcome, table).to_string().replace("</", "<\\/"),
+        "data" => data(shown).to_string().replace("</", "<\\/"),
         "uplot" => format!("/*!\n{UPLOT_LICENSE}*/\n{UPLOT}"),
         "script" => format!("(() => {{\n\"use strict\";\n{}}})();", SCRIPT.concat()),
         other => other.to_owned(),
@@ -98,33 +95,19 @@ fn spaced(type_name: &str) -> String {
     words
 }
 
-fn failure(run: &Outcome) -> String {
-    let Some(failure) = &run.failure else { return String::new() };
-    format!("<p class=\"failure\"><strong>The run ended early.</strong> {}</p>", escaped(&failure.to_string()))
+fn failure(shown: &Shown) -> String {
+    let Some(failure) = shown.failure else { return String::new() };
+    let what = if shown.abscissa.is_some() { "sweep" } else { "run" };
+    format!("<p class=\"failure\"><strong>The {what} ended early.</strong> {}</p>", escaped(&failure.to_string()))
 }
 
-/// The run in short.
-fn facts(run: &Outcome, about: &About) -> String {
-    let (n, m) = (run.description.coordinates.len(), run.description.constraints.len());
-    let mut facts = vec![("Time", format!("0 to {} s", number(run.reached, 12)), false)];
-    if let Some(period) = run.period {
-        facts.push(("Period", format!("{} s", number(period, 12)), false));
-    }
-    facts.push(("Coordinates", n.to_string(), false));
-    if m > 0 {
-        let open = number(run.position_residual, 2);
-        facts.push(("Constraints", format!("{m}, open by at most {open}"), false));
-    }
-    if let Some(name) = about.summary["method"]["name"].as_str() {
-        facts.push(("Method", name.to_owned(), false));
-    }
-    let doubtful = !(run.energy_balance < crate::DOUBTFUL_BALANCE);
-    facts.push(("Energy balance off by", number(run.energy_balance, 2), doubtful));
-    let item = |(name, value, warn): (&str, String, bool)| {
-        let class = if warn { " class=\"warn\"" } else { "" };
-        format!("<li{class}><span>{name}</span>{}</li>", escaped(&value))
+/// The motion in short.
+fn facts(shown: &Shown) -> String {
+    let item = |(name, value, warn): &(&str, String, bool)| {
+        let class = if *warn { " class=\"warn\"" } else { "" };
+        format!("<li{class}><span>{name}</span>{}</li>", escaped(value))
     };
-    facts.into_iter().map(item).collect::<Vec<_>>().join("\n")
+    shown.facts.iter().map(item).collect::<Vec<_>>().join("\n")
 }
 
 /// The equations of motion, if the declaration can be derived again.
@@ -164,15 +147,15 @@ fn equations(_: &Description) -> String {
     String::new()
 }
 
-fn reproduce(description: &Description, about: &About) -> String {
-    let mut html = format!("<pre>{}</pre>", escaped(about.command));
-    if let Some(run_file) = about.run_file {
+fn reproduce(shown: &Shown) -> String {
+    let mut html = format!("<pre>{}</pre>", escaped(shown.command));
+    if let Some(run_file) = shown.run_file {
         html += &format!(
             "<details class=\"source\"><summary>The run file, run.json</summary><pre>{}</pre></details>",
             escaped(run_file)
         );
     }
-    let declaration = escaped(description.declaration.trim_end());
+    let declaration = escaped(shown.description.declaration.trim_end());
     html += &format!("<details class=\"source\"><summary>The declaration</summary><pre>{declaration}</pre></details>");
     html
 }

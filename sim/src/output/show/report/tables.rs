@@ -9,11 +9,11 @@ use sim_kernel::{Description, Quantity, Start};
 /// Events that are listed.
 const MOST_EVENTS: usize = 24;
 
-/// All tables.
+/// All tables of a run.
 pub(super) fn tables(run: &Outcome, summary: &Value) -> String {
     let description = run.description;
     [
-        parameters(run, description),
+        parameters(description, &run.parameters, &run.defaults),
         start(run, description),
         method(summary),
         accuracy(run, summary),
@@ -34,8 +34,7 @@ fn named(q: &Quantity, value: f64, class: &str, more: &str) -> String {
     )
 }
 
-fn parameters(run: &Outcome, description: &Description) -> String {
-    let (values, defaults) = (&run.parameters, &run.defaults);
+pub(super) fn parameters(description: &Description, values: &[f64], defaults: &[f64]) -> String {
     let changed = values != defaults;
     let row = |(i, q): (usize, &Quantity)| {
         let class = if values[i] == defaults[i] { "" } else { " class=\"changed\"" };
@@ -91,7 +90,7 @@ fn method(summary: &Value) -> String {
     table("Method", &[], &rows.into_iter().chain(times).chain(samples).collect::<Vec<_>>(), "")
 }
 
-fn pair(name: &str, value: &str) -> String {
+pub(super) fn pair(name: &str, value: &str) -> String {
     format!("<tr><th>{}</th><td>{}</td></tr>", escaped(&name.replace('_', " ")), escaped(value))
 }
 
@@ -159,13 +158,13 @@ fn described(q: &Quantity) -> String {
     format!("<tr><th>{name}</th><td class=\"unit\">{}</td><td class=\"about\">{docs}</td></tr>", unit(q.unit))
 }
 
-fn constraints(description: &Description) -> String {
+pub(super) fn constraints(description: &Description) -> String {
     let rows: Vec<String> = description.constraints.iter().map(described).collect();
     let head = [("", "name"), ("", "multiplier in"), ("", "")];
     table("Constraints", &head, &rows, "The reaction does the virtual work −λ δC on the mechanism.")
 }
 
-fn outputs(description: &Description) -> String {
+pub(super) fn outputs(description: &Description) -> String {
     let rows: Vec<String> = description.outputs.iter().map(described).collect();
     table("Outputs", &[("", "name"), ("", "unit"), ("", "")], &rows, "")
 }

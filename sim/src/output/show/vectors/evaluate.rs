@@ -3,15 +3,15 @@
 use super::Vector;
 use super::arrows::{Source, arrows};
 use super::expressions::REACH;
-use crate::output::outcome::{Recorded, Row};
+use crate::output::outcome::{Row, Rows};
 use codegen::dsl::{self, OutputGroup};
 use codegen::oracle::{Measured, Oracle, Solution, State};
 use sim_kernel::Description;
 
-/// The forces of a run, each with its point and its components, at each of some samples. None where the declaration
+/// The forces of a motion, each with its point and its components, at each of some samples. None where the declaration
 /// cannot be read again.
 pub(in crate::output::show) fn vectors(
-    run: &dyn Recorded,
+    run: &dyn Rows,
     description: &Description,
     samples: &[usize],
 ) -> Vec<(Vector, Vec<f64>)> {

@@ -26,7 +26,7 @@ pub(super) use evaluate::vectors;
 /// None: the declaration cannot be read again.
 #[cfg(not(feature = "analysis"))]
 pub(super) fn vectors(
-    _: &dyn crate::output::outcome::Recorded,
+    _: &dyn crate::output::outcome::Rows,
     _: &sim_kernel::Description,
     _: &[usize],
 ) -> Vec<(Vector, Vec<f64>)> {
