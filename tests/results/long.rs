@@ -23,7 +23,7 @@ fn check<M: Compiled>(mechanism: M, end: f64) -> (f64, f64, f64) {
 
 /// `cargo bench -p tests --bench long` prints the same, optimised. Angles grow to 70,000 rad, of which a double knows 1e-11; the projection can do no better.
 #[test]
-#[ignore = "takes a minute without optimisation: cargo test -p tests --release --test motion long -- --ignored --nocapture"]
+#[ignore = "takes a minute without optimisation: cargo test -p tests --release --test results long -- --ignored --nocapture"]
 fn quick_return_for_ten_thousand_seconds() {
     let (position, velocity, energy) = check(QuickReturn::default(), 10_000.0);
     assert!(position < 1e-10 && velocity < 1e-10 && energy < 1e-6, "{position:e} {velocity:e} {energy:e}");

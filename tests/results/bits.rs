@@ -142,7 +142,7 @@ fn fingerprints() -> Vec<Fingerprint> {
 }
 
 fn file() -> PathBuf {
-    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/motion/results.txt"))
+    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/results/results.txt"))
 }
 
 #[test]
