@@ -17,7 +17,7 @@ pub mod oracle;
 pub mod program;
 pub mod symbolic;
 
-use notation::{Notation, Part};
+use notation::{Notation, Section};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use std::path::{Path, PathBuf};
@@ -106,7 +106,7 @@ fn resolved(tokens: TokenStream) -> syn::Result<(dsl::Declaration, model::Resolv
 ///
 /// # Errors
 /// As [`generate`], and if the text is not made of Rust's tokens.
-pub fn equations_as(notation: Notation, declaration: &str) -> syn::Result<Vec<Part>> {
+pub fn equations_as(notation: Notation, declaration: &str) -> syn::Result<Vec<Section>> {
     Ok(notation::equations(&equations(declaration.parse()?)?, notation))
 }
 

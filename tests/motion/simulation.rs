@@ -137,7 +137,7 @@ fn altered_bytes_are_refused() {
         // Whoever alters bytes and knows the digest gets an error or a simulation, and no panic.
         let length = bytes.len().saturating_sub(8);
         bytes.truncate(length);
-        let sum = crate::results::fnv(&bytes);
+        let sum = tests::digest::fnv(&bytes);
         bytes.extend(sum.to_le_bytes());
         let mut other = ball.clone();
         if other.restore(&bytes).is_ok() {

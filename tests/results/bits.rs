@@ -10,6 +10,7 @@ use sim::{
 use std::fs;
 use std::path::PathBuf;
 use std::sync::Arc;
+use tests::digest::Fnv;
 use tests::run_with;
 
 /// What a run gave.
@@ -37,7 +38,7 @@ impl Fingerprint {
         }
         Fingerprint {
             run: format!("{}:{run}", found.mechanism.description().name),
-            hash: hash.0,
+            hash: hash.digest(),
             rows: found.trajectory.samples.len(),
             steps: found.steps.accepted,
             evaluations: found.evaluations,
@@ -76,28 +77,6 @@ impl Fingerprint {
                 self.run
             )
         })
-    }
-}
-
-/// The digest of bytes.
-pub(crate) fn fnv(bytes: &[u8]) -> u64 {
-    let mut hash = Fnv::new();
-    hash.add(bytes);
-    hash.0
-}
-
-/// FNV-1a, 64 bits (RFC 9923).
-struct Fnv(u64);
-
-impl Fnv {
-    fn new() -> Fnv {
-        Fnv(0xcbf2_9ce4_8422_2325)
-    }
-
-    fn add(&mut self, bytes: &[u8]) {
-        for byte in bytes {
-            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
-        }
     }
 }
 

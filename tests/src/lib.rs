@@ -2,6 +2,7 @@
 
 pub mod by_hand;
 pub mod declarations;
+pub mod digest;
 pub mod extremes;
 pub mod faults;
 pub mod house;

@@ -3,7 +3,7 @@
 use super::Notation;
 use super::source::Source;
 use codegen::dynamics::EquationsOfMotion;
-use codegen::notation::{self, Part, equations};
+use codegen::notation::{self, Section, equations};
 
 /// The equations of all mechanisms of a text.
 pub(super) fn document(source: &Source, notation: Notation) -> syn::Result<String> {
@@ -22,7 +22,7 @@ fn section(
     mechanism: &EquationsOfMotion,
     notation: notation::Notation,
     head: impl Fn(&str, &str) -> String,
-    part: impl Fn(&Part) -> String,
+    part: impl Fn(&Section) -> String,
 ) -> String {
     let model = &mechanism.model;
     let parts = equations(mechanism, notation);

@@ -36,7 +36,7 @@ impl Block {
 }
 
 /// A part of B'B h = -B'c that shares no unknowns with others.
-pub(super) struct Part {
+pub(super) struct Subsystem {
     /// The coordinates whose rates are unknown.
     pub(super) coordinates: Vec<usize>,
     /// B by columns.
@@ -45,9 +45,9 @@ pub(super) struct Part {
     of_rates: Vec<Expr>,
 }
 
-impl Part {
+impl Subsystem {
     /// All parts of equations for the rates of these coordinates.
-    pub(super) fn all(graph: &mut Graph, equations: &[Equation], coordinates: &[usize]) -> Vec<Part> {
+    pub(super) fn all(graph: &mut Graph, equations: &[Equation], coordinates: &[usize]) -> Vec<Subsystem> {
         let column = |j: &usize| equations.iter().map(|equation| equation.coefficients[*j]).collect();
         let columns: Vec<Vec<Expr>> = coordinates.iter().map(column).collect();
         let mut entry = |a: &[Expr], b: &[Expr]| {
@@ -60,7 +60,7 @@ impl Part {
         let places = components(columns.len(), linked);
         let part = |places: Vec<usize>| {
             let columns: Vec<Vec<Expr>> = places.iter().map(|i| columns[*i].clone()).collect();
-            Part {
+            Subsystem {
                 coordinates: places.iter().map(|i| coordinates[*i]).collect(),
                 matrix: places.iter().map(|i| places.iter().map(|j| matrix[*i][*j]).collect()).collect(),
                 of_rates: reduced(graph, &columns, &rests),
@@ -87,12 +87,12 @@ impl Part {
         changing: &[Expr],
     ) -> Block {
         let mut by_speed = Vec::new();
-        for k in 0..model.speeds.len() {
-            let mut by = Differential::partial(graph, model.speeds[k].symbol);
+        for k in 0..model.generalized_speeds.len() {
+            let mut by = Differential::partial(graph, model.generalized_speeds[k].symbol);
             let rests: Vec<Expr> = rests.iter().map(|rest| by.of(graph, *rest)).collect();
             let right_hand_side = reduced(graph, &self.columns, &rests);
             if right_hand_side.iter().any(|entry| !graph.is_zero(*entry)) {
-                let symbols = self.symbols(graph, model, &format!("by_{}", model.speeds[k].name));
+                let symbols = self.symbols(graph, model, &format!("by_{}", model.generalized_speeds[k].name));
                 by_speed.push((k, Solution { symbols, right_hand_side }));
             }
         }

@@ -2,7 +2,7 @@
 
 use super::intermediates::total_time_derivative;
 use super::variables::{Variables, inner};
-use super::{Constraints, Row, Tmt};
+use super::{Constraints, Tmt, TmtRow};
 use crate::model::Model;
 use crate::symbolic::{Expr, Graph, Number};
 
@@ -53,13 +53,13 @@ impl Energy {
 }
 
 /// T_t (M x'' - F): the power of a drive that moves the row in time.
-fn drive_power(graph: &mut Graph, variables: &Variables, drifts: &[Expr], rows: &[Row], row: &Row) -> Expr {
+fn drive_power(graph: &mut Graph, variables: &Variables, drifts: &[Expr], rows: &[TmtRow], row: &TmtRow) -> Expr {
     let driven = total_time_derivative(graph, &row.motion, drifts);
     if graph.is_zero(driven) {
         return driven;
     }
     let accelerations: Vec<Expr> = variables.accelerations.iter().map(|a| graph.variable(*a)).collect();
-    let acceleration = |graph: &mut Graph, row: &Row| {
+    let acceleration = |graph: &mut Graph, row: &TmtRow| {
         let moving = inner(graph, &row.motion.jacobian, &accelerations);
         graph.add(moving, row.motion.convective)
     };

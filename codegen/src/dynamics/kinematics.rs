@@ -11,7 +11,7 @@
 //! The form B'B is used because pivots chosen for B itself when the mechanism is built would vanish at some positions
 //! where B is regular. Where B'B is not diagonal, its condition is the square of B's.
 
-use super::block::{Block, Part};
+use super::block::{Block, Subsystem};
 use super::linear::{Equation, Solved, eliminate, expanded};
 use crate::model::{GeneralizedSpeed, Level, Model};
 use crate::symbolic::{Differential, Expr, Graph, Node, Number, Symbol, substitute};
@@ -60,7 +60,7 @@ impl Kinematics {
         let left: Vec<usize> = (0..n).filter(|j| solved.iter().all(|solved| solved.unknown != *j)).collect();
         let mut rates = vec![graph.zero(); n];
         let mut parts = Vec::new();
-        for part in Part::all(graph, &equations, &left) {
+        for part in Subsystem::all(graph, &equations, &left) {
             if let Some((j, rate)) = part.known(graph) {
                 rates[j] = rate;
                 continue;
@@ -96,7 +96,7 @@ impl Kinematics {
     /// The derivatives of what is written in u, q, t and h with respect to each u.
     pub(super) fn by_speeds(&self, graph: &mut Graph, model: &Model) -> Vec<Differential> {
         let mut along: Vec<Vec<(Symbol, Expr)>> =
-            model.speeds.iter().map(|speed| vec![(speed.symbol, graph.one())]).collect();
+            model.generalized_speeds.iter().map(|speed| vec![(speed.symbol, graph.one())]).collect();
         for block in &self.blocks {
             for (k, by_speed) in &block.by_speed {
                 let derivatives = by_speed.symbols.iter().map(|by| graph.variable(*by));
@@ -109,7 +109,7 @@ impl Kinematics {
 
 /// A q' + b = 0 of the definitions, then of what is satisfied by construction.
 fn equations(graph: &mut Graph, model: &Model, satisfied: &[Expr]) -> Vec<Equation> {
-    let Model { coordinates, speeds, .. } = model;
+    let Model { coordinates, generalized_speeds: speeds, .. } = model;
     let defined: Vec<Expr> = speeds.iter().map(|speed| definition(graph, speed)).collect();
     let zero = graph.zero();
     let at_rest: Vec<(Symbol, Expr)> = coordinates.iter().map(|c| (c.speed, zero)).collect();

@@ -48,8 +48,8 @@ pub use kinematics::Kinematics;
 pub use lagrange::{Lagrange, lagrange};
 pub use outputs::Outputs;
 pub use speeds::SpeedEquations;
-pub use tmt::{Row, Tmt};
-pub use turns::{Form, Turn};
+pub use tmt::{Tmt, TmtRow};
+pub use turns::{ConstraintForm, RowTurn};
 pub use variables::{Differentiated, Variables};
 
 use crate::model::{Model, Resolved};
@@ -77,9 +77,9 @@ pub struct EquationsOfMotion {
     /// Constraints with their derivatives.
     pub constraints: Constraints,
     /// The constraint rows as they are declared, to be solved.
-    pub declared: Form,
+    pub declared: ConstraintForm,
     /// The same with pairs turned, if any can be.
-    pub turned: Option<Form>,
+    pub turned: Option<ConstraintForm>,
     /// Kinetic energy and power.
     pub energy: Energy,
     /// Outputs and their rates.
@@ -122,10 +122,10 @@ fn derive_as(
     drifts.extend(intermediates.iter().map(|y| y.drift(&mut graph)));
     let energy = Energy::derive(&mut graph, &model, &variables, &drifts, &tmt, &constraints);
     let (mut outputs, mut events) = (Outputs::derive(&mut graph, &model), Events::of(&model));
-    let mut declared = Form::declared(&model, &constraints);
+    let mut declared = ConstraintForm::declared(&model, &constraints);
     let mut turned = None;
     if intermediates.is_empty() {
-        turned = Form::turned(&mut graph, &model, &constraints);
+        turned = ConstraintForm::turned(&mut graph, &model, &constraints);
         for form in [&mut declared].into_iter().chain(&mut turned) {
             sensitivity::derive(&mut graph, &model, &tmt, form, &mut derivatives);
         }

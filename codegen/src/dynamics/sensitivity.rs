@@ -8,7 +8,7 @@
 
 use super::column::Column;
 use super::tmt::Tmt;
-use super::turns::Form;
+use super::turns::ConstraintForm;
 use super::variables::{Derivatives, inner};
 use crate::model::Model;
 use crate::symbolic::{Differential, Expr, Graph, Symbol};
@@ -18,7 +18,13 @@ use crate::symbolic::{Differential, Expr, Graph, Symbol};
 const MOST_COORDINATES: usize = 12;
 
 /// Enters the derivatives that the model asks for.
-pub(super) fn derive(graph: &mut Graph, model: &Model, tmt: &Tmt, form: &mut Form, derivatives: &mut Derivatives) {
+pub(super) fn derive(
+    graph: &mut Graph,
+    model: &Model,
+    tmt: &Tmt,
+    form: &mut ConstraintForm,
+    derivatives: &mut Derivatives,
+) {
     let by_state = model.wants_jacobian.unwrap_or(model.coordinates.len() <= MOST_COORDINATES);
     // Whether an input follows its declared course is known at run time alone.
     let courses: Vec<Expr> = model.inputs.iter().map(|input| input.course).collect();
@@ -53,7 +59,7 @@ fn partials(graph: &mut Graph, symbols: &[Symbol]) -> Vec<Differential> {
 }
 
 /// T_q' (F - M (T_q q'' + g)) - C_q' lambda, then -(C_q q'' + (C_q q' + C_t)_q q' + (..)_t).
-fn residual(graph: &mut Graph, model: &Model, tmt: &Tmt, form: &Form) -> Vec<Expr> {
+fn residual(graph: &mut Graph, model: &Model, tmt: &Tmt, form: &ConstraintForm) -> Vec<Expr> {
     let accelerations = model.accelerations(graph);
     let multipliers: Vec<Expr> = form.multipliers.iter().map(|symbol| graph.variable(*symbol)).collect();
     let mut rows = Vec::new();

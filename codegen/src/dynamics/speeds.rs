@@ -10,7 +10,7 @@
 use super::constraints::switched;
 use super::kinematics::{Kinematics, satisfied};
 use super::rows::{Along, LoadRow};
-use super::tmt::{Row, Tmt};
+use super::tmt::{Tmt, TmtRow};
 use super::variables::Differentiated;
 use crate::model::{Level, Model};
 use crate::symbolic::{Differential, Expr, Graph, Recognition, Symbol, substitute};
@@ -31,7 +31,7 @@ pub struct SpeedEquations {
 
 /// Nothing where there are no generalised speeds.
 pub(super) fn derive(graph: &mut Graph, model: &Model, rows: &[LoadRow]) -> Option<SpeedEquations> {
-    if model.speeds.is_empty() {
+    if model.generalized_speeds.is_empty() {
         return None;
     }
     let mut motion = model.time_derivative(graph);
@@ -39,7 +39,7 @@ pub(super) fn derive(graph: &mut Graph, model: &Model, rows: &[LoadRow]) -> Opti
     let kinematics = Kinematics::derive(graph, model, &satisfied);
     let mut speeds = InSpeeds::of(graph, model, motion, &kinematics, &satisfied);
     let rows = rows.iter().map(|row| speeds.row(graph, row)).collect();
-    let tmt = Tmt::of(graph, rows, model.speeds.len());
+    let tmt = Tmt::of(graph, rows, model.generalized_speeds.len());
     let satisfied = model.satisfied_rows();
     let rows: Vec<usize> = (0..model.constraints.len()).filter(|row| !satisfied.contains(row)).collect();
     let (jacobian, convective) = rows.iter().map(|row| speeds.constraint(graph, model, *row)).unzip();
@@ -67,7 +67,7 @@ impl InSpeeds {
         kinematics: &Kinematics,
         satisfied: &[Expr],
     ) -> InSpeeds {
-        let Model { speeds, coordinates, .. } = model;
+        let Model { generalized_speeds: speeds, coordinates, .. } = model;
         let zero = graph.zero();
         let speeds = speeds.iter().map(|speed| (speed.value, graph.variable(speed.symbol)));
         let known = Recognition::of(speeds.chain(satisfied.iter().map(|rate| (*rate, zero))));
@@ -89,7 +89,7 @@ impl InSpeeds {
         Differentiated { position: zero, jacobian, time_derivative: zero, velocity, convective }
     }
 
-    fn row(&mut self, graph: &mut Graph, row: &LoadRow) -> Row {
+    fn row(&mut self, graph: &mut Graph, row: &LoadRow) -> TmtRow {
         let motion = match row.along {
             Along::Position(position) => {
                 let velocity = self.motion.of(graph, position);
@@ -109,7 +109,7 @@ impl InSpeeds {
         let forces = loads.map(|force| self.expression(graph, force)).collect();
         let gyroscopic = self.expression(graph, row.gyroscopic);
         let row = LoadRow { gyroscopic, forces, weight: None, ..row.clone() };
-        Row::of(graph, row, motion, &[])
+        TmtRow::of(graph, row, motion, &[])
     }
 
     /// The derivatives of a constraint's rate by u, and C'' where u' = 0.

@@ -6,7 +6,7 @@ use crate::symbolic::{Expr, Graph, Symbol, substitute};
 use std::collections::BTreeMap;
 
 /// One row of x = T(q, t): a rotation or a coordinate of a point; in space a component of a velocity.
-pub struct Row {
+pub struct TmtRow {
     /// M_i, a mass or moment of inertia; 0 for a point that only carries a load.
     pub inertia: Expr,
     /// Entries of M in this row beside the diagonal: products of inertia.
@@ -24,7 +24,7 @@ pub struct Row {
 /// The moving system, reduced to the variables: n coordinates and intermediate quantities.
 pub struct Tmt {
     /// The rows of T.
-    pub rows: Vec<Row>,
+    pub rows: Vec<TmtRow>,
     /// T_q' M T_q, n x n, symmetric.
     pub mass_matrix: Vec<Vec<Expr>>,
     /// T_q' M g, n.
@@ -46,14 +46,14 @@ impl Tmt {
         let at_rest: Vec<_> = variables.accelerations.iter().map(|symbol| (*symbol, zero)).collect();
         let rows = load_rows.into_iter().map(|row| {
             let motion = derivatives.of_row(graph, variables, row.along, &at_rest);
-            Row::of(graph, row, motion, &at_rest)
+            TmtRow::of(graph, row, motion, &at_rest)
         });
         let rows = rows.collect();
         Tmt::of(graph, rows, variables.len())
     }
 
     /// The rows reduced to n variables.
-    pub(super) fn of(graph: &mut Graph, rows: Vec<Row>, n: usize) -> Tmt {
+    pub(super) fn of(graph: &mut Graph, rows: Vec<TmtRow>, n: usize) -> Tmt {
         let convective: Vec<Expr> = (0..rows.len()).map(|i| convective_force(graph, &rows, i)).collect();
         let convective_forces = reduce(graph, &rows, n, |i, _| convective[i]);
         let generalized_forces = reduce(graph, &rows, n, |_, row| row.force);
@@ -76,9 +76,9 @@ impl Tmt {
     }
 }
 
-impl Row {
+impl TmtRow {
     /// A row with its derivatives; `at_rest` gives the accelerations the value 0.
-    pub(super) fn of(graph: &mut Graph, row: LoadRow, motion: Differentiated, at_rest: &[(Symbol, Expr)]) -> Row {
+    pub(super) fn of(graph: &mut Graph, row: LoadRow, motion: Differentiated, at_rest: &[(Symbol, Expr)]) -> TmtRow {
         let applied = graph.sum(&row.forces);
         let force = match row.weight {
             Some(weight) => graph.add(applied, weight.force),
@@ -89,12 +89,12 @@ impl Row {
             let needed = graph.mul(row.inertia, proper);
             graph.sub(applied, needed)
         });
-        Row { inertia: row.inertia, coupling: row.coupling, gyroscopic: row.gyroscopic, force, net, motion }
+        TmtRow { inertia: row.inertia, coupling: row.coupling, gyroscopic: row.gyroscopic, force, net, motion }
     }
 }
 
 /// M_i g, with w x J w.
-fn convective_force(graph: &mut Graph, rows: &[Row], i: usize) -> Expr {
+fn convective_force(graph: &mut Graph, rows: &[TmtRow], i: usize) -> Expr {
     let row = &rows[i];
     let own = graph.product(&[row.inertia, row.motion.convective]);
     if row.coupling.is_empty() && graph.is_zero(row.gyroscopic) {
@@ -106,7 +106,7 @@ fn convective_force(graph: &mut Graph, rows: &[Row], i: usize) -> Expr {
 }
 
 /// T_q' M T_q, from the entries of T_q that are not zero.
-fn mass_matrix(graph: &mut Graph, rows: &[Row], n: usize) -> Vec<Vec<Expr>> {
+fn mass_matrix(graph: &mut Graph, rows: &[TmtRow], n: usize) -> Vec<Vec<Expr>> {
     let mut terms: BTreeMap<(usize, usize), Vec<Expr>> = BTreeMap::new();
     for row in rows {
         let entries = nonzero(graph, row);
@@ -134,7 +134,7 @@ fn mass_matrix(graph: &mut Graph, rows: &[Row], n: usize) -> Vec<Vec<Expr>> {
 }
 
 /// T_q' times a quantity of each row.
-fn reduce(graph: &mut Graph, rows: &[Row], n: usize, quantity: impl Fn(usize, &Row) -> Expr) -> Vec<Expr> {
+fn reduce(graph: &mut Graph, rows: &[TmtRow], n: usize, quantity: impl Fn(usize, &TmtRow) -> Expr) -> Vec<Expr> {
     let mut terms = vec![vec![]; n];
     for (i, row) in rows.iter().enumerate() {
         let value = quantity(i, row);
@@ -145,7 +145,7 @@ fn reduce(graph: &mut Graph, rows: &[Row], n: usize, quantity: impl Fn(usize, &R
     terms.into_iter().map(|terms| graph.sum(&terms)).collect()
 }
 
-fn nonzero(graph: &Graph, row: &Row) -> Vec<(usize, Expr)> {
+fn nonzero(graph: &Graph, row: &TmtRow) -> Vec<(usize, Expr)> {
     let entries = row.motion.jacobian.iter().copied().enumerate();
     entries.filter(|(_, entry)| !graph.is_zero(*entry)).collect()
 }

@@ -29,9 +29,9 @@ const MOST_EXPRESSIONS: usize = 24;
 
 /// The constraint rows in a form in which the equations of motion can be solved, m of them: as declared, or with
 /// pairs turned.
-pub struct Form {
+pub struct ConstraintForm {
     /// The pairs that are turned.
-    pub turns: Vec<Turn>,
+    pub turns: Vec<RowTurn>,
     /// C_q, m x n.
     pub jacobian: Vec<Vec<Expr>>,
     /// (C_q q' + C_t)_q q' + (..)_t, m.
@@ -45,7 +45,7 @@ pub struct Form {
 }
 
 /// A pair of rows turned by an angle: the first along it, the second across.
-pub struct Turn {
+pub struct RowTurn {
     /// Which rows.
     pub rows: [usize; 2],
     /// The angle, in rad.
@@ -54,10 +54,10 @@ pub struct Turn {
     pub direction: [Expr; 2],
 }
 
-impl Form {
+impl ConstraintForm {
     /// The rows as they are declared.
-    pub(super) fn declared(model: &Model, constraints: &Constraints) -> Form {
-        Form {
+    pub(super) fn declared(model: &Model, constraints: &Constraints) -> ConstraintForm {
+        ConstraintForm {
             turns: vec![],
             jacobian: constraints.jacobian.clone(),
             convective: constraints.convective.clone(),
@@ -68,8 +68,8 @@ impl Form {
     }
 
     /// The rows with pairs of neighbours turned, if that makes entries zero.
-    pub(super) fn turned(graph: &mut Graph, model: &Model, constraints: &Constraints) -> Option<Form> {
-        let mut form = Form::declared(model, constraints);
+    pub(super) fn turned(graph: &mut Graph, model: &Model, constraints: &Constraints) -> Option<ConstraintForm> {
+        let mut form = ConstraintForm::declared(model, constraints);
         let mut i = 0;
         while i + 1 < form.jacobian.len() {
             let rows = [i, i + 1];
@@ -95,10 +95,10 @@ impl Form {
     }
 }
 
-impl Turn {
-    fn by(graph: &mut Graph, rows: [usize; 2], angle: Expr) -> Turn {
+impl RowTurn {
+    fn by(graph: &mut Graph, rows: [usize; 2], angle: Expr) -> RowTurn {
         let direction = [Function::Cos, Function::Sin].map(|function| graph.call(function, angle));
-        Turn { rows, angle, direction }
+        RowTurn { rows, angle, direction }
     }
 
     /// The components (x, y) of a vector, along the angle and across it.
@@ -113,7 +113,7 @@ impl Turn {
 
 /// A turn, and the entries of its rows, column by column.
 struct Turned {
-    turn: Turn,
+    turn: RowTurn,
     columns: Vec<[Expr; 2]>,
     /// The numbers of zero entries, of other entries that depend on parameters alone, and of rows in which the angle's
     /// coordinate occurs.
@@ -130,7 +130,7 @@ fn best_turn(graph: &mut Graph, model: &Model, jacobian: &[Vec<Expr>], rows: [us
     let mut tried: Vec<Expr> = vec![];
     for (column, entries) in columns.iter().enumerate() {
         for angle in angles(graph, entries) {
-            let turn = Turn::by(graph, rows, angle);
+            let turn = RowTurn::by(graph, rows, angle);
             let own = turn.of(graph, *entries);
             if tried.contains(&angle) || zeros(graph, &[own]) <= zeros(graph, &[*entries]) {
                 continue;
@@ -181,7 +181,7 @@ mod tests {
         let C = [l, 0] + l*[cos(rocker), sin(rocker)];
         bodies { tip: mass m at A, inertia m*l^2, angle coupler; rod: inertia m*l^2, angle rocker; }";
 
-    fn turned(rest: &str) -> (EquationsOfMotion, Option<Form>) {
+    fn turned(rest: &str) -> (EquationsOfMotion, Option<ConstraintForm>) {
         let text = format!("{FOUR_BAR} {rest}");
         let declaration = parse(text.parse().unwrap()).unwrap();
         let mut equations = derive(model::resolve(&declaration).unwrap());

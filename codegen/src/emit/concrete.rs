@@ -52,7 +52,7 @@ impl<'a> Concrete<'a> {
             drawing: vector_len(program, KernelId::Drawing),
             entries,
             envelope,
-            generalized_speeds: model.speeds.len(),
+            generalized_speeds: model.generalized_speeds.len(),
             rows_left: equations.speeds.as_ref().map_or(0, |speeds| speeds.rows.len()),
         };
         let prepared = prepared_name(model);

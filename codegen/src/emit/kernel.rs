@@ -3,7 +3,7 @@
 use super::concrete::{Concrete, vector};
 use super::names::{output_rates_name, outputs_name, prepared_name};
 use super::record::record_type;
-use super::{ident, size, table};
+use super::{ident, size, table_constant};
 use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::{Argument, Arguments, Associated, KernelId, Receiver, Record, Type};
 use crate::model::Model;
@@ -23,7 +23,7 @@ pub(super) fn kernels(
     let of = |receiver| program.kernels.iter().filter(move |kernel| kernel.id.signature().receiver == receiver);
     let functions = of(Receiver::Mechanism).map(|kernel| function(equations, kernel, concrete, path));
     let prepared_functions = of(Receiver::Prepared).map(|kernel| function(equations, kernel, concrete, path));
-    let tables = table::tables(graph, path);
+    let tables = table_constant::tables(graph, path);
     let shortcuts = of(Receiver::Prepared).map(|kernel| shortcut(model, kernel, concrete));
     let constants = (!graph.tables().is_empty()).then(|| quote! { non_upper_case_globals, });
     let allowed =
@@ -184,7 +184,7 @@ fn statement(equations: &EquationsOfMotion, statement: &Statement) -> TokenStrea
         Statement::Table(LookUp { table, names, argument }) => {
             let names = names.iter().map(pattern);
             let mechanism = ident(&equations.model.name);
-            let table = table::constant(&equations.graph.table(*table).name);
+            let table = table_constant::constant(&equations.graph.table(*table).name);
             quote! { let [#(#names),*] = #mechanism::<S>::#table.at(#argument); }
         }
     }

@@ -14,7 +14,7 @@ mod names;
 mod record;
 mod speeds;
 mod stub;
-mod table;
+mod table_constant;
 mod tree;
 mod types;
 

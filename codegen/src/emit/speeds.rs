@@ -50,11 +50,14 @@ pub(super) fn speeds(
     path: &TokenStream,
 ) -> Option<TokenStream> {
     let (model, speeds) = (&equations.model, equations.speeds.as_ref()?);
-    let fields: Vec<_> =
-        model.speeds.iter().map(|speed| (speed.name.clone(), documented(&speed.docs, &speed.unit))).collect();
+    let fields: Vec<_> = model
+        .generalized_speeds
+        .iter()
+        .map(|speed| (speed.name.clone(), documented(&speed.docs, &speed.unit)))
+        .collect();
     let docs = format!(" Generalised speeds of [`{}`] by name, in SI units; also for their rates.", model.name);
     let record = record(&head.visibility, &format_ident!("{}Speeds", model.name), &docs, &fields, path);
-    let quantities = model.speeds.iter().map(|speed| quantity(&speed.name, &speed.unit, &speed.docs, path));
+    let quantities = model.generalized_speeds.iter().map(|speed| quantity(&speed.name, &speed.unit, &speed.docs, path));
     let (name, types) = (ident(&model.name), concrete.definitions(Trait::GeneralizedSpeeds));
     let rows = speeds.rows.iter().copied().map(size);
     let forwards = forwards(Trait::GeneralizedSpeeds, model, program, concrete, path);

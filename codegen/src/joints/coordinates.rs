@@ -6,7 +6,7 @@
 //! written, both frames are. The second point is shifted against the first along the marks of the first (Wittenburg,
 //! Dynamics of Multibody Systems, 2008, section 5.3).
 
-use super::given::{Given, with_suffix};
+use super::added_coordinates::{AddedCoordinates, with_suffix};
 use super::made::{attitude, call, difference, named, negated, number, pi, product, quotient, sum, vector, zero};
 use super::marks::Marks;
 use crate::dsl::{Expression, Kind, Region, SpatialJoint, SpatialKind};
@@ -43,7 +43,7 @@ impl JointCoordinates<'_> {
     ///
     /// # Errors
     /// Invalid axes.
-    pub(super) fn pose(&self, given: &mut Given) -> Result<Pose> {
+    pub(super) fn pose(&self, given: &mut AddedCoordinates) -> Result<Pose> {
         let SpatialJoint { kind, first, second, .. } = self.joint;
         let crossed = if *kind == SpatialKind::Universal { Marks::crossed(first, second)? } else { None };
         let (own, other) = match (crossed, *kind) {
@@ -90,7 +90,7 @@ impl JointCoordinates<'_> {
         call(self.at(), "rotation", vec![axis, zero(self.at())])
     }
 
-    fn freedom(&self, marks: Marks, given: &mut Given) -> Freedom {
+    fn freedom(&self, marks: Marks, given: &mut AddedCoordinates) -> Freedom {
         use SpatialKind::{Ball, Cylindrical, Planar, Prismatic, Revolute, Screw, Universal, Weld};
         let at = self.at();
         let Marks { axis, across: [t1, t2] } = marks;
@@ -134,7 +134,7 @@ impl JointCoordinates<'_> {
     }
 
     /// A coordinate with the joint's name, and a suffix if there are several.
-    fn coordinate(&self, suffix: &str, unit: &str, what: &str, given: &mut Given) -> Expression {
+    fn coordinate(&self, suffix: &str, unit: &str, what: &str, given: &mut AddedCoordinates) -> Expression {
         let name = if suffix.is_empty() { self.name.clone() } else { with_suffix(self.name, suffix) };
         given.coordinate(name, unit, self.docs(what), self.at())
     }

@@ -1,7 +1,7 @@
 //! Joints that are constraints, written out as equations.
 
+use super::added_coordinates::with_suffix;
 use super::frames::Frames;
-use super::given::with_suffix;
 use super::made::{across, binary, call, difference, direction, inner, product, zero};
 use super::spatial::{self, Placed};
 use crate::dsl::{Activity, Equation, Joint, JointKind, Operator, Region, Side, SpatialJoint};

@@ -2,7 +2,7 @@
 //! `rod_phi`. One of space, `rod: free, mass m, inertia [A, B, C];`, has `rod_x`, `rod_y`, `rod_z` and the quaternion
 //! `rod_q0` to `rod_q3`, which the constraint `rod_norm` keeps at length 1. Later stages see only these.
 
-use super::given::{Given, with_suffix};
+use super::added_coordinates::{AddedCoordinates, with_suffix};
 use super::made::vector;
 use crate::dsl::{Body, Declaration, Kind, Region};
 use crate::mistakes::Mistakes;
@@ -14,7 +14,7 @@ use syn::Result;
 /// Free bodies that also declare a position or an angle.
 pub(super) fn give_coordinates(declaration: &mut Declaration) -> Result<()> {
     let mut mistakes = Mistakes::default();
-    let mut given = Given::to(declaration);
+    let mut given = AddedCoordinates::to(declaration);
     for body in &mut declaration.bodies {
         let Some(free) = body.free else { continue };
         if let Some(mistake) = place_twice(body, free) {

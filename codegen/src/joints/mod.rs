@@ -4,13 +4,13 @@
 //! The rewritten parts carry the user's spans. A body placed by joints has a pose that is a product of rotations along
 //! the tree, as a user would write it, so its kernels are no longer than those written by hand.
 
+mod added_coordinates;
 mod axes;
 mod coordinates;
 mod equations;
 mod expressions;
 mod frames;
 mod free;
-mod given;
 mod made;
 mod marks;
 mod no_constraint;

@@ -4,9 +4,9 @@
 //! A spatial body, `link: mass m, inertia [A, B, C];`, that is not `free` and has no pose is placed by the first joint,
 //! in the order of declaration, that leads to it from the ground or from a placed body, and so on from there.
 
+use super::added_coordinates::AddedCoordinates;
 use super::coordinates::{JointCoordinates, Pose};
 use super::frames::unknown_body;
-use super::given::Given;
 use super::no_constraint;
 use crate::dsl::{Body, Declaration, Joint, JointKind, Kind, Region, SpatialJoint};
 use crate::mistakes::Mistakes;
@@ -25,7 +25,7 @@ pub(super) fn place_bodies(declaration: &mut Declaration) -> Result<()> {
     }
     check_names(declaration)?;
     let mut mistakes = Mistakes::default();
-    let mut given = Given::to(declaration);
+    let mut given = AddedCoordinates::to(declaration);
     let mut tree = Tree::of(std::mem::take(&mut declaration.bodies));
     let mut spanning = Vec::new();
     while let Some(Branch { joint, body, is_backward, is_grounded }) = tree.next(&declaration.joints) {

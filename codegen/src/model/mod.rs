@@ -99,8 +99,8 @@ pub struct Model {
     pub norms: Vec<Norm>,
     /// The constraint rows that keep their norms.
     pub norm_constraints: Vec<usize>,
-    /// Generalised speeds, in the order of declaration; none, or enough to determine all rates.
-    pub speeds: Vec<GeneralizedSpeed>,
+    /// Generalised generalized_speeds, in the order of declaration; none, or enough to determine all rates.
+    pub generalized_speeds: Vec<GeneralizedSpeed>,
     /// 2 in the plane, 3 in space.
     pub dimension: usize,
     /// Constraints, one row each, in the order of declaration.
@@ -356,11 +356,6 @@ impl Model {
     /// The total time derivative of an expression without accelerations.
     pub fn time_derivative(&self, graph: &mut Graph) -> Differential {
         time_derivative(graph, self.time, &self.coordinates, &[])
-    }
-
-    /// The speeds as expressions.
-    pub fn speeds(&self, graph: &mut Graph) -> Vec<Expr> {
-        self.coordinates.iter().map(|c| graph.variable(c.speed)).collect()
     }
 
     /// The accelerations as expressions.

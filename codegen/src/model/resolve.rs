@@ -63,7 +63,8 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
     check_coordinates_used(declaration, &coordinates, &bodies, &constraints, &mut interpreter);
     let norm_constraints =
         check_norms(&interpreter.quaternions, &constraints, &interpreter.graph, &mut interpreter.mistakes);
-    let speeds = resolve_speeds(declaration, &coordinates, &constraints, &norm_constraints, &mut interpreter);
+    let generalized_speeds =
+        resolve_speeds(declaration, &coordinates, &constraints, &norm_constraints, &mut interpreter);
     let dimension = if interpreter.is_spatial() { 3 } else { 2 };
     let Interpreter { graph, dependences, mistakes, .. } = interpreter;
     let model = Model {
@@ -82,7 +83,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         pushes: loads.pushes,
         norms,
         norm_constraints,
-        speeds,
+        generalized_speeds,
         dimension,
         constraints,
         conditionals,

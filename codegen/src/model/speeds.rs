@@ -26,9 +26,9 @@ impl Model {
 
 /// Those that keep norms, and those between speeds; not those that events switch.
 fn satisfied(constraints: &[Constraint], norm_constraints: &[usize]) -> Vec<usize> {
-    let is_satisfied = |interpreter: &usize| {
-        constraints[*interpreter].activity.is_none()
-            && (constraints[*interpreter].level == Level::Speeds || norm_constraints.contains(interpreter))
+    let is_satisfied = |row: &usize| {
+        constraints[*row].activity.is_none()
+            && (constraints[*row].level == Level::Speeds || norm_constraints.contains(row))
     };
     (0..constraints.len()).filter(is_satisfied).collect()
 }

@@ -27,7 +27,7 @@ pub(super) fn resolve_tables(declaration: &Declaration, interpreter: &mut Interp
     }
 }
 
-fn resolve_table(written: &dsl::Table, interpreter: &mut Interpreter) -> Option<Function> {
+fn resolve_table(written: &dsl::DeclaredTable, interpreter: &mut Interpreter) -> Option<Function> {
     let name = plain(&written.name);
     let (unit, over) = (resolve_unit(&written.unit, interpreter), resolve_unit(&written.over, interpreter));
     let form = check_form(written, &name, interpreter);
@@ -63,7 +63,7 @@ fn resolve_table(written: &dsl::Table, interpreter: &mut Interpreter) -> Option<
 }
 
 /// Checks the combination of words before the rows, and the number of rows.
-fn check_form(written: &dsl::Table, name: &str, interpreter: &mut Interpreter) -> Option<()> {
+fn check_form(written: &dsl::DeclaredTable, name: &str, interpreter: &mut Interpreter) -> Option<()> {
     let place = Region::from(&written.name);
     if let Some((_, region)) = written.ends {
         if written.between != Between::Cubic {
@@ -101,7 +101,7 @@ fn entry(expression: &Expression, claim: &str, unit: &Unit, interpreter: &mut In
     Some(evaluate(&interpreter.graph, &[value], |_| f64::NAN)[0])
 }
 
-fn check_order(written: &dsl::Table, rows: &[(f64, f64)], interpreter: &mut Interpreter) -> Option<()> {
+fn check_order(written: &dsl::DeclaredTable, rows: &[(f64, f64)], interpreter: &mut Interpreter) -> Option<()> {
     let at = rows.windows(2).position(|pair| pair[1].0 <= pair[0].0);
     let Some(at) = at else { return Some(()) };
     let [above, below] = [at, at + 1].map(|row| &written.rows[row][0]);
@@ -115,7 +115,7 @@ fn check_order(written: &dsl::Table, rows: &[(f64, f64)], interpreter: &mut Inte
 }
 
 /// A periodic table ends with the value that it starts with.
-fn check_period(written: &dsl::Table, rows: &[(f64, f64)], interpreter: &mut Interpreter) -> Option<()> {
+fn check_period(written: &dsl::DeclaredTable, rows: &[(f64, f64)], interpreter: &mut Interpreter) -> Option<()> {
     let (Some((_, first)), Some((_, last))) = (rows.first(), rows.last()) else { return Some(()) };
     if written.outside != Outside::Periodic || first == last {
         return Some(());

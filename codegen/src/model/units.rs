@@ -16,10 +16,10 @@ pub struct Unit {
 
 /// One line of the table: name, exponents of m kg s A K, numerator and denominator of the size, power of pi in
 /// it, and whether SI prefixes apply.
-type Row = (&'static str, [i64; 5], i64, i64, i64, bool);
+type UnitRow = (&'static str, [i64; 5], i64, i64, i64, bool);
 
 #[rustfmt::skip]
-const UNITS: [Row; 28] = [
+const UNITS: [UnitRow; 28] = [
     ("m",   [1, 0, 0, 0, 0],   1, 1, 0, true),
     ("g",   [0, 1, 0, 0, 0],   1, 1000, 0, true),
     ("s",   [0, 0, 1, 0, 0],   1, 1, 0, true),
@@ -160,7 +160,7 @@ impl Unit {
 
 fn look_up(name: &str) -> Option<(Dimension, Number, i64)> {
     let row = |name: &str| UNITS.iter().find(|row| row.0 == name);
-    let size = |row: &Row| Number::fraction(row.2, row.3);
+    let size = |row: &UnitRow| Number::fraction(row.2, row.3);
     if let Some(row) = row(name) {
         return Some((Dimension::of(row.1), size(row)?, row.4));
     }

@@ -1,9 +1,9 @@
 //! Equations as lines: long sums are broken between terms.
 
+use super::equation_groups::{Block, Equation};
 use super::formula::Formula;
 use super::infix;
 use super::layout::{self, Layout, layout};
-use super::parts::{Block, Equation};
 use super::sharing::LINE;
 use super::width::{set_width, text_width};
 

@@ -3,6 +3,7 @@
 //! Expressions become formulas (`translate`), in the customary order. Shared or wide parts get names (`sharing`), the
 //! user's own if there are any. LaTeX and MathML set the same layout.
 
+mod equation_groups;
 mod formula;
 mod greek;
 mod infix;
@@ -11,14 +12,13 @@ mod layout;
 mod lines;
 mod mathml;
 mod names;
-mod parts;
 mod sharing;
 mod translate;
 mod width;
 
 use crate::dynamics::EquationsOfMotion;
 use crate::symbolic::{Expr, Graph};
-use parts::Equation;
+use equation_groups::Equation;
 
 /// A notation for equations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -33,7 +33,7 @@ pub enum Notation {
 
 /// Equations that belong together, as text in some notation.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Part {
+pub struct Section {
     /// `system`, `definitions`, or the name of the kernel that computes this: `mass_matrix` and so on.
     pub name: &'static str,
     /// The name in words.
@@ -45,14 +45,14 @@ pub struct Part {
 /// The equations of motion in parts: the system as a whole, mass matrix, convective forces, generalised forces,
 /// constraints, constraint Jacobian, constraint convective terms, and the definitions of the names in them. Parts without
 /// entries are left out.
-pub fn equations(equations: &EquationsOfMotion, notation: Notation) -> Vec<Part> {
+pub fn equations(equations: &EquationsOfMotion, notation: Notation) -> Vec<Section> {
     let write = match notation {
         Notation::Infix => lines::text,
         Notation::Latex => |equations: &[Equation]| latex::lines(&lines::set(equations)),
         Notation::MathMl => |equations: &[Equation]| mathml::lines(&lines::set(equations)),
     };
-    let parts = parts::parts(equations).into_iter();
-    parts.map(|part| Part { name: part.name, title: part.title, text: write(&part.equations) }).collect()
+    let groups = equation_groups::equation_groups(equations).into_iter();
+    groups.map(|group| Section { name: group.name, title: group.title, text: write(&group.equations) }).collect()
 }
 
 /// One expression in infix notation, with the fewest parentheses.

@@ -11,7 +11,7 @@ use crate::dsl::{Declaration, Equation, Unit};
 
 /// One row w = 0 between speeds, w = A q' + b: either as declared, or the rate of a row C = 0 between positions.
 #[derive(Clone, Debug)]
-pub(super) struct Row {
+pub(super) struct ConstraintRow {
     /// C; zero for a row between speeds.
     pub(super) value: Measured,
     /// A \[n\]: C_q, or w_q'.
@@ -26,11 +26,11 @@ pub(super) struct Row {
     pub(super) active: bool,
 }
 
-impl Row {
+impl ConstraintRow {
     /// The row of a constraint that is released.
-    fn released(self) -> Row {
+    fn released(self) -> ConstraintRow {
         let zeros = |row: &[Measured]| vec![Measured::ZERO; row.len()];
-        Row {
+        ConstraintRow {
             value: Measured::ZERO,
             jacobian: zeros(&self.jacobian),
             by_auxiliary: zeros(&self.by_auxiliary),
@@ -43,7 +43,7 @@ impl Row {
 
 /// A constraint: one row, or the two of a vector.
 pub(super) struct Constraint {
-    pub(super) rows: Vec<Row>,
+    pub(super) rows: Vec<ConstraintRow>,
 }
 
 /// All constraints of a declaration; `active` says for each one that events switch whether it holds.
@@ -60,7 +60,7 @@ pub(super) fn constraints(
     let mut switched = active.iter().copied();
     let constraint = |equation: &Equation| {
         let holds = equation.initially.is_none() || switched.next().unwrap_or(true);
-        let rows: Vec<Row> = match declaration.has_rates(equation) {
+        let rows: Vec<ConstraintRow> = match declaration.has_rates(equation) {
             true => rows(&speeds.difference(equation)?, |row| between_speeds(row, at, auxiliaries)),
             false => rows(&positions.difference(equation)?, |row| between_positions(row, at, auxiliaries)),
         };
@@ -69,14 +69,14 @@ pub(super) fn constraints(
     declaration.constraints.iter().map(constraint).collect()
 }
 
-fn rows(value: &Value, row: impl Fn(&Jet) -> Row) -> Vec<Row> {
+fn rows(value: &Value, row: impl Fn(&Jet) -> ConstraintRow) -> Vec<ConstraintRow> {
     value.clone().components().iter().map(row).collect()
 }
 
 /// From C as a jet in (q, t, s).
-fn between_positions(row: &Jet, at: &State, auxiliaries: usize) -> Row {
+fn between_positions(row: &Jet, at: &State, auxiliaries: usize) -> ConstraintRow {
     let n = at.speeds.len();
-    Row {
+    ConstraintRow {
         value: row.value(),
         jacobian: row.gradient()[..n].to_vec(),
         by_auxiliary: row.gradient()[n + 1..].to_vec(),
@@ -87,11 +87,11 @@ fn between_positions(row: &Jet, at: &State, auxiliaries: usize) -> Row {
 }
 
 /// From w as a jet in (q, t, s, q', s').
-fn between_speeds(row: &Jet, at: &State, auxiliaries: usize) -> Row {
+fn between_speeds(row: &Jet, at: &State, auxiliaries: usize) -> ConstraintRow {
     let n = at.speeds.len();
     let (by_positions, by_speeds) = row.gradient().split_at(n + 1 + auxiliaries);
     let speeds: Vec<Measured> = at.speeds.iter().copied().map(Measured::given).collect();
-    Row {
+    ConstraintRow {
         value: Measured::ZERO,
         jacobian: by_speeds[..n].to_vec(),
         by_auxiliary: by_speeds[n..].to_vec(),

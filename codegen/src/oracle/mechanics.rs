@@ -19,7 +19,7 @@ use crate::dsl::{Body, Declaration, Expression, Kind, Load, Unit};
 use syn::Ident;
 
 /// One row of x = T(q, t): a coordinate of a mass point, or the angle of a body; in space an entry of its rotation.
-pub(super) struct Row {
+pub(super) struct InertialRow {
     /// Its mass or moment of inertia.
     pub(super) inertia: Measured,
     /// Its value.
@@ -28,16 +28,16 @@ pub(super) struct Row {
     pub(super) partner: Jet,
 }
 
-impl Row {
-    fn new(inertia: Measured, place: Jet) -> Row {
-        Row { inertia, partner: place.clone(), place }
+impl InertialRow {
+    fn new(inertia: Measured, place: Jet) -> InertialRow {
+        InertialRow { inertia, partner: place.clone(), place }
     }
 }
 
 /// All parts of a declaration that enter the equations of motion, at one state.
 pub(super) struct Mechanics {
     /// The rows of x = T(q, t) that have inertia.
-    pub(super) rows: Vec<Row>,
+    pub(super) rows: Vec<InertialRow>,
     /// All loads.
     pub(super) efforts: Vec<Effort>,
     /// All constraints.
@@ -82,7 +82,7 @@ impl Mechanics {
     }
 
     /// All rows of the constraints: a vector has two, x and y.
-    pub(super) fn constraint_rows(&self) -> Vec<constraint::Row> {
+    pub(super) fn constraint_rows(&self) -> Vec<constraint::ConstraintRow> {
         self.constraints.iter().flat_map(|constraint| constraint.rows.clone()).collect()
     }
 }
@@ -96,12 +96,12 @@ struct Builder<'d> {
 
 impl Builder<'_> {
     /// x and y with the mass, the angle with the moment of inertia, whichever the body has.
-    fn body(&mut self, body: &Body) -> Result<Vec<Row>> {
+    fn body(&mut self, body: &Body) -> Result<Vec<InertialRow>> {
         let mut rows = Vec::new();
         if let Some((mass, position)) = &body.mass {
             let inertia = self.fixed.scalar(mass)?.value();
             let place = self.positions.vector(needed(position.as_ref(), &body.name, "at")?)?;
-            rows.extend(place.into_iter().map(|place| Row::new(inertia, place)));
+            rows.extend(place.into_iter().map(|place| InertialRow::new(inertia, place)));
         }
         if let Some(attitude) = &body.attitude {
             let rotation = self.positions.rotation(attitude)?;
@@ -110,13 +110,16 @@ impl Builder<'_> {
         }
         if let Some(inertia) = &body.inertia {
             let inertia = self.fixed.scalar(inertia)?.value();
-            rows.push(Row::new(inertia, self.positions.scalar(needed(body.angle.as_ref(), &body.name, "angle")?)?));
+            rows.push(InertialRow::new(
+                inertia,
+                self.positions.scalar(needed(body.angle.as_ref(), &body.name, "angle")?)?,
+            ));
         }
         Ok(rows)
     }
 
     /// The entries of R, of which each row has the inertia S = tr(J)/2 - J: the rotational energy is tr(R' S R'^T)/2.
-    fn turning(&mut self, inertia: &Expression, rotation: &Rotation) -> Result<Vec<Row>> {
+    fn turning(&mut self, inertia: &Expression, rotation: &Rotation) -> Result<Vec<InertialRow>> {
         let Kind::Vector(written) = &inertia.kind else { return Err(OracleError::new("an inertia is in brackets")) };
         let given = written.iter().map(|x| Ok(self.fixed.scalar(x)?.value())).collect::<Result<Vec<_>>>()?;
         let entry = |k: usize| given.get(k).copied().unwrap_or_default();
@@ -134,7 +137,7 @@ impl Builder<'_> {
         for row in rotation.entries.chunks(3) {
             for (i, place) in row.iter().enumerate() {
                 let partners = row.iter().enumerate().filter(|(k, _)| *k == i || given.len() > 3);
-                rows.extend(partners.map(|(k, partner)| Row {
+                rows.extend(partners.map(|(k, partner)| InertialRow {
                     inertia: mass(i, k),
                     place: place.clone(),
                     partner: partner.clone(),
@@ -145,8 +148,8 @@ impl Builder<'_> {
     }
 
     /// A quaternion of coordinates has, along its norm, the mean moment of the first body that it turns.
-    fn norms(&mut self, bodies: &[Body]) -> Result<Vec<Row>> {
-        let (mut rows, mut known): (Vec<Row>, Vec<Vec<f64>>) = (Vec::new(), Vec::new());
+    fn norms(&mut self, bodies: &[Body]) -> Result<Vec<InertialRow>> {
+        let (mut rows, mut known): (Vec<InertialRow>, Vec<Vec<f64>>) = (Vec::new(), Vec::new());
         for body in bodies {
             let (Some(attitude), Some(inertia)) = (&body.attitude, &body.inertia) else { continue };
             for quaternion in self.positions.rotation(attitude)?.quaternions {
@@ -159,7 +162,7 @@ impl Builder<'_> {
                 known.push(mark);
                 let moments = written.iter().take(3).map(|x| Ok(self.fixed.scalar(x)?.value()));
                 let sum: Measured = moments.collect::<Result<Vec<_>>>()?.into_iter().sum();
-                rows.push(Row::new(sum * Measured::given(1.0 / 3.0), inner(&quaternion, &quaternion)?));
+                rows.push(InertialRow::new(sum * Measured::given(1.0 / 3.0), inner(&quaternion, &quaternion)?));
             }
         }
         Ok(rows)
@@ -179,7 +182,7 @@ impl Builder<'_> {
         Ok(efforts)
     }
 
-    fn load(&mut self, load: &Load, bodies: &[Body], rows: &[Vec<Row>]) -> Result<Vec<Effort>> {
+    fn load(&mut self, load: &Load, bodies: &[Body], rows: &[Vec<InertialRow>]) -> Result<Vec<Effort>> {
         match load {
             Load::Force { force, point } => {
                 let (force, place) = (self.motion.vector(force)?, self.positions.vector(point)?);
@@ -210,7 +213,7 @@ impl Builder<'_> {
 }
 
 /// m g, of a body whose first rows are those of its mass.
-fn weight(rows: &[Row], acceleration: &[Measured]) -> Vec<Effort> {
+fn weight(rows: &[InertialRow], acceleration: &[Measured]) -> Vec<Effort> {
     let components = rows.iter().zip(acceleration);
     components.map(|(row, g)| Effort { force: row.inertia * *g, place: row.place.clone() }).collect()
 }

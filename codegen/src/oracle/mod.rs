@@ -19,6 +19,7 @@ mod elements;
 mod error;
 mod freed;
 mod function;
+mod interpolation;
 mod interpret;
 mod jet;
 mod measured;
@@ -31,7 +32,6 @@ mod rotation;
 mod setting;
 mod solve;
 mod state;
-mod table;
 mod value;
 
 pub use comparison::{Comparison, Computed, Observed, residual};

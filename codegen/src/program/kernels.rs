@@ -73,7 +73,7 @@ fn sparse_linearization_kernel(planner: &Planner, sparsity: &Sparsity) -> Kernel
 
 /// The generalised speeds at a state, if there are any.
 fn generalized_speeds_kernel(planner: &Planner) -> Option<Kernel> {
-    let speeds: Vec<Expr> = planner.equations.model.speeds.iter().map(|speed| speed.value).collect();
+    let speeds: Vec<Expr> = planner.equations.model.generalized_speeds.iter().map(|speed| speed.value).collect();
     let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(&speeds));
     (!speeds.is_empty()).then(|| planner.kernel(KernelId::GeneralizedSpeeds, kernel))
 }

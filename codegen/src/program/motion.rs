@@ -8,7 +8,7 @@ use super::results::Results;
 use super::turns::{derivatives_turned_back, turned_back};
 use super::values::Value;
 use crate::dynamics::order::Multipliers;
-use crate::dynamics::{Column, EquationsOfMotion, Form, Intermediate};
+use crate::dynamics::{Column, ConstraintForm, EquationsOfMotion, Intermediate};
 use crate::kernel_id::Record;
 use crate::symbolic::{Expr, Graph};
 
@@ -16,7 +16,7 @@ use crate::symbolic::{Expr, Graph};
 pub(super) struct Motion<'a> {
     equations: &'a EquationsOfMotion,
     /// The solved system.
-    pub(super) form: &'a Form,
+    pub(super) form: &'a ConstraintForm,
     /// Accelerations, then multipliers.
     unknowns: Vec<Value>,
     power: Value,
@@ -26,7 +26,11 @@ pub(super) struct Motion<'a> {
 }
 
 impl<'a> Motion<'a> {
-    pub(super) fn solve(equations: &'a EquationsOfMotion, form: &'a Form, lowering: &mut Lowering) -> Motion<'a> {
+    pub(super) fn solve(
+        equations: &'a EquationsOfMotion,
+        form: &'a ConstraintForm,
+        lowering: &mut Lowering,
+    ) -> Motion<'a> {
         let names = unknown_names(equations, form);
         let mut notes = Notes::default();
         let system = system(equations, form, lowering);
@@ -131,7 +135,7 @@ impl<'a> Motion<'a> {
     }
 }
 
-fn unknown_names(equations: &EquationsOfMotion, form: &Form) -> Vec<String> {
+fn unknown_names(equations: &EquationsOfMotion, form: &ConstraintForm) -> Vec<String> {
     let mut names = variable_names(equations);
     names.extend(equations.model.constraints.iter().map(|c| format!("lambda_{}", c.name)));
     for row in form.turns.iter().flat_map(|turn| turn.rows) {
@@ -147,7 +151,7 @@ fn unknown_count(equations: &EquationsOfMotion) -> usize {
 /// Mass matrix and constraint Jacobian over coordinates, intermediates and multipliers; on the diagonal, activity - 1
 /// for the multiplier of a constraint that events switch, so that it is 0 where the constraint is released, and -1 for
 /// that of a row that nothing moves.
-pub(super) fn system(equations: &EquationsOfMotion, form: &Form, lowering: &mut Lowering) -> System {
+pub(super) fn system(equations: &EquationsOfMotion, form: &ConstraintForm, lowering: &mut Lowering) -> System {
     let EquationsOfMotion { model, intermediates, tmt, .. } = equations;
     let activities = model.constraints.iter().map(|constraint| constraint.activity);
     let entries = entries(lowering, &equations.graph, &tmt.mass_matrix, &form.jacobian, activities);

@@ -78,7 +78,9 @@ impl<'a> Planner<'a> {
             inputs.extend(levels);
         }
         inputs.extend(model.constraints.iter().enumerate().map(|(i, c)| (c.multiplier, Input::Multiplier(i))));
-        inputs.extend(model.speeds.iter().enumerate().map(|(i, speed)| (speed.symbol, Input::GeneralizedSpeed(i))));
+        inputs.extend(
+            model.generalized_speeds.iter().enumerate().map(|(i, speed)| (speed.symbol, Input::GeneralizedSpeed(i))),
+        );
         inputs.extend(model.inputs.iter().enumerate().map(|(i, input)| (input.symbol, Input::Held(i))));
         if let Some(inverse) = &equations.inverse {
             let given = inverse.accelerations.iter().enumerate();
@@ -117,7 +119,7 @@ impl<'a> Planner<'a> {
             ("n", model.coordinates.len()),
             ("m", model.constraints.len()),
             ("p", model.parameters.len()),
-            ("k", model.speeds.len()),
+            ("k", model.generalized_speeds.len()),
             ("r", rows_left),
             ("len", len),
         ];
@@ -219,7 +221,7 @@ impl<'a> Planner<'a> {
             speeds: coordinates().map(|(i, c)| name(Input::Speed(i), [&c.name, "_dot"])).collect(),
             accelerations: coordinates().map(|(i, c)| name(Input::Acceleration(i), [&c.name, "_ddot"])).collect(),
             generalized_speeds: model
-                .speeds
+                .generalized_speeds
                 .iter()
                 .enumerate()
                 .map(|(i, speed)| name(Input::GeneralizedSpeed(i), [&speed.name, ""]))

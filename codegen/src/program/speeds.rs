@@ -86,12 +86,12 @@ fn dynamics(
     notes: &mut Notes,
 ) -> Results<Value> {
     let SpeedEquations { tmt, rows, jacobian, convective, .. } = equations;
-    let speeds = model.speeds.iter().map(|speed| format!("{}_dot", speed.name));
+    let speeds = model.generalized_speeds.iter().map(|speed| format!("{}_dot", speed.name));
     let multipliers = rows.iter().map(|row| format!("lambda_{}", model.constraints[*row].name));
     let names: Vec<String> = speeds.chain(multipliers).collect();
     let activities = rows.iter().map(|row| model.constraints[*row].activity);
     let entries = entries(lowering, graph, &tmt.mass_matrix, jacobian, activities);
-    let coordinates = model.speeds.iter().map(|_| Unknown::Coordinate);
+    let coordinates = model.generalized_speeds.iter().map(|_| Unknown::Coordinate);
     let unknowns = coordinates.chain(rows.iter().map(|_| Unknown::Multiplier)).collect();
     let rhs = right_hand_side(lowering, &tmt.right_hand_side, convective);
     let factors =
@@ -106,7 +106,7 @@ fn dynamics(
     } else {
         own
     };
-    let (rates, multipliers) = solved.split_at(model.speeds.len());
+    let (rates, multipliers) = solved.split_at(model.generalized_speeds.len());
     Results::record(
         Record::SpeedDynamics,
         [

@@ -2,11 +2,11 @@
 
 use super::lower::Lowering;
 use super::values::Value;
-use crate::dynamics::Form;
+use crate::dynamics::ConstraintForm;
 use crate::symbolic::Expr;
 
 /// lambda = R' lambda~: turns the multipliers of turned rows back, in place.
-pub(super) fn turned_back(lowering: &mut Lowering, form: &Form, multipliers: &mut [Value]) {
+pub(super) fn turned_back(lowering: &mut Lowering, form: &ConstraintForm, multipliers: &mut [Value]) {
     for turn in &form.turns {
         let [i, j] = turn.rows;
         let [cos, sin] = turn.direction.map(|expr| lowering.lower(expr));
@@ -24,7 +24,7 @@ pub(super) fn turned_back(lowering: &mut Lowering, form: &Form, multipliers: &mu
 /// lambda, and the derivatives of the `angles` phi.
 pub(super) fn derivatives_turned_back(
     lowering: &mut Lowering,
-    form: &Form,
+    form: &ConstraintForm,
     multipliers: &[Value],
     angles: &[Expr],
     derivatives: &mut [Value],

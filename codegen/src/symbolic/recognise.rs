@@ -24,11 +24,11 @@ impl Recognition {
         }
         let found = self.known.iter().find_map(|(known, new)| Some((*new, part(graph, expr, *known)?)));
         let replaced = match found {
-            Some((new, Part::Terms(multiple, rest))) => {
+            Some((new, Occurrence::Terms(multiple, rest))) => {
                 let rest = self.replace(graph, rest);
                 graph.linear_combination(&[(new, multiple), (rest, Number::ONE)])
             }
-            Some((new, Part::Factors(rest))) => {
+            Some((new, Occurrence::Factors(rest))) => {
                 let rest = self.replace(graph, rest);
                 graph.mul(new, rest)
             }
@@ -45,14 +45,14 @@ impl Recognition {
 }
 
 /// How an expression contains a known one.
-enum Part {
+enum Occurrence {
     /// `multiple * known + rest`
     Terms(Number, Expr),
     /// `known * rest`
     Factors(Expr),
 }
 
-fn part(graph: &mut Graph, expr: Expr, known: Expr) -> Option<Part> {
+fn part(graph: &mut Graph, expr: Expr, known: Expr) -> Option<Occurrence> {
     match (graph.node(expr), graph.node(known)) {
         (Node::Sum { terms, .. }, Node::Sum { terms: sought, .. }) => {
             let ratio = |(term, sought): &(Expr, Number)| {
@@ -64,7 +64,7 @@ fn part(graph: &mut Graph, expr: Expr, known: Expr) -> Option<Part> {
                 return None;
             }
             let rest = graph.linear_combination(&[(expr, Number::ONE), (known, -&multiple)]);
-            Some(Part::Terms(multiple, rest))
+            Some(Occurrence::Terms(multiple, rest))
         }
         (Node::Product { coefficient, factors }, Node::Product { coefficient: own, factors: sought }) => {
             let mut rest = factors.to_vec();
@@ -77,7 +77,7 @@ fn part(graph: &mut Graph, expr: Expr, known: Expr) -> Option<Part> {
             rest.retain(|(_, exponent)| *exponent != 0);
             let coefficient = coefficient * &own.recip()?;
             let rest = graph.canonical_product(Number::ONE, rest);
-            Some(Part::Factors(graph.scale(&coefficient, rest)))
+            Some(Occurrence::Factors(graph.scale(&coefficient, rest)))
         }
         _ => None,
     }

@@ -11,7 +11,7 @@ mod system;
 mod tables;
 
 use codegen::dynamics::EquationsOfMotion;
-use codegen::notation::{Notation, Part, equations};
+use codegen::notation::{Notation, Section, equations};
 use codegen::symbolic::{Expr, evaluate};
 use std::collections::HashMap;
 
@@ -142,7 +142,7 @@ fn random(seed: &mut u64) -> f64 {
 /// One part of a declaration in one notation.
 fn part(declaration: &str, notation: Notation, name: &str) -> String {
     let parts = codegen::equations_as(notation, declaration).unwrap();
-    parts.into_iter().find(|part: &Part| part.name == name).unwrap().text
+    parts.into_iter().find(|part: &Section| part.name == name).unwrap().text
 }
 
 fn every_model() -> Vec<EquationsOfMotion> {

@@ -9,7 +9,7 @@ mod joint;
 mod lines;
 mod load;
 mod spatial_joint;
-mod table;
+mod table_lines;
 mod unit;
 mod words;
 
@@ -103,7 +103,7 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
             let kernels = mistakes.note(lines(&content, ended(block::kernel))).into_iter().flatten();
             d.kernels.get_or_insert_default().extend(kernels);
         }
-        Block::Tables => d.tables.extend(mistakes.note(lines(&content, table::table)).into_iter().flatten()),
+        Block::Tables => d.tables.extend(mistakes.note(lines(&content, table_lines::table)).into_iter().flatten()),
         Block::Joints => d.joints.extend(mistakes.note(lines(&content, ended(joint::joint))).into_iter().flatten()),
         Block::Auxiliary => {
             d.auxiliary.extend(mistakes.note(lines(&content, ended(block::auxiliary))).into_iter().flatten())

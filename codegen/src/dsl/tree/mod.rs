@@ -1,5 +1,6 @@
 //! The parsed declaration: what the user wrote, and where.
 
+mod declared_table;
 mod equation;
 mod event;
 mod head;
@@ -7,8 +8,8 @@ mod joint;
 mod load;
 mod output;
 mod shape;
-mod table;
 
+pub use declared_table::{Between, DeclaredTable, Ends, Outside};
 pub use equation::{Activity, Equation};
 pub use event::{Action, Direction, Event};
 pub use head::Head;
@@ -16,7 +17,6 @@ pub use joint::{Guide, Joint, JointKind, Rolling, Side, SpatialJoint, SpatialKin
 pub use load::{Element, Extent, Law, Load};
 pub use output::{Output, OutputGroup};
 pub use shape::{Mark, Shape};
-pub use table::{Between, Ends, Outside, Table};
 
 use super::{Expression, Region, Unit};
 use crate::kernel_id::KernelId;
@@ -31,7 +31,7 @@ pub struct Declaration {
     /// `parameters { .. }`
     pub parameters: Vec<Parameter>,
     /// `tables { .. }`: functions given by rows.
-    pub tables: Vec<Table>,
+    pub tables: Vec<DeclaredTable>,
     /// `inputs { .. }`: each with its declared course.
     pub inputs: Vec<Parameter>,
     /// `speeds { .. }`: generalised speeds; the definition of each is among the `let`s.

@@ -4,12 +4,12 @@ mod rotations;
 mod rows;
 
 use super::error::{OracleError, Result, refuse};
+use super::interpolation::Function;
 use super::jet::Jet;
 use super::measured::Measured;
 use super::plain::is_plain;
 use super::rotation::Rotation;
 use super::setting::{Rates, Setting};
-use super::table::Function;
 use super::value::{Value, cross, inner};
 use crate::dsl::{Choice, Comparison, Declaration, Equation, Expression, Kind, Operator, Unit};
 use syn::Ident;

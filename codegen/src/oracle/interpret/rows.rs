@@ -1,11 +1,11 @@
 //! Calls of tables.
 
 use super::Interpreter;
-use crate::dsl::{Expression, Table, Unit};
+use crate::dsl::{DeclaredTable, Expression, Unit};
 use crate::oracle::error::{OracleError, Result, refuse};
+use crate::oracle::interpolation::Function;
 use crate::oracle::plain::is_plain;
 use crate::oracle::setting::Setting;
-use crate::oracle::table::Function;
 use crate::oracle::value::Value;
 
 impl Interpreter<'_> {
@@ -22,7 +22,7 @@ impl Interpreter<'_> {
     }
 
     /// The rows of a table in SI units; plain numbers are in the unit of their column.
-    fn rows(&self, table: &Table) -> Result<Vec<[f64; 2]>> {
+    fn rows(&self, table: &DeclaredTable) -> Result<Vec<[f64; 2]>> {
         let mut fixed = Interpreter::new(self.declaration, self.si_factor, Setting::fixed(&[]));
         let mut entry = |expression: &Expression, unit: &Option<Unit>| -> Result<f64> {
             let unit = unit.as_ref().filter(|_| is_plain(expression)).map_or(1.0, self.si_factor);

@@ -123,7 +123,7 @@ fn equations(description: &Description) -> String {
             "<section class=\"card equations\"><h2>Equations of motion</h2><p class=\"note\">{note}</p></section>"
         );
     }
-    let part = |part: &codegen::notation::Part| {
+    let part = |part: &codegen::notation::Section| {
         let heading = if part.name == "system" { String::new() } else { format!("<h3>{}</h3>\n", part.title) };
         format!("{heading}<div class=\"row\">{}</div>", apart(&part.text))
     };

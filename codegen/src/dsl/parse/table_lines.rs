@@ -6,7 +6,7 @@ use super::unit::optional_unit;
 use super::words::{accept_word, docs, equals, expect_word, keyword, name};
 use crate::dsl::region::here;
 use crate::dsl::vocabulary::TableWord;
-use crate::dsl::{Between, Ends, Expression, Outside, Region, Table};
+use crate::dsl::{Between, DeclaredTable, Ends, Expression, Outside, Region};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
 use syn::{Ident, Token};
@@ -15,7 +15,7 @@ const FORM: &str = "a table is written `lift [mm] over [deg] = cubic, periodic {
 const ROW: &str = "a row is an argument and a value: `90, 10;`";
 
 /// Reads a table.
-pub(super) fn table(input: ParseStream) -> Result<Table> {
+pub(super) fn table(input: ParseStream) -> Result<DeclaredTable> {
     let docs = docs(input)?;
     let name = name(input, "a table: `lift [mm] over [deg] = linear { 0, 0; 90, 10; }`")?;
     let unit = optional_unit(input)?;
@@ -47,7 +47,7 @@ pub(super) fn table(input: ParseStream) -> Result<Table> {
     let rows = lines(&content, ended(row))?;
     input.parse::<Option<Token![;]>>()?;
     let outside = words.outside.unwrap_or(Outside::Held);
-    Ok(Table { docs, name, unit, over, between, ends: words.ends, outside, rows })
+    Ok(DeclaredTable { docs, name, unit, over, between, ends: words.ends, outside, rows })
 }
 
 fn row(input: ParseStream) -> Result<[Expression; 2]> {

@@ -19,7 +19,7 @@ const NARROWEST_ENTRY: usize = 12;
 const WIDEST_OF_VECTOR: usize = 30;
 
 /// Equations that belong together.
-pub(super) struct Part {
+pub(super) struct EquationGroup {
     pub(super) name: &'static str,
     pub(super) title: &'static str,
     pub(super) equations: Vec<Equation>,
@@ -46,8 +46,8 @@ struct Term<'a> {
     is_matrix: bool,
 }
 
-/// All parts that have entries; the definitions at the end.
-pub(super) fn parts(equations: &EquationsOfMotion) -> Vec<Part> {
+/// All equation_groups that have entries; the definitions at the end.
+pub(super) fn equation_groups(equations: &EquationsOfMotion) -> Vec<EquationGroup> {
     let terms = terms(equations);
     let roots: Vec<Expr> = terms.iter().flat_map(|term| term.rows.concat()).collect();
     let (mut names, defined) = names(equations, &roots);
@@ -60,11 +60,11 @@ pub(super) fn parts(equations: &EquationsOfMotion) -> Vec<Part> {
             right: Block::Matrix(term.entries(&translation)),
         }];
         equations.extend(long.into_iter().map(|expr| definition(&translation, expr)));
-        parts.push(Part { name: term.kernel.name(), title: term.title, equations });
+        parts.push(EquationGroup { name: term.kernel.name(), title: term.title, equations });
     }
     let equations: Vec<Equation> = defined.into_iter().map(|expr| definition(&translation, expr)).collect();
     if !equations.is_empty() {
-        parts.push(Part { name: "definitions", title: "Definitions", equations });
+        parts.push(EquationGroup { name: "definitions", title: "Definitions", equations });
     }
     parts
 }
@@ -140,7 +140,7 @@ fn definition(translation: &Translation, expr: Expr) -> Equation {
 }
 
 /// The system by blocks and, if it is small, by entries.
-fn system(equations: &EquationsOfMotion, terms: &[Term; 6], translation: &Translation) -> Part {
+fn system(equations: &EquationsOfMotion, terms: &[Term; 6], translation: &Translation) -> EquationGroup {
     let model = &equations.model;
     let (n, m) = (model.coordinates.len(), model.constraints.len());
     let symbols = |symbols: Vec<_>| -> Vec<Vec<Formula>> {
@@ -162,7 +162,7 @@ fn system(equations: &EquationsOfMotion, terms: &[Term; 6], translation: &Transl
         let diagonal = model.constraints.iter().map(|constraint| released(constraint, translation)).collect();
         lines.push(by_entries(terms, translation, [accelerations, multipliers].concat(), diagonal));
     }
-    Part { name: "system", title: "Equations of motion", equations: lines }
+    EquationGroup { name: "system", title: "Equations of motion", equations: lines }
 }
 
 fn named(text: &str, letter: &str, entries: Vec<Vec<Formula>>) -> Equation {

@@ -4,7 +4,7 @@ use crate::dsl::{Expression, Region, Unit};
 use syn::Ident;
 
 /// `lift [mm] over [deg] = cubic, periodic { 0, 0; 90, 10; 360, 0; }`
-pub struct Table {
+pub struct DeclaredTable {
     /// Documentation.
     pub docs: String,
     /// Its name.

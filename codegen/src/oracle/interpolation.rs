@@ -3,7 +3,7 @@
 use super::error::{OracleError, Result};
 use super::function::Derivatives;
 use super::jet::Jet;
-use crate::dsl::{Between, Ends, Outside, Table};
+use crate::dsl::{Between, DeclaredTable, Ends, Outside};
 
 /// Sweeps of relaxation. If rows are evenly spaced each sweep at least halves the error; if neighbouring intervals
 /// differ tenfold, it takes it to three quarters.
@@ -27,7 +27,7 @@ enum Shape {
 
 impl Function {
     /// The function of a table with these rows in SI units.
-    pub(super) fn new(table: &Table, rows: &[[f64; 2]]) -> Result<Function> {
+    pub(super) fn new(table: &DeclaredTable, rows: &[[f64; 2]]) -> Result<Function> {
         if rows.len() < 2 || rows.windows(2).any(|pair| pair[1][0] <= pair[0][0]) {
             return Err(OracleError::new(format!("the rows of table `{}` do not increase", table.name)));
         }

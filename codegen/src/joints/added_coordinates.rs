@@ -7,7 +7,7 @@ use syn::Ident;
 use syn::ext::IdentExt;
 
 /// Coordinates to be added to a declaration, with the norm constraints of their quaternions.
-pub(super) struct Given {
+pub(super) struct AddedCoordinates {
     /// A declaration without units stays one.
     has_units: bool,
     coordinates: Vec<Coordinate>,
@@ -16,10 +16,15 @@ pub(super) struct Given {
     scalar_parts: Vec<(Ident, Region)>,
 }
 
-impl Given {
+impl AddedCoordinates {
     /// None yet.
-    pub(super) fn to(declaration: &Declaration) -> Given {
-        Given { has_units: declaration.has_units(), coordinates: vec![], norms: vec![], scalar_parts: vec![] }
+    pub(super) fn to(declaration: &Declaration) -> AddedCoordinates {
+        AddedCoordinates {
+            has_units: declaration.has_units(),
+            coordinates: vec![],
+            norms: vec![],
+            scalar_parts: vec![],
+        }
     }
 
     /// A coordinate, in a unit of the SI; gives its name as an expression.
