@@ -144,6 +144,14 @@ fn what_has_no_derivative_is_refused_by_name() {
     assert!(refusal::<BouncingBall>(&settings).contains("event"));
 }
 
+#[test]
+fn a_direction_without_numbers_is_refused() {
+    let mechanism = QuickReturn::default();
+    let direction = Direction { speeds: [f64::NAN, 0.0, 0.0], ..direction(&mechanism, None, None) };
+    let made = ForwardSensitivity::new(mechanism, &declared_start(&mechanism), &Settings::new(1.0), &direction);
+    assert!(matches!(made.unwrap_err().what, What::Unusable { .. }));
+}
+
 /// Dual numbers of the state are consistent: positions stay on the constraints with their derivatives.
 #[test]
 fn derivatives_stay_on_the_constraints() {

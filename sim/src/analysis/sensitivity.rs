@@ -50,7 +50,7 @@ impl<M: Mechanism> ForwardSensitivity<M> {
     /// A motion that has not begun yet, with the derivative of its start.
     ///
     /// # Errors
-    /// As [`Simulation::new`]; [`What::NotPlain`] if the method is implicit, constraints are redundant or not kept by
+    /// As [`Simulation::new`]; [`What::Unusable`] directions; [`What::NotPlain`] if the method is implicit, constraints are redundant or not kept by
     /// projection, or generalised speeds are declared.
     pub fn new(
         mechanism: M,
@@ -64,6 +64,10 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         let tableau = tableau(settings.method).ok_or_else(|| fail("its method is implicit; choose an explicit one"))?;
         if let Some(why) = obstacle(&simulation, settings) {
             return Err(fail(why));
+        }
+        if !direction.suits(mechanism) {
+            let setting = "a direction has a finite number for each parameter, coordinate and speed".to_owned();
+            return Err(Failure::at(mechanism, What::Unusable { setting }, state.time, &state.positions));
         }
         let lifted = mechanism.on(Dual::constant);
         let constant = lifted.parameters();
@@ -97,7 +101,7 @@ impl<M: Mechanism> ForwardSensitivity<M> {
     /// Advances to a time, at which a step ends, or to the end of the motion if that is earlier.
     ///
     /// # Errors
-    /// As [`Simulation::advance_to`]; [`What::NotPlain`] where the motion passes a singular position, or an event changes
+    /// As [`Simulation::advance_to`]; [`What::NotFinite`] where the state has no derivative; [`What::NotPlain`] where the motion passes a singular position, or an event changes
     /// it.
     pub fn advance_to(&mut self, time: f64) -> Result<(), Failure> {
         while let Some(target) = self.simulation.aim(time)? {
@@ -122,7 +126,15 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         set_values(&mut self.sample.state.positions, &state.positions);
         set_values(&mut self.sample.state.speeds, &state.speeds);
         self.sample.state.work.value = state.work;
-        Ok(())
+        let found = &self.sample.state;
+        let derivatives = found.positions.iter().chain(found.speeds.iter()).chain([&found.work]);
+        match derivatives.map(|number| number.derivative).all(f64::is_finite) {
+            true => Ok(()),
+            false => {
+                let what = What::NotFinite { quantity: "a derivative of the state".to_owned() };
+                Err(Failure::at(self.simulation.mechanism(), what, state.time, &state.positions))
+            }
+        }
     }
 
     /// Checks that the simulation has made no steps of other kinds.

@@ -28,8 +28,9 @@ impl<M: Mechanism> Simulation<M> {
     /// # Errors
     /// As [`advance_to`](Simulation::advance_to).
     pub(crate) fn aim(&mut self, until: f64) -> Result<Option<Target>, Failure> {
+        let until = self.check_time(until)?;
         self.check_sound()?;
-        self.aim_once(until.min(self.settings.end)).inspect_err(|failure| self.failure = Some(failure.clone()))
+        self.aim_once(until).inspect_err(|failure| self.failure = Some(failure.clone()))
     }
 
     fn aim_once(&mut self, until: f64) -> Result<Option<Target>, Failure> {

@@ -173,12 +173,8 @@ impl<M: Mechanism> Simulation<M> {
     /// # Errors
     /// As [`step`](Simulation::step), and [`What::NotFinite`] if the time is not finite.
     pub fn advance_to(&mut self, time: f64) -> Result<(), Failure> {
-        if time.is_nan() {
-            let what = What::NotFinite { quantity: "the time to advance to".to_owned() };
-            return Err(Failure::at(self.mechanism(), what, self.state.time, &self.state.positions));
-        }
+        let time = self.check_time(time)?;
         self.check_sound()?;
-        let time = time.min(self.settings.end);
         while self.state.time < time && self.advance(time, &mut ())? {}
         Ok(())
     }
@@ -245,6 +241,15 @@ impl<M: Mechanism> Simulation<M> {
             }
         }
         Ok(())
+    }
+
+    /// A time to advance to, as far as the motion goes.
+    pub(super) fn check_time(&self, time: f64) -> Result<f64, Failure> {
+        if time.is_nan() {
+            let what = What::NotFinite { quantity: "the time to advance to".to_owned() };
+            return Err(Failure::at(self.mechanism(), what, self.state.time, &self.state.positions));
+        }
+        Ok(time.min(self.settings.end))
     }
 
     /// Checks that it can continue.

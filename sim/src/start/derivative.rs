@@ -20,6 +20,15 @@ pub struct Direction<M: Mechanism> {
     pub speeds: M::Q,
 }
 
+impl<M: Mechanism> Direction<M> {
+    /// Whether it has a finite number for each parameter, coordinate and speed.
+    pub(crate) fn suits(&self, mechanism: &M) -> bool {
+        let lengths = [self.parameters.len(), self.positions.len(), self.speeds.len()];
+        let all = self.parameters.iter().chain(self.positions.iter()).chain(self.speeds.iter());
+        lengths == [mechanism.parameters().len(), mechanism.n(), mechanism.n()] && all.copied().all(f64::is_finite)
+    }
+}
+
 /// A state on dual numbers.
 type DualState<M> = State<<M as Mechanism>::On<Dual>, Dual>;
 

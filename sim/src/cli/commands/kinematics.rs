@@ -349,6 +349,8 @@ fn speed(value: f64, unit: &str) -> String {
 
 /// Nine significant digits.
 fn significant(value: f64) -> String {
+    // Zero has no sign here.
+    let value = value + 0.0;
     let plain = value == 0.0 || (1e-3..1e6).contains(&value.abs());
     if plain { format!("{value:.6}") } else { format!("{value:.6e}") }
 }

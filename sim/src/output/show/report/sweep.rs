@@ -153,7 +153,7 @@ impl Swept<'_> {
     }
 
     fn range(&self, name: &str, range: &Option<Range>, factor: f64, own_unit: &str) -> String {
-        let cell = |value: f64| format!("<td class=\"number\">{}</td>", number(value, 9));
+        let cell = |value: f64| format!("<td class=\"number\">{}</td>", number(value, 7));
         let cells: String = match range {
             None => "<td colspan=\"4\">not finite everywhere, or unbounded</td>".to_owned(),
             Some(Range { least, greatest }) => [least, greatest]
