@@ -16,6 +16,7 @@ use crate::motion::residuals::{rates, rates_of};
 use crate::motion::rows::{Dense, Linear, Rows, Sparse, is_sparse, select_each};
 use crate::numerics::arrays::subtract;
 use crate::numerics::numbers::{are_finite, larger};
+use crate::numerics::solve::Undefined;
 use crate::state::failure::{Failure, What, constraint_name, largest};
 use crate::state::trajectory::State;
 pub(crate) use by_mass::{by_mass, smallest_by_inertia};
@@ -239,14 +240,18 @@ fn correct<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
             return Err(not_finite(mechanism, &linear.values, time, q));
         }
         let correction = change(linear, q, is_done)?;
-        for (value, correction) in q.as_mut().iter_mut().zip(correction.iter()) {
-            *value = S::select(is_done, *value, *value - *correction);
+        match is_done.any() {
+            false => subtract(q, &correction),
+            true => *q = q.like(|j| S::select(is_done, q[j], q[j] - correction[j])),
         }
         is_done = is_done | is_rounding(mechanism, measures, &linear.values, &correction);
         if !S::not(is_done).any() {
             return Ok(());
         }
-        relinearise::<S, M, R>(linear, R::linearization(mechanism, time, q), is_done);
+        match is_done.any() {
+            false => *linear = R::linearization(mechanism, time, q),
+            true => relinearise::<S, M, R>(mechanism, (time, q), linear, is_done),
+        }
         is_done = is_done | is_met::<S, M, R>(mechanism, measures, time, q, linear);
         if !S::not(is_done).any() {
             return Ok(());
@@ -258,21 +263,18 @@ fn correct<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     Err(Failure::at(mechanism, what, time, q))
 }
 
-/// Takes a new linearisation, but where the old one stays.
-#[inline(always)]
+/// Linearises the constraints anew, except where they stay as they are.
+#[cold]
 fn relinearise<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
+    mechanism: &M,
+    (time, q): (S, &M::Q),
     linear: &mut Linear<S, M, R>,
-    new: Linear<S, M, R>,
     stays: S::Mask,
 ) {
-    *linear = match stays.any() {
-        false => new,
-        true => ConstraintLinearization {
-            values: select_each(stays, &linear.values, &new.values),
-            jacobian: R::select(S::not(stays), new.jacobian, &linear.jacobian),
-            time_derivative: select_each(stays, &linear.time_derivative, &new.time_derivative),
-        },
-    };
+    let new = R::linearization(mechanism, time, q);
+    linear.values = select_each(stays, &linear.values, &new.values);
+    linear.jacobian = R::select(S::not(stays), new.jacobian, &linear.jacobian);
+    linear.time_derivative = select_each(stays, &linear.time_derivative, &new.time_derivative);
 }
 
 #[cold]
@@ -304,14 +306,26 @@ fn factorise<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     time: S,
     q: &M::Q,
 ) -> Result<(), Failure> {
-    let old = stay.any().then(|| std::mem::replace(factors, R::no_factors(mechanism)));
-    R::factorise(mechanism, columns, factors).map_err(|undefined| {
+    let factorised = match stay.any() {
+        false => R::factorise(mechanism, columns, factors),
+        true => factorise_some::<S, M, R>(mechanism, columns, stay, factors),
+    };
+    factorised.map_err(|undefined| {
         let quantity = format!("constraint `{}`", constraint_name(mechanism, undefined.row));
         Failure::at(mechanism, What::NotFinite { quantity }, time, q)
-    })?;
-    if let Some(old) = old {
-        *factors = R::select_factors(stay, old, factors);
-    }
+    })
+}
+
+#[cold]
+fn factorise_some<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
+    mechanism: &M,
+    columns: &R::Jacobian,
+    stay: S::Mask,
+    factors: &mut R::Factors,
+) -> Result<(), Undefined> {
+    let old = std::mem::replace(factors, R::no_factors(mechanism));
+    R::factorise(mechanism, columns, factors)?;
+    *factors = R::select_factors(stay, old, factors);
     Ok(())
 }
 
