@@ -173,9 +173,10 @@ impl<M: Mechanism> Stepper<M> {
         attempted: Result<f64, Failure>,
     ) -> Result<bool, Failure> {
         let ends = start_and_end(&mut self.ends, self.from).map(|end| &*end);
-        let is_surprised = self.crossing.is_surprised(motion);
+        let is_adaptive = target.tolerance.is_some();
+        let is_surprised = is_adaptive && self.crossing.is_surprised(motion);
         let judged = self.pace.judge(motion, (ends[0], self.course.end), target, attempted, is_surprised);
-        if target.tolerance.is_some() && !matches!(judged, Ok(true)) {
+        if is_adaptive && !matches!(judged, Ok(true)) {
             steps.rejected += 1;
         }
         let is_taken = judged?;

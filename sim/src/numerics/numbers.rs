@@ -5,7 +5,12 @@ use sim_kernel::{Mask, Scalar};
 /// The sum in this order. It begins with -0, which keeps the bits of what is added to it.
 #[inline(always)]
 pub(crate) fn sum<S: Scalar>(values: impl Iterator<Item = S>) -> S {
-    values.fold(S::from_f64(-0.0), |sum, value| sum + value)
+    let mut sum = S::from_f64(-0.0);
+    // A loop is compiled in place, where `fold` may become a call.
+    for value in values {
+        sum = sum + value;
+    }
+    sum
 }
 
 /// The larger of both; `a` if `b` is NaN.
