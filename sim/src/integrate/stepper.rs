@@ -172,10 +172,10 @@ impl<M: Mechanism> Stepper<M> {
         target: &Target,
         attempted: Result<f64, Failure>,
     ) -> Result<bool, Failure> {
-        let ends = start_and_end(&mut self.ends, self.from).map(|end| &*end);
+        let [from, to] = start_and_end(&mut self.ends, self.from);
         let is_adaptive = target.tolerance.is_some();
         let is_surprised = is_adaptive && self.crossing.is_surprised(motion);
-        let judged = self.pace.judge(motion, (ends[0], self.course.end), target, attempted, is_surprised);
+        let judged = self.pace.judge(motion, (from, self.course.end), target, attempted, is_surprised);
         if is_adaptive && !matches!(judged, Ok(true)) {
             steps.rejected += 1;
         }
@@ -184,7 +184,7 @@ impl<M: Mechanism> Stepper<M> {
             self.crossing.ended(motion);
             steps.accepted += 1;
             if target.notes {
-                steps.note(motion, method, ends, 1)?;
+                steps.note(motion, method, [from, to], 1)?;
             }
             self.last = Some(Made::Normally);
         }
