@@ -46,7 +46,7 @@ fn a_sweep_without_a_speed_is_static() {
     let range = ["--drive", "x", "--from", "0.5", "--to", "0.4", "--no-figures"];
     let output = sim(&[&["kinematics", "slider-crank", "--out", out], &range[..]].concat());
     assert!(output.status.success() && stdout(&output).contains("at rest in each"), "{}", stdout(&output));
-    assert!(crate::column(&directory, "x_dot [m/s]").iter().all(|speed| *speed == 0.0));
+    assert!(crate::column(&directory, "theta_dot [rad/s]").iter().all(|speed| *speed == 0.0));
 }
 
 #[test]
