@@ -128,7 +128,7 @@ fn refusal<M: Compiled>(settings: &Settings) -> &'static str {
     let made = ForwardSensitivity::new(mechanism, &declared_start(&mechanism), settings, &direction);
     let failure = made.and_then(|mut motion| motion.advance_to(settings.end)).unwrap_err();
     match failure.what {
-        What::NotPlain { why } => why,
+        What::NotDifferentiable { why } => why,
         other => panic!("{other}"),
     }
 }

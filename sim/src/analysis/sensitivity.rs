@@ -50,7 +50,7 @@ impl<M: Mechanism> ForwardSensitivity<M> {
     /// A motion that has not begun yet, with the derivative of its start.
     ///
     /// # Errors
-    /// As [`Simulation::new`]; [`What::Unusable`] directions; [`What::NotPlain`] if the method is implicit, constraints are redundant or not kept by
+    /// As [`Simulation::new`]; [`What::Unusable`] directions; [`What::NotDifferentiable`] if the method is implicit, constraints are redundant or not kept by
     /// projection, or generalised speeds are declared.
     pub fn new(
         mechanism: M,
@@ -60,7 +60,7 @@ impl<M: Mechanism> ForwardSensitivity<M> {
     ) -> Result<ForwardSensitivity<M>, Failure> {
         let simulation = Simulation::new(mechanism, start, settings)?;
         let (state, mechanism) = (*simulation.state(), simulation.mechanism());
-        let fail = |why| Failure::at(mechanism, What::NotPlain { why }, state.time, &state.positions);
+        let fail = |why| Failure::at(mechanism, What::NotDifferentiable { why }, state.time, &state.positions);
         let tableau = tableau(settings.method).ok_or_else(|| fail("its method is implicit; choose an explicit one"))?;
         if let Some(why) = obstacle(&simulation, settings) {
             return Err(fail(why));
@@ -101,7 +101,7 @@ impl<M: Mechanism> ForwardSensitivity<M> {
     /// Advances to a time, at which a step ends, or to the end of the motion if that is earlier.
     ///
     /// # Errors
-    /// As [`Simulation::advance_to`]; [`What::NotFinite`] where the state has no derivative; [`What::NotPlain`] where the motion passes a singular position, or an event changes
+    /// As [`Simulation::advance_to`]; [`What::NotFinite`] where the state has no derivative; [`What::NotDifferentiable`] where the motion passes a singular position, or an event changes
     /// it.
     pub fn advance_to(&mut self, time: f64) -> Result<(), Failure> {
         while let Some(target) = self.simulation.aim(time)? {
@@ -147,7 +147,7 @@ impl<M: Mechanism> ForwardSensitivity<M> {
             return Ok(());
         }
         let why = "it passes a singular position, or an event changes it";
-        Err(Failure::at(self.simulation.mechanism(), What::NotPlain { why }, state.time, &state.positions))
+        Err(Failure::at(self.simulation.mechanism(), What::NotDifferentiable { why }, state.time, &state.positions))
     }
 }
 

@@ -53,7 +53,7 @@ impl<S: Scalar, M: Mechanism<S>> Plain<M, S> {
     #[cold]
     fn refused(&self, state: &State<M, S>) -> Failure {
         let why = "the planned elimination of its equations refuses a pivot here";
-        Failure::at(&self.mechanism, What::NotPlain { why }, state.time, &state.positions)
+        Failure::at(&self.mechanism, What::NotDifferentiable { why }, state.time, &state.positions)
     }
 
     /// Brings a state onto the constraints; gives 1/s^2, where s is the smallest sine between a row of C_q D and those

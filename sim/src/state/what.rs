@@ -102,7 +102,7 @@ pub enum What {
     SpeedsUndetermined,
     /// What is asked for is found only of motions without this.
     #[error("this motion cannot be differentiated step by step: {why}")]
-    NotPlain {
+    NotDifferentiable {
         /// What stands in the way.
         why: &'static str,
     },
@@ -340,7 +340,7 @@ impl What {
             What::SingularState { .. } => "E-SINGULAR-STATE",
             What::NoEigenvalues { .. } => "E-NO-EIGENVALUES",
             What::Singular { .. } => "E-SINGULAR",
-            What::NotPlain { .. } => "E-NOT-PLAIN",
+            What::NotDifferentiable { .. } => "E-NOT-DIFFERENTIABLE",
             What::SpeedsUndetermined => "E-SPEEDS-UNDETERMINED",
             What::GimbalLock { .. } => "E-GIMBAL-LOCK",
             What::NegativeMass { .. } => "E-NEGATIVE-MASS",
