@@ -6,14 +6,26 @@ use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
 fn start(words: &[&str], directory: &Path) -> Child {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_failing"));
+    start_of(env!("CARGO_BIN_EXE_failing"), words, directory)
+}
+
+fn start_of(program: &str, words: &[&str], directory: &Path) -> Child {
+    let mut command = Command::new(program);
     command.args(words).arg("--out").arg(directory).stdout(Stdio::null()).stderr(Stdio::piped());
     command.spawn().unwrap()
 }
 
-/// Sends a signal, and gives the exit status and what was said.
-fn ended_by(signal: &str, mut child: Child) -> (Option<i32>, String) {
+fn send(signal: &str, child: &Child) {
     assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
+}
+
+/// Sends a signal, and gives the exit status and what was said.
+fn ended_by(signal: &str, child: Child) -> (Option<i32>, String) {
+    send(signal, &child);
+    ended(child)
+}
+
+fn ended(mut child: Child) -> (Option<i32>, String) {
     let mut said = String::new();
     std::io::Read::read_to_string(child.stderr.as_mut().unwrap(), &mut said).unwrap();
     (child.wait().unwrap().code(), said)
@@ -54,5 +66,26 @@ fn a_sweep_keeps_what_it_has() {
         assert!(table.len() > 100 && summary["drive"]["samples"] == table.len(), "{}", table.len());
         assert!(summary["failure"].as_str().unwrap().contains("interrupted"), "{summary:#}");
         assert!(summary["transmission_index"]["greatest"]["value"].as_f64().unwrap() <= 1.0, "{summary:#}");
+    }
+}
+
+/// A run of seventy coordinates, whose report takes a debug build half a minute: it is left out, and its numbers are whole,
+/// after one signal as after two.
+#[test]
+fn numbers_come_before_pictures() {
+    for second in [None, Some("-TERM")] {
+        let directory = fresh(&format!("pressed{}", second.unwrap_or_default()));
+        let child = start_of(env!("CARGO_BIN_EXE_sizes"), &["run", "chain", "--t-end", "1e6"], &directory);
+        std::thread::sleep(Duration::from_millis(3000));
+        send("-INT", &child);
+        if let Some(signal) = second {
+            std::thread::sleep(Duration::from_millis(10));
+            send(signal, &child);
+        }
+        let (status, said) = ended(child);
+        assert_eq!(status, Some(130), "{said}");
+        assert!(said.contains("interrupted; written until then: trajectory.csv, run.json, summary.json"), "{said}");
+        assert!(complete(&directory, &said) > 0.0);
+        assert!(!directory.join("report.html").exists() && !directory.join(".unfinished").exists());
     }
 }

@@ -1,7 +1,8 @@
 //! The end of a command by Ctrl-C or a signal.
 //!
-//! Runs check a flag between steps and write what they have. Everything else ends at once: a thread waits for the
-//! signal, moves complete files to their place if the tables are among them, and exits.
+//! Runs check a flag between steps. Their numbers are written however long that takes, and pictures as far as there is
+//! time. Everything else ends at once: a thread waits for the signal, moves complete files to their place if the tables
+//! are among them, and exits.
 
 use crate::cli::files::folder;
 #[cfg(unix)]
@@ -10,11 +11,17 @@ use signal_hook::{
     iterator::Signals,
 };
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+/// How long pictures may be drawn after a signal: with what else there is to write, less than a second.
+const PATIENCE: Duration = Duration::from_millis(600);
 
 /// Set once a run is to end.
 pub(super) static INTERRUPTED: AtomicBool = AtomicBool::new(false);
-/// Whether a run looks at that.
-static IS_LOOKED_AT: AtomicBool = AtomicBool::new(false);
+/// Whether there are numbers to keep: a run, which checks that, or its results.
+static HAS_NUMBERS: AtomicBool = AtomicBool::new(false);
+/// Set by a second signal.
+static IS_PRESSED: AtomicBool = AtomicBool::new(false);
 
 /// Handles SIGINT and SIGTERM from here on. (SIGHUP keeps its meaning: `nohup` works.)
 pub(super) fn listen() {
@@ -28,21 +35,41 @@ pub(super) fn listen() {
 
 /// Does work that checks [`INTERRUPTED`]: the first signal ends it, and its results are written.
 pub(super) fn interruptible<T>(work: impl FnOnce() -> T) -> T {
-    IS_LOOKED_AT.store(true, Ordering::SeqCst);
-    let done = work();
-    IS_LOOKED_AT.store(false, Ordering::SeqCst);
-    done
+    HAS_NUMBERS.store(true, Ordering::SeqCst);
+    work()
 }
 
-/// The first signal ends a run, which then writes its results; any other ends the program, keeping complete files.
+/// The first signal ends a run, which has a moment to draw its pictures; the second ends it as soon as its numbers are
+/// written; any other ends the program, keeping complete files.
 fn heard() {
-    if IS_LOOKED_AT.load(Ordering::SeqCst) && !INTERRUPTED.swap(true, Ordering::SeqCst) {
-        return;
+    if !HAS_NUMBERS.load(Ordering::SeqCst) {
+        end();
+    } else if !INTERRUPTED.swap(true, Ordering::SeqCst) {
+        end_after(PATIENCE);
+    } else if !IS_PRESSED.swap(true, Ordering::SeqCst) {
+        end_after(Duration::ZERO);
+    } else {
+        end();
     }
-    let filled = folder::end();
-    match filled.names.is_empty() {
+}
+
+/// Ends the program after a time, once its numbers are written. Other signals are heard meanwhile.
+fn end_after(time: Duration) {
+    std::thread::spawn(move || {
+        std::thread::sleep(time);
+        while folder::is_awaited() {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        end();
+    });
+}
+
+fn end() {
+    let ended = folder::end();
+    ended.failures.iter().for_each(|failure| eprintln!("{failure}"));
+    match ended.names.is_empty() {
         true => eprintln!("interrupted; nothing was written"),
-        false => eprintln!("interrupted; written until then: {}", filled.names.join(", ")),
+        false => eprintln!("interrupted; written until then: {}", ended.names.join(", ")),
     }
     std::process::exit(130);
 }

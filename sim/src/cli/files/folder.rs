@@ -12,8 +12,9 @@ use crate::{WriteError, write_json};
 use serde_json::{Map, Value};
 use std::fs::{self, File, TryLockError};
 use std::io;
+use std::mem;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// The subfolder for files until all are written.
 const UNFINISHED: &str = ".unfinished";
@@ -21,7 +22,26 @@ const UNFINISHED: &str = ".unfinished";
 const INCOMPLETE: &str = "incomplete";
 
 /// The folder of the running command, for the signal handler, which may run at any time.
-static CURRENT: Mutex<Option<Folder>> = Mutex::new(None);
+static CURRENT: Mutex<Current> = Mutex::new(Current::Nothing);
+
+/// What a signal finds.
+enum Current {
+    /// No folder: nothing is to be written.
+    Nothing,
+    /// A folder that is being written to.
+    Held(Folder),
+    /// All files are in their places.
+    Filled(Ended),
+}
+
+/// What is said if a signal ends the program.
+#[derive(Clone, Default)]
+pub(in crate::cli) struct Ended {
+    /// The files in their final places.
+    pub(in crate::cli) names: Vec<String>,
+    /// Why the work itself failed, by the summary, and why files are missing.
+    pub(in crate::cli) failures: Vec<String>,
+}
 
 /// A locked folder, with the files written for it.
 struct Folder {
@@ -62,11 +82,11 @@ pub(in crate::cli) fn hold(directory: &Path, mut earlier: Vec<String>) -> Result
     earlier.extend(identity::listed(directory));
     let folder =
         Folder { directory: directory.to_owned(), is_new, _lock: lock, names: Vec::new(), summary: None, earlier };
-    *current() = Some(folder);
+    *current() = Current::Held(folder);
     Ok(unfinished)
 }
 
-fn current() -> std::sync::MutexGuard<'static, Option<Folder>> {
+fn current() -> MutexGuard<'static, Current> {
     CURRENT.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -93,39 +113,70 @@ fn lock(directory: &Path) -> Result<Option<File>, Stop> {
 
 /// Records a complete file.
 pub(in crate::cli) fn add(name: &str) {
-    if let Some(folder) = current().as_mut() {
+    if let Current::Held(folder) = &mut *current() {
         folder.names.push(name.to_owned());
     }
 }
 
 /// Keeps the summary under this name. From then on a signal keeps the complete files.
 pub(in crate::cli) fn tell(name: &str, summary: Value) {
-    if let Some(folder) = current().as_mut() {
+    if let Current::Held(folder) = &mut *current() {
         folder.summary = Some((name.to_owned(), summary));
     }
+}
+
+/// Whether a command still has to write its tables, or its summary.
+pub(in crate::cli) fn is_awaited() -> bool {
+    matches!(&*current(), Current::Held(folder) if folder.summary.is_none())
 }
 
 /// Moves all files to their places, and removes earlier ones without a successor. If `is_short` of some, or if some
 /// cannot be placed, puts them aside if there are earlier files.
 pub(in crate::cli) fn fill(is_short: bool) -> Filled {
-    current().take().map_or_else(Filled::default, |folder| folder.fill(is_short))
+    let mut current = current();
+    match mem::replace(&mut *current, Current::Nothing) {
+        Current::Held(folder) => {
+            let failed = folder.failed();
+            let filled = folder.fill(is_short);
+            *current = Current::Filled(filled.ended(failed));
+            filled
+        }
+        _ => Filled::default(),
+    }
 }
 
 /// Ends with the complete files if the tables are among them, otherwise with none.
-pub(in crate::cli) fn end() -> Filled {
+pub(in crate::cli) fn end() -> Ended {
     let mut current = current();
-    let filled = match current.take() {
-        Some(folder) if folder.summary.is_some() => folder.fill(false),
-        _ => Filled::default(),
+    let ended = match mem::replace(&mut *current, Current::Nothing) {
+        Current::Held(folder) if folder.summary.is_some() => {
+            let failed = folder.failed();
+            folder.fill(false).ended(failed)
+        }
+        Current::Filled(ended) => ended,
+        _ => Ended::default(),
     };
     // Nothing else is written from here on: the process ends.
-    std::mem::forget(current);
-    filled
+    mem::forget(current);
+    ended
+}
+
+impl Filled {
+    fn ended(&self, failed: Option<String>) -> Ended {
+        let failures = failed.into_iter().chain(self.failures.iter().map(ToString::to_string));
+        Ended { names: self.names.clone(), failures: failures.collect() }
+    }
 }
 
 impl Folder {
     fn unfinished(&self) -> PathBuf {
         self.directory.join(UNFINISHED)
+    }
+
+    /// Why the work failed, as its summary says.
+    fn failed(&self) -> Option<String> {
+        let (_, summary) = self.summary.as_ref()?;
+        Some(summary.get("failure")?.as_str()?.to_owned())
     }
 
     fn fill(mut self, is_short: bool) -> Filled {
@@ -135,7 +186,7 @@ impl Folder {
             filled.failures.push(failure);
         }
         // Targets that are not files, such as devices, are written first: they cannot be rolled back.
-        let names = std::mem::take(&mut self.names);
+        let names = mem::take(&mut self.names);
         let (files, others): (Vec<String>, Vec<String>) = names.into_iter().partition(|name| self.is_file(name));
         others.iter().for_each(|name| self.place(name, &mut filled));
         if (is_short || !filled.failures.is_empty()) && self.has_earlier() {
