@@ -20,8 +20,8 @@ const PATIENCE: Duration = Duration::from_millis(600);
 pub(super) static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 /// Whether there are numbers to keep: a run, which checks that, or its results.
 static HAS_NUMBERS: AtomicBool = AtomicBool::new(false);
-/// Set by a second signal.
-static IS_PRESSED: AtomicBool = AtomicBool::new(false);
+/// Whether the user knows that they are being written, and that another signal loses them.
+static IS_WARNED: AtomicBool = AtomicBool::new(false);
 
 /// Handles SIGINT and SIGTERM from here on. (SIGHUP keeps its meaning: `nohup` works.)
 pub(super) fn listen() {
@@ -39,17 +39,15 @@ pub(super) fn interruptible<T>(work: impl FnOnce() -> T) -> T {
     work()
 }
 
-/// The first signal ends a run, which has a moment to draw its pictures; the second ends it as soon as its numbers are
-/// written; any other ends the program, keeping complete files.
+/// The first signal ends a run, which has a moment to draw its pictures; another ends it as soon as its numbers are
+/// written, or, once the user is warned, at once. What is no run ends at once, keeping complete files.
 fn heard() {
-    if !HAS_NUMBERS.load(Ordering::SeqCst) {
+    if !HAS_NUMBERS.load(Ordering::SeqCst) || IS_WARNED.load(Ordering::SeqCst) {
         end();
     } else if !INTERRUPTED.swap(true, Ordering::SeqCst) {
         end_after(PATIENCE);
-    } else if !IS_PRESSED.swap(true, Ordering::SeqCst) {
-        end_after(Duration::ZERO);
     } else {
-        end();
+        end_after(Duration::ZERO);
     }
 }
 
@@ -57,6 +55,9 @@ fn heard() {
 fn end_after(time: Duration) {
     std::thread::spawn(move || {
         std::thread::sleep(time);
+        if folder::is_awaited() && !IS_WARNED.swap(true, Ordering::SeqCst) {
+            eprintln!("interrupted; writing what was computed: another signal ends this at once, and loses it");
+        }
         while folder::is_awaited() {
             std::thread::sleep(Duration::from_millis(5));
         }

@@ -24,8 +24,7 @@ use std::path::PathBuf;
                   sim run quick-return --initial alpha=30deg --initial alpha_dot=60rpm --out out/slow\n  \
                   sim run out/slow/run.json --t-end 10\n  sim new my-linkage\n\n\
                   Exit status: 0 done, 1 the work failed (what was computed is written), 2 the command line is wrong, 130 interrupted\n  \
-                  by SIGINT (Ctrl-C) or SIGTERM: a run then writes what it has, and draws what takes less than a second; a second one\n  \
-                  leaves the drawing out."
+                  by SIGINT (Ctrl-C) or SIGTERM: a run then writes what it has, and draws what takes less than a second."
 )]
 pub(super) struct Arguments {
     #[command(flatten)]
