@@ -4,6 +4,7 @@
 //! The folders follow the data flow, and no stage imports a later one. [`symbolic`] serves them all and knows no
 //! mechanics; [`oracle`] shares only the parsed declaration with the code that it checks.
 
+pub mod description;
 pub mod dsl;
 pub mod dynamics;
 pub mod emit;

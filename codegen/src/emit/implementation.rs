@@ -7,6 +7,7 @@ use super::marker::has_no_fields;
 use super::names::other_scalar;
 use super::speeds;
 use super::{ident, size};
+use crate::description::describe;
 use crate::dsl::Source;
 use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::Trait;
@@ -27,7 +28,7 @@ pub(super) fn implementation(
     let model = &equations.model;
     let name = ident(&model.name);
     let (types, other) = (concrete.definitions(Trait::Mechanism), other_scalar(&model.name));
-    let description = description(equations, program, source, path);
+    let description = description(&describe(equations, program, source), path);
     let (defaults, parameters) = (defaults(equations, path), parameters(model, path));
     let inputs = inputs(model, path);
     let switched = switched(model);

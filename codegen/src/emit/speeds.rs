@@ -6,6 +6,7 @@ use super::documentation::documented;
 use super::forward::forwards;
 use super::record::record;
 use super::{ident, size};
+use crate::description::Quantity;
 use crate::dsl::Head;
 use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::Trait;
@@ -57,7 +58,10 @@ pub(super) fn speeds(
         .collect();
     let docs = format!(" Generalised speeds of [`{}`] by name, in SI units; also for their rates.", model.name);
     let record = record(&head.visibility, &format_ident!("{}Speeds", model.name), &docs, &fields, path);
-    let quantities = model.generalized_speeds.iter().map(|speed| quantity(&speed.name, &speed.unit, &speed.docs, path));
+    let quantities = model
+        .generalized_speeds
+        .iter()
+        .map(|speed| quantity(&Quantity::of(&speed.name, &speed.unit, &speed.docs), path));
     let (name, types) = (ident(&model.name), concrete.definitions(Trait::GeneralizedSpeeds));
     let rows = speeds.rows.iter().copied().map(size);
     let forwards = forwards(Trait::GeneralizedSpeeds, model, program, concrete, path);

@@ -17,6 +17,7 @@ pub struct Sparsity {
 }
 
 /// A row of C_q.
+#[derive(Clone)]
 pub struct SparseRow {
     /// The constraint.
     pub constraint: usize,

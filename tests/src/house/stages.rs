@@ -28,6 +28,7 @@ pub const CRATES: &[Crate] = &[
             "model",
             "dynamics",
             "program",
+            "description",
             "notation",
             "emit",
             "oracle",

@@ -113,7 +113,7 @@ fn type_name(name: &str) -> String {
 
 /// The name of a type on the command line.
 fn model_name(type_name: &str) -> String {
-    codegen::emit::kebab_case(type_name)
+    codegen::description::kebab_case(type_name)
 }
 
 /// The line of `Cargo.toml`, and the workspace if it is a folder.
