@@ -28,11 +28,32 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// All mistakes of the first stage that finds any, each at the user's own word.
 pub fn generate(tokens: TokenStream, path: &TokenStream) -> syn::Result<TokenStream> {
+    let Derived { head, description, equations, program } = derive(tokens)?;
+    Ok(emit::emit(&head, &description, &equations, &program, path))
+}
+
+/// All that is derived from a declaration, before it is written in another language.
+pub struct Derived {
+    /// Its name and visibility.
+    pub head: dsl::Head,
+    /// What is told of it.
+    pub description: description::Description,
+    /// Its equations of motion.
+    pub equations: dynamics::EquationsOfMotion,
+    /// Its kernels.
+    pub program: program::Program,
+}
+
+/// A declaration's tokens to its programs.
+///
+/// # Errors
+/// As [`generate`].
+pub fn derive(tokens: TokenStream) -> syn::Result<Derived> {
     let (declaration, resolved) = resolved(tokens.clone())?;
     let mut equations = dynamics::derive_cheapest(resolved);
     let program = program::plan(&mut equations);
-    let source = dsl::Source::of(tokens);
-    Ok(emit::emit(&declaration.head, &source, &equations, &program, path))
+    let description = description::describe(&equations, &program, &dsl::Source::of(tokens));
+    Ok(Derived { head: declaration.head, description, equations, program })
 }
 
 /// The formatted items of every mechanism that a text declares: a Rust file with `mechanism! { .. }` in it, or a bare

@@ -12,6 +12,8 @@ mod batch;
 pub mod cli;
 mod events;
 mod integrate;
+#[cfg(feature = "analysis")]
+mod interpreted;
 mod model;
 mod motion;
 mod numerics;
@@ -47,6 +49,8 @@ pub use integrate::{
     Advance, Attempt, Course, DOP853, DOPRI5, Dop853, EULER, ErrorEstimate, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5,
     Step, Steps, Tableau, Weight, integrate,
 };
+#[cfg(feature = "analysis")]
+pub use interpreted::interpret;
 pub use model::conditional::is_active;
 pub use model::erased::{
     Bounded, Erased, ErasedPrepared, Found, InPlace, Kernel, List, Model, OnHeap, Prepared, Storage, Values, erase,

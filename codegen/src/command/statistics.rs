@@ -1,5 +1,6 @@
 //! The cost of a mechanism's kernels and of their derivation.
 
+use codegen::description::describe;
 use codegen::program::{Diagram, Kernel};
 use codegen::{dsl, dynamics, emit, model, program};
 use proc_macro2::TokenStream;
@@ -15,8 +16,10 @@ pub(super) fn statistics(declaration: TokenStream) -> syn::Result<String> {
     let resolved = stages.time("resolve", || model::resolve(&declaration))?;
     let mut equations = stages.time("derive", || dynamics::derive_cheapest(resolved));
     let program = stages.time("plan", || program::plan(&mut equations));
-    let tokens =
-        stages.time("emit", || emit::emit(&declaration.head, &source, &equations, &program, &quote!(sim_kernel)));
+    let tokens = stages.time("emit", || {
+        let description = describe(&equations, &program, &source);
+        emit::emit(&declaration.head, &description, &equations, &program, &quote!(sim_kernel))
+    });
     let formatted = stages.time("format", || emit::format(tokens))?;
     let model = &equations.model;
     let mut out = format!(

@@ -5,55 +5,75 @@ use sim_kernel::{Description, Dual, Input, Scalar};
 use std::fmt::Debug;
 use std::sync::Arc;
 
-/// What a mechanism can be asked for, as the method of [`Mechanism`](sim_kernel::Mechanism) of the same name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kernel {
+macro_rules! kernels {
+    ($($(#[$about:meta])* $kernel:ident = $name:literal,)*) => {
+        /// What a mechanism can be asked for, as the method of [`Mechanism`](sim_kernel::Mechanism) of the same name.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Kernel {
+            $($(#[$about])* $kernel,)*
+        }
+
+        impl Kernel {
+            /// All of them.
+            pub const ALL: &'static [Kernel] = &[$(Kernel::$kernel),*];
+
+            /// Its name: that of the method.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Kernel::$kernel => $name,)*
+                }
+            }
+        }
+    };
+}
+
+kernels! {
     /// n rows of n.
-    MassMatrix,
+    MassMatrix = "mass_matrix",
     /// A row of n.
-    ConvectiveForces,
+    ConvectiveForces = "convective_forces",
     /// A row of n.
-    GeneralizedForces,
+    GeneralizedForces = "generalized_forces",
     /// A row of m.
-    Constraints,
+    Constraints = "constraints",
     /// A row of m.
-    ConstraintMagnitudes,
+    ConstraintMagnitudes = "constraint_magnitudes",
     /// m rows of n.
-    ConstraintJacobian,
+    ConstraintJacobian = "constraint_jacobian",
     /// A row of m.
-    ConstraintTimeDerivative,
+    ConstraintTimeDerivative = "constraint_time_derivative",
     /// A row of m.
-    ConstraintConvective,
+    ConstraintConvective = "constraint_convective",
     /// C, C_t, and m rows of n.
-    ConstraintLinearization,
+    ConstraintLinearization = "constraint_linearization",
     /// C, C_t, and the entries of C_q.
-    SparseLinearization,
+    SparseLinearization = "sparse_linearization",
     /// A row of 1.
-    KineticEnergy,
+    KineticEnergy = "kinetic_energy",
     /// Accelerations, multipliers, and the power.
-    Dynamics,
+    Dynamics = "dynamics",
     /// A row of n.
-    InverseDynamics,
+    InverseDynamics = "inverse_dynamics",
     /// n rows by positions, n by speeds, then m and m of the multipliers, each of n.
-    DynamicsJacobian,
+    DynamicsJacobian = "dynamics_jacobian",
     /// n rows of accelerations and m of multipliers, each by the parameters.
-    DynamicsSensitivity,
+    DynamicsSensitivity = "dynamics_sensitivity",
     /// A row of n.
-    VelocityVariables,
+    VelocityVariables = "velocity_variables",
     /// q' of velocity variables, which stand for the speeds: a row of n.
-    Velocities,
+    Velocities = "velocities",
     /// A row of 1.
-    Power,
+    Power = "power",
     /// A row of the outputs.
-    Outputs,
+    Outputs = "outputs",
     /// A row of the rates of those that have one.
-    OutputRates,
+    OutputRates = "output_rates",
     /// A row of the events.
-    Events,
+    Events = "events",
     /// A row of the values that actions need.
-    EventValues,
+    EventValues = "event_values",
     /// A row of the numbers of the drawing.
-    Drawing,
+    Drawing = "drawing",
 }
 
 /// What may be set of a mechanism, in the order of declaration.

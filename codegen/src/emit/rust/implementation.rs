@@ -1,14 +1,12 @@
 //! The impl of the runtime's trait.
 
 use super::concrete::Concrete;
-use super::description::description;
 use super::forward::forwards;
 use super::marker::has_no_fields;
 use super::names::other_scalar;
 use super::speeds;
 use super::{ident, size};
-use crate::description::describe;
-use crate::dsl::Source;
+use crate::description::Description;
 use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::Trait;
 use crate::model::Model;
@@ -21,14 +19,14 @@ use quote::quote;
 pub(super) fn implementation(
     equations: &EquationsOfMotion,
     program: &Program,
-    source: &Source,
+    description: &Description,
     concrete: &Concrete,
     path: &TokenStream,
 ) -> TokenStream {
     let model = &equations.model;
     let name = ident(&model.name);
     let (types, other) = (concrete.definitions(Trait::Mechanism), other_scalar(&model.name));
-    let description = description(&describe(equations, program, source), path);
+    let description = super::description::description(description, path);
     let (defaults, parameters) = (defaults(equations, path), parameters(model, path));
     let inputs = inputs(model, path);
     let switched = switched(model);

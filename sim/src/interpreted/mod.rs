@@ -1,0 +1,14 @@
+//! Mechanisms whose declarations are read at run time: their programs are executed as they are, without a compiler.
+//!
+//! The results are those of the generated Rust, to the last bit: the same operations in the same order, on the same
+//! routines for sines and other functions.
+
+mod derivatives;
+mod execute;
+mod kernels;
+mod leaked;
+mod model;
+mod programs;
+mod registers;
+
+pub use model::interpret;

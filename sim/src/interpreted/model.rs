@@ -1,0 +1,104 @@
+//! A mechanism whose programs are executed as they are.
+
+use super::kernels::{Kernels, given, program};
+use super::programs::Programs;
+use crate::model::At;
+use crate::model::erased::{Found, Kernel, Model, Prepared, Values};
+use codegen::Derived;
+use codegen::kernel_id::KernelId;
+use sim_kernel::{Description, Dual, Input};
+use std::sync::Arc;
+
+/// A mechanism made of a declaration at run time.
+pub fn interpret(derived: &Derived) -> Arc<dyn Model> {
+    declared(Arc::new(Programs::new(derived)))
+}
+
+/// With the declared values.
+fn declared(programs: Arc<Programs>) -> Arc<dyn Model> {
+    let Description { inputs, conditionals, .. } = programs.description;
+    let values = Values {
+        parameters: programs.defaults.clone(),
+        inputs: vec![Input::Declared; inputs.len()],
+        activities: conditionals.iter().map(|c| f64::from(u8::from(c.initially_active))).collect(),
+    };
+    Arc::new(Interpreted { programs, values })
+}
+
+#[derive(Debug)]
+struct Interpreted {
+    programs: Arc<Programs>,
+    values: Values,
+}
+
+impl Interpreted {
+    fn kernels(&self) -> Kernels<'_, f64> {
+        Kernels { programs: &self.programs, values: &self.values }
+    }
+}
+
+impl Model for Interpreted {
+    fn description(&self) -> &'static Description {
+        self.programs.description
+    }
+    fn rows_left(&self) -> Option<&'static [usize]> {
+        self.programs.rows_left
+    }
+    fn values(&self) -> Values {
+        self.values.clone()
+    }
+    fn with_values(&self, values: &Values) -> Arc<dyn Model> {
+        Arc::new(Interpreted { programs: self.programs.clone(), values: values.clone() })
+    }
+    fn as_declared(&self) -> Arc<dyn Model> {
+        declared(self.programs.clone())
+    }
+    fn initial(&self) -> [Vec<f64>; 2] {
+        let mut positions = self.kernels().initial();
+        let speeds = positions.split_off(positions.len() / 2);
+        [positions, speeds]
+    }
+    fn held_inputs(&self, time: f64, q: &[f64]) -> Vec<Input> {
+        self.kernels().inputs(At::moving(time, q, &[])).into_iter().map(Input::Held).collect()
+    }
+    fn call(&self, kernel: Kernel, at: At<f64>, found: Found<f64>) -> bool {
+        let has_program = program(kernel).is_some_and(|id| self.programs.has(id));
+        match kernel {
+            Kernel::DynamicsJacobian if !has_program => self.kernels().jacobian(at, found),
+            Kernel::DynamicsSensitivity if !has_program => self.kernels().sensitivity(at, found),
+            _ => self.kernels().call(kernel, at, found),
+        }
+    }
+    fn call_on_duals(&self, values: &Values<Dual>, kernel: Kernel, at: At<Dual>, found: Found<Dual>) -> bool {
+        Kernels { programs: &self.programs, values }.call(kernel, at, found)
+    }
+    fn prepare(&self) -> Box<dyn Prepared> {
+        let (programs, inputs) = (self.programs.clone(), self.values.inputs.clone());
+        Box::new(InterpretedPrepared { programs, inputs, values: self.kernels().prepare() })
+    }
+}
+
+/// The equations of motion with all that the parameters determine computed.
+#[derive(Clone, Debug)]
+struct InterpretedPrepared {
+    programs: Arc<Programs>,
+    inputs: Vec<Input>,
+    values: Vec<f64>,
+}
+
+impl Prepared for InterpretedPrepared {
+    fn copied(&self) -> Box<dyn Prepared> {
+        Box::new(self.clone())
+    }
+    fn set_inputs(&mut self, inputs: &[Input]) {
+        self.inputs.copy_from_slice(inputs);
+    }
+    fn call(&self, kernel: Kernel, at: At<f64>, found: Found<f64>) -> bool {
+        let id = if kernel == Kernel::Velocities { KernelId::Kinematics } else { KernelId::Dynamics };
+        if !self.programs.has(id) {
+            found(0, at.speeds);
+            return false;
+        }
+        self.programs.call(id, given(&self.programs, &self.inputs, &self.values, at), found)
+    }
+}
