@@ -23,6 +23,9 @@ use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use std::path::{Path, PathBuf};
 
+/// All mistakes that a stage finds, each at its word.
+pub type Mistaken = syn::Error;
+
 /// A declaration's tokens to the Rust items of the mechanism. `path` is where `sim_kernel` is found.
 ///
 /// # Errors
@@ -138,17 +141,20 @@ pub fn expand(input: TokenStream) -> TokenStream {
     let is_semicolon = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ';');
     let path: TokenStream = tokens.by_ref().take_while(|token| !is_semicolon(token)).collect();
     let declaration: TokenStream = tokens.collect();
-    let generated = dsl::read_files(declaration.clone(), &crate_folder()).and_then(|(declaration, files)| {
-        let items = generate(declaration, &path)?;
-        // So that cargo rebuilds when a file has changed.
-        Ok(quote! {
-            #items
-            #(const _: &[::core::primitive::u8] =
-                ::core::include_bytes!(::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), "/", #files));)*
-        })
-    });
+    let read = dsl::version::without(declaration.clone());
+    let generated =
+        read.and_then(|declaration| dsl::read_files(declaration, &crate_folder())).and_then(|(declaration, files)| {
+            let items = generate(declaration, &path)?;
+            // So that cargo rebuilds when a file has changed.
+            Ok(quote! {
+                #items
+                #(const _: &[::core::primitive::u8] =
+                    ::core::include_bytes!(::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), "/", #files));)*
+            })
+        });
     generated.unwrap_or_else(|mistakes| {
         let mistakes = mistakes.to_compile_error();
+        let declaration = dsl::version::without(declaration.clone()).unwrap_or(declaration);
         let stub = dsl::parse_head(declaration).map(|head| emit::stub(&head, &path)).ok();
         let stub = stub.map(ToTokens::into_token_stream);
         quote! { #mistakes #stub }

@@ -50,7 +50,7 @@ pub use integrate::{
     Step, Steps, Tableau, Weight, integrate,
 };
 #[cfg(feature = "analysis")]
-pub use interpreted::interpret;
+pub use interpreted::{DeclarationFile, LoadError, interpret, load};
 pub use model::conditional::is_active;
 pub use model::erased::{
     Bounded, Erased, ErasedPrepared, Found, InPlace, Kernel, List, Model, OnHeap, Prepared, Storage, Values, erase,

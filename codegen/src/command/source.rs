@@ -1,7 +1,7 @@
 //! The text that declares mechanisms, and where it comes from.
 
 use anyhow::{Context, Result, anyhow};
-use codegen::dsl::read_files;
+use codegen::dsl::{folder_of_tables, read_files};
 use codegen::dynamics::EquationsOfMotion;
 use codegen::mistakes::located;
 use proc_macro2::TokenStream;
@@ -12,13 +12,8 @@ pub(super) struct Source {
     /// For messages.
     name: String,
     pub(super) text: String,
-    /// The folder of the files of tables: that of the crate that a file is in, or the current one.
+    /// The folder of the files of tables: that of the crate that a Rust file is in, the file's own, or the current one.
     pub(super) folder: PathBuf,
-}
-
-fn crate_folder(file: &Path) -> Option<PathBuf> {
-    let folders = file.ancestors().skip(1);
-    folders.map(Path::to_owned).find(|folder| folder.join("Cargo.toml").exists())
 }
 
 impl Source {
@@ -28,8 +23,7 @@ impl Source {
             Some(file) => {
                 let name = file.display().to_string();
                 let text = std::fs::read_to_string(file).with_context(|| format!("cannot read {name}"))?;
-                let folder = std::path::absolute(file).ok().and_then(|file| crate_folder(&file)).unwrap_or_default();
-                Ok(Source { name, text, folder })
+                Ok(Source { name, text, folder: folder_of_tables(file) })
             }
             None => {
                 let mut text = String::new();

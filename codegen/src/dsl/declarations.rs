@@ -1,27 +1,30 @@
 //! Declarations in a text: a Rust file, or one declaration by itself.
 
-use super::{limits, parse_head};
+use super::{limits, parse_head, version};
 use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::{Error, Result};
 
-/// The tokens of each `mechanism! { .. }` in a Rust file, in order; or the whole text, if it is a bare declaration.
+/// The tokens of each `mechanism! { .. }` in a Rust file, in order; or the whole text, if it is a bare declaration. What says
+/// which version of the language it is written in is left out.
 ///
 /// # Errors
-/// If the text is not made of Rust's tokens, or of brackets nested too deeply, and if it declares nothing.
+/// If the text is not made of Rust's tokens, or of brackets nested too deeply, if it declares nothing, and if it is written in
+/// a newer language.
 pub fn declarations(text: &str) -> Result<Vec<TokenStream>> {
     let tokens: TokenStream = text.parse()?;
     limits::check_file(tokens.clone())?;
     let mut found = Vec::new();
     collect(tokens.clone(), &mut found);
     if found.is_empty() {
+        let tokens = version::without(tokens)?;
         if parse_head(tokens.clone()).is_err() {
             let message = "no mechanism is declared here: there is no `mechanism! { .. }`, and the text is not a \
                            declaration, which starts with the mechanism's name: `pub QuickReturn;`";
             return Err(Error::new(tokens.into_iter().next().map_or_else(Span::call_site, |t| t.span()), message));
         }
-        found.push(tokens);
+        return Ok(vec![tokens]);
     }
-    Ok(found)
+    found.into_iter().map(version::without).collect()
 }
 
 /// Modules and functions are looked into as well.

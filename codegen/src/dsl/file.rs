@@ -4,8 +4,19 @@
 
 use super::limits;
 use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
-use std::path::Path;
+use std::io::Read;
+use std::path::{Path, PathBuf};
 use syn::{Error, Result};
+
+/// The folder in which the tables of a file are sought: that of the crate that a Rust file is in, of others their own.
+pub fn folder_of_tables(file: &Path) -> PathBuf {
+    let file = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
+    let mut folders = file.ancestors().skip(1);
+    let own = folders.clone().next().unwrap_or(Path::new("")).to_owned();
+    let is_rust = file.extension().is_some_and(|extension| extension == "rs");
+    let of_crate = folders.find(|folder| is_rust && folder.join("Cargo.toml").exists());
+    of_crate.map_or(own, Path::to_owned)
+}
 
 /// Replaces the names of files, which are relative to `folder`, by their rows. Gives the names of the files too.
 ///
@@ -52,13 +63,33 @@ fn name(literal: &Literal) -> Option<String> {
     }
 }
 
+/// The largest file of a table, in bytes.
+const LARGEST: u64 = 16 << 20;
+
+/// The text of a file in a folder or below, wherever links lead.
+fn read(name: &str, folder: &Path) -> std::result::Result<String, String> {
+    let path = folder.join(name);
+    let fail = |e: std::io::Error| format!("cannot read {}: {e}", path.display());
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let (inside, folder) = (path.canonicalize().map_err(fail)?, folder.canonicalize().map_err(fail)?);
+    if !inside.starts_with(&folder) {
+        return Err(format!("{name} is not in {} or below: tables are read from there alone", folder.display()));
+    }
+    let mut text = String::new();
+    let file = std::fs::File::open(&inside).map_err(fail)?;
+    file.take(LARGEST + 1).read_to_string(&mut text).map_err(fail)?;
+    match text.len() as u64 > LARGEST {
+        true => Err(format!("{name} has more than {} MB: give fewer rows", LARGEST >> 20)),
+        false => Ok(text),
+    }
+}
+
 /// The rows of a file in braces.
 fn rows(name: &str, folder: &Path, span: Span) -> std::result::Result<TokenTree, String> {
     if Path::new(name).is_absolute() {
         return Err("the path of a table's file starts at the crate's folder: `from \"data/lift.csv\"`".into());
     }
-    let path = folder.join(name);
-    let text = std::fs::read_to_string(&path).map_err(|e| format!("cannot read {}: {e}", path.display()))?;
+    let text = read(name, folder)?;
     let mut words: Vec<TokenTree> = Vec::new();
     let mut is_first = true;
     for (at, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {

@@ -12,10 +12,11 @@ mod reuse;
 mod source;
 mod syntax;
 mod tree;
+pub mod version;
 mod vocabulary;
 
 pub use declarations::declarations;
-pub use file::read_files;
+pub use file::{folder_of_tables, read_files};
 pub use hash::hash;
 pub use parse::{parse_head, parse_unit};
 pub use region::Region;

@@ -20,7 +20,7 @@ fn with_set<M: Mechanism>(mechanism: &M, settings: &[String]) -> Result<M, Stop>
 }
 
 /// Sets parameters to the user's values.
-fn set(parameters: &mut [f64], description: &Description, settings: &[String]) -> Result<(), Stop> {
+pub(super) fn set(parameters: &mut [f64], description: &Description, settings: &[String]) -> Result<(), Stop> {
     for text in settings {
         let (name, value) = split_assignment("--set", text)?;
         let known = || description.parameters.iter().map(|p| p.name);
@@ -43,7 +43,8 @@ pub(super) fn held_at<M: Mechanism>(mechanism: &M, settings: &[String]) -> Resul
     Ok(mechanism.with_inputs(inputs))
 }
 
-fn hold(inputs: &mut [Input<f64>], description: &Description, settings: &[String]) -> Result<(), Stop> {
+/// Holds inputs at the user's values.
+pub(super) fn hold(inputs: &mut [Input<f64>], description: &Description, settings: &[String]) -> Result<(), Stop> {
     for text in settings {
         let (name, value) = split_assignment("--input", text)?;
         let known = || description.inputs.iter().map(|input| input.name);

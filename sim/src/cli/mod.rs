@@ -16,6 +16,7 @@
 //! ```
 
 mod arguments;
+mod chosen;
 mod commands;
 mod files;
 mod given;
@@ -28,9 +29,13 @@ mod sizes;
 
 use crate::{Model, erase};
 use arguments::{Arguments, Command, RunArguments, Voice};
+use chosen::{Chosen, chosen};
 use clap::{FromArgMatches, Parser};
 use codegen::nearest;
-use commands::{compare, generate, info, kinematics, linearize, list, new, plot, poincare, run, statics, verify};
+use commands::{
+    check, compare, evaluate, generate, info, kinematics, linearize, list, new, new_file, plot, poincare, run, statics,
+    verify,
+};
 use files::run_file::RunFile;
 use sim_kernel::{Compiled, Description};
 use sizes::{by_size, stepping};
@@ -69,6 +74,8 @@ enum Stop {
     Usage(String),
     /// The work failed; exit status 1.
     Failed(anyhow::Error),
+    /// The same, where all has been said; exit status 1.
+    Told,
     /// The user interrupted it; exit status 130.
     Interrupted(anyhow::Error),
 }
@@ -96,6 +103,7 @@ pub fn main(mechanisms: &[Entry]) -> ExitCode {
             eprintln!("error: {error:#}");
             ExitCode::from(1)
         }
+        Err(Stop::Told) => ExitCode::from(1),
         Err(Stop::Interrupted(error)) => {
             eprintln!("{error:#}");
             ExitCode::from(130)
@@ -110,8 +118,8 @@ fn with_run_file(mechanisms: &[Entry], arguments: Arguments, words: &[OsString])
         _ => return execute(mechanisms, arguments),
     };
     let file = RunFile::open(&path)?;
-    let of_file = |entry: &&Entry| file.declaration().is_some_and(|(model, _)| model == entry.description.name);
-    let difference = mechanisms.iter().find(of_file).and_then(|entry| file.difference(entry.description));
+    let model = file.declaration().and_then(|(model, _)| chosen(mechanisms, model).ok());
+    let difference = model.and_then(|chosen| file.difference(chosen.model.description()));
     if let Some(difference) = difference.filter(|_| !arguments.voice.quiet) {
         eprintln!("warning: {difference}");
     }
@@ -127,22 +135,28 @@ fn with_run_file(mechanisms: &[Entry], arguments: Arguments, words: &[OsString])
 
 fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
     let voice = arguments.voice;
-    let model = |name: &str| Ok::<_, Stop>((find(mechanisms, name)?.model)());
+    let model = |word: &str| Ok::<_, Stop>(chosen(mechanisms, word)?.model);
     match &arguments.command {
         Command::List => list::list(mechanisms.iter().map(|entry| entry.description), voice),
         Command::Info(info) => by_size!(info::info_command, model(&info.model)?, voice),
-        Command::Run(run) => match find(mechanisms, &run.model)?.run {
-            Some(own) => own(run, voice),
-            None => stepping!(run::run_command, model(&run.model)?, run, voice),
-        },
+        Command::Run(run) => {
+            let Chosen { model, run: own } = chosen(mechanisms, &run.model)?;
+            match own {
+                Some(own) => own(run, voice),
+                None => stepping!(run::run_command, model, run, voice),
+            }
+        }
         Command::Verify(verify) => by_size!(verify::verify_command, model(&verify.model)?, verify, voice),
         Command::Assemble(start) => by_size!(statics::assemble_command, model(&start.start.model)?, start, voice),
         Command::Equilibrium(start) => by_size!(statics::equilibrium_command, model(&start.model)?, start, voice),
         Command::Kinematics(sweep) => by_size!(kinematics::kinematics_command, model(sweep.model())?, sweep, voice),
         Command::Linearize(about) => by_size!(linearize::linearize_command, model(&about.start.model)?, about, voice),
         Command::Poincare(of) => stepping!(poincare::poincare_command, model(&of.start.model)?, of, voice),
+        Command::Evaluate(of) => evaluate::evaluate(&*model(&of.model)?, of),
+        Command::Check(arguments) => check::check(arguments, voice),
         Command::Plot(arguments) => plot::plot(arguments, voice),
         Command::Compare(arguments) => compare::compare(arguments, voice),
+        Command::New(arguments) if arguments.file => new_file::new_file(mechanisms, arguments, voice),
         Command::New(arguments) => new::new(arguments, voice),
         Command::Generate(arguments) => generate::generate(arguments, mechanisms),
     }

@@ -63,6 +63,7 @@ mod tests {
         parse_quantity("O2A", text, unit).map_err(|stop| match stop {
             Stop::Usage(message) => message,
             Stop::Failed(error) | Stop::Interrupted(error) => error.to_string(),
+            Stop::Told => String::new(),
         })
     }
 

@@ -5,10 +5,12 @@
 
 mod derivatives;
 mod execute;
+mod file;
 mod kernels;
 mod leaked;
 mod model;
 mod programs;
 mod registers;
 
+pub use file::{DeclarationFile, LoadError, load};
 pub use model::interpret;

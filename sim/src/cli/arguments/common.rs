@@ -75,7 +75,7 @@ pub(in crate::cli) fn format(name: &str) -> Result<Format, String> {
 /// A mechanism and its start.
 #[derive(Args)]
 pub(in crate::cli) struct StartArguments {
-    /// The mechanism, as `list` names it.
+    /// The mechanism, as `list` names it, or a file that declares it: FILE or FILE:NAME.
     pub(in crate::cli) model: String,
 
     /// Sets a parameter, as in `--set O2A=180mm`; may be repeated.

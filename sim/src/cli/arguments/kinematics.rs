@@ -15,7 +15,7 @@ use std::path::PathBuf;
     NAME.svg, .png   a figure for each group of outputs against what is driven; drive, transmission, ratios, mechanism"
 )]
 pub(in crate::cli) struct KinematicsArguments {
-    /// The mechanism, as `list` names it.
+    /// The mechanism, as `list` names it, or a file that declares it: FILE or FILE:NAME.
     pub(in crate::cli) model: String,
 
     /// What is driven: a coordinate, or an output that is a function of positions [default: the coordinate that a constraint

@@ -1,6 +1,7 @@
 //! The command line's arguments.
 
 mod common;
+mod evaluate;
 mod kinematics;
 mod linearize;
 mod poincare;
@@ -9,6 +10,7 @@ mod run;
 use clap::{Args, Parser, Subcommand};
 use common::Size;
 pub(super) use common::{StartArguments, Voice, WrittenArguments};
+pub(super) use evaluate::EvaluateArguments;
 pub(super) use kinematics::KinematicsArguments;
 pub(super) use linearize::LinearizeArguments;
 pub(super) use poincare::PoincareArguments;
@@ -54,11 +56,15 @@ pub(super) enum Command {
     Linearize(LinearizeArguments),
     /// Takes the states of a motion each time an event happens, and finds its period.
     Poincare(Box<PoincareArguments>),
+    /// Computes a kernel at given states, as CSV on standard output.
+    Evaluate(EvaluateArguments),
+    /// Shows the mistakes of a file that declares mechanisms.
+    Check(CheckArguments),
     /// Draws quantities of a run over time, or against another.
     Plot(PlotArguments),
     /// Draws the same quantities of several runs in one figure each.
     Compare(CompareArguments),
-    /// Makes a crate with a mechanism of your own.
+    /// Makes a file or a crate with a mechanism of your own.
     New(NewArguments),
     /// Prints files to install with a program: shell completions, the man page, the schema of run files.
     Generate(GenerateArguments),
@@ -67,7 +73,7 @@ pub(super) enum Command {
 /// Which mechanism.
 #[derive(Args)]
 pub(super) struct InfoArguments {
-    /// The mechanism, as `list` names it.
+    /// The mechanism, as `list` names it, or a file that declares it: FILE or FILE:NAME.
     pub(super) model: String,
 }
 
@@ -130,8 +136,16 @@ pub(super) struct CompareArguments {
 /// The arguments of `new`.
 #[derive(Args)]
 pub(super) struct NewArguments {
-    /// The directory to make; its last part is the crate's name.
+    /// The directory to make, whose last part is the crate's name; with `--file` the file.
     pub(super) path: PathBuf,
+
+    /// Writes a declaration alone, as in `new --file linkage.mech`: it is run without a compiler.
+    #[arg(long, conflicts_with = "linkwright")]
+    pub(super) file: bool,
+
+    /// A mechanism that `list` shows, to begin with.
+    #[arg(long, value_name = "MODEL", requires = "file")]
+    pub(super) from: Option<String>,
 
     /// Where Linkwright is: a folder with its workspace, or the address of its git repository [default: where this
     /// program was built].
@@ -161,12 +175,22 @@ pub(super) enum Generated {
     Schema,
 }
 
+/// The arguments of `check`.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  sim check linkage.mech\n  sim check src/lib.rs --json\n\n\
+    Exit status 1 if there are mistakes. As JSON each has its code, message, suggestion and range: lines, columns in UTF-16 and \
+    in bytes, all from 0.")]
+pub(super) struct CheckArguments {
+    /// The file: a declaration by itself, or Rust with `mechanism! { .. }` in it.
+    pub(super) file: PathBuf,
+}
+
 /// The arguments of `verify`.
 #[derive(Args)]
 #[command(after_help = "One row for each check: the difference between two independent computations, its bound, and \
     the verdict. Exit status 1 if a check fails.")]
 pub(super) struct VerifyArguments {
-    /// The mechanism, as `list` names it.
+    /// The mechanism, as `list` names it, or a file that declares it: FILE or FILE:NAME.
     pub(super) model: String,
 
     /// Verifies the motion until then, or for as long as 150 steps of DOP853 take.

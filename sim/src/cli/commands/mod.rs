@@ -1,12 +1,15 @@
 //! The commands.
 
+pub(super) mod check;
 pub(super) mod compare;
+pub(super) mod evaluate;
 pub(super) mod generate;
 pub(super) mod info;
 pub(super) mod kinematics;
 pub(super) mod linearize;
 pub(super) mod list;
 pub(super) mod new;
+pub(super) mod new_file;
 pub(super) mod plot;
 pub(super) mod poincare;
 pub(super) mod run;

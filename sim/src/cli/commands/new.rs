@@ -6,10 +6,13 @@ use crate::{Provenance, WriteError};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+/// The library of a new crate: its declaration.
+pub(super) const CRATE: &str = include_str!("../../../assets/new/lib.rs.txt");
+
 /// The files of a new crate; `{{..}}` in them is filled.
 const FILES: [(&str, &str); 6] = [
     ("Cargo.toml", include_str!("../../../assets/new/Cargo.toml.txt")),
-    ("src/lib.rs", include_str!("../../../assets/new/lib.rs.txt")),
+    ("src/lib.rs", CRATE),
     ("src/main.rs", include_str!("../../../assets/new/main.rs.txt")),
     ("tests/checks.rs", include_str!("../../../assets/new/checks.rs.txt")),
     ("README.md", include_str!("../../../assets/new/README.md.txt")),
@@ -102,7 +105,7 @@ fn syn_keyword(name: &str) -> bool {
 }
 
 /// `my-linkage` as `MyLinkage`.
-fn type_name(name: &str) -> String {
+pub(super) fn type_name(name: &str) -> String {
     let words = name.split(['-', '_']).filter(|word| !word.is_empty());
     let capital =
         |word: &str| word.chars().take(1).flat_map(char::to_uppercase).chain(word.chars().skip(1)).collect::<String>();

@@ -63,7 +63,7 @@ impl Reproduction {
             .filter_map(|(quantity, input)| Some((quantity.name, in_si(quantity, input.held()?), true)))
             .collect();
         let options = options(settings, arguments, description.events);
-        let mut command = format!("{} run {}", program(), description.name);
+        let mut command = format!("{} run {}", program(), quoted(&arguments.model));
         for (name, value, _) in parameters.iter().filter(|entry| entry.2) {
             command += &format!(" --set {}", quoted(&format!("{name}={value}")));
         }
@@ -86,7 +86,7 @@ impl Reproduction {
         };
         let mut file = json!({
             "format": FORMAT,
-            "model": description.name,
+            "model": arguments.model,
             "parameters": object(&parameters),
             "initial": object(&initial),
             "options": options,

@@ -178,6 +178,7 @@ fn message(stop: Stop) -> String {
     match stop {
         Stop::Usage(message) => message,
         Stop::Failed(error) | Stop::Interrupted(error) => error.to_string(),
+        Stop::Told => String::new(),
     }
 }
 

@@ -3,6 +3,8 @@
 use crate::cli::files::{asked, identity};
 use crate::cli::{Stop, unknown};
 use crate::{Provenance, WriteError};
+use std::fs::File;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// The table of a run.
@@ -18,8 +20,10 @@ pub(in crate::cli) struct Stored {
 pub(in crate::cli) struct StoredColumn {
     /// Its name.
     pub(in crate::cli) name: String,
-    /// Its unit.
+    /// Its unit; 1 where the header has none.
     pub(in crate::cli) unit: String,
+    /// Whether the header has one.
+    pub(in crate::cli) has_unit: bool,
     /// Its values.
     pub(in crate::cli) values: Vec<f64>,
 }
@@ -38,17 +42,7 @@ impl Stored {
                 file.display()
             )));
         }
-        let fail = |why: &dyn std::fmt::Display| Stop::Failed(anyhow::anyhow!("cannot read {}: {why}", file.display()));
-        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(&file).map_err(|why| fail(&why))?;
-        let mut columns: Vec<StoredColumn> = reader.headers().map_err(|why| fail(&why))?.iter().map(column).collect();
-        for record in reader.records() {
-            let record = record.map_err(|why| fail(&why))?;
-            for (column, cell) in columns.iter_mut().zip(&record) {
-                let line = record.position().map_or(0, csv::Position::line);
-                let value = cell.parse().map_err(|_| fail(&format!("line {line}: `{cell}` is not a number")))?;
-                column.values.push(value);
-            }
-        }
+        let columns = columns(&file)?;
         let directory = file.parent().and_then(Path::file_name).unwrap_or(file.as_os_str());
         let provenance = identity::provenance(file.parent().unwrap_or(Path::new("")));
         Ok(Stored { name: directory.to_string_lossy().into_owned(), columns, provenance })
@@ -88,10 +82,31 @@ pub(in crate::cli) fn provenance_of(runs: &[Stored]) -> Provenance {
     }
 }
 
+/// The columns of a CSV; `-` is standard input.
+pub(in crate::cli) fn columns(file: &Path) -> Result<Vec<StoredColumn>, Stop> {
+    let fail = |why: &dyn std::fmt::Display| Stop::Failed(anyhow::anyhow!("cannot read {}: {why}", file.display()));
+    let input: Box<dyn io::Read> = match file == Path::new("-") {
+        true => Box::new(io::stdin().lock()),
+        false => Box::new(File::open(file).map_err(|why| fail(&why))?),
+    };
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(input);
+    let mut columns: Vec<StoredColumn> = reader.headers().map_err(|why| fail(&why))?.iter().map(column).collect();
+    for record in reader.records() {
+        let record = record.map_err(|why| fail(&why))?;
+        for (column, cell) in columns.iter_mut().zip(&record) {
+            let line = record.position().map_or(0, csv::Position::line);
+            let value = cell.parse().map_err(|_| fail(&format!("line {line}: `{cell}` is not a number")))?;
+            column.values.push(value);
+        }
+    }
+    Ok(columns)
+}
+
 /// A column from its header, `name [unit]`.
 fn column(header: &str) -> StoredColumn {
-    let (name, unit) = header.split_once(" [").unwrap_or((header, "1]"));
-    StoredColumn { name: name.to_owned(), unit: unit.trim_end_matches(']').to_owned(), values: Vec::new() }
+    let (name, unit) = header.split_once('[').unwrap_or((header, "1]"));
+    let (name, unit) = (name.trim().to_owned(), unit.trim_end_matches(']').trim().to_owned());
+    StoredColumn { name, unit, has_unit: header.contains('['), values: Vec::new() }
 }
 
 /// A directory and the name of a figure in it, from a path without extension.

@@ -1,5 +1,9 @@
 //! Mistakes of a stage, collected so that all of them show at once, and shown outside of rustc.
 
+mod shown;
+
+pub use shown::{Mistake, Position};
+
 use std::collections::HashSet;
 
 /// Every mistake as `file:line:column: message`, a line each; later lines of a message are indented.

@@ -1,0 +1,98 @@
+//! Mistakes with their places, to be shown under the user's own line.
+
+use std::fmt::Write;
+
+/// A mistake in a text.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Mistake {
+    /// Its kind: `E-TEXT` of what is not made of words, `E-FORM` of what is not said as the language says it, `E-TABLE` of a
+    /// table's file, `E-MEANING` of what means nothing.
+    pub code: &'static str,
+    /// What is wrong, and what would be right.
+    pub message: String,
+    /// Where it starts.
+    pub start: Position,
+    /// Where it ends.
+    pub end: Position,
+}
+
+/// A place in a text, all numbers from 0.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Position {
+    /// The line.
+    pub line: usize,
+    /// Characters of the line before it.
+    pub column: usize,
+    /// The same in units of UTF-16.
+    pub column_utf16: usize,
+    /// Bytes of the text before it.
+    pub byte: usize,
+}
+
+impl Mistake {
+    /// All mistakes of a kind in a text, in order of their places.
+    pub fn all(text: &str, code: &'static str, mistakes: syn::Error) -> Vec<Mistake> {
+        let mistake = |mistake: syn::Error| {
+            let span = mistake.span();
+            let [start, end] = [span.start(), span.end()].map(|at| Position::of(text, at.line.max(1) - 1, at.column));
+            Mistake { code, message: mistake.to_string(), start, end }
+        };
+        let mut all: Vec<Mistake> = mistakes.into_iter().map(mistake).collect();
+        all.sort_by_key(|mistake| mistake.start.byte);
+        all
+    }
+
+    /// The word that is right, where the message knows one.
+    pub fn suggestion(&self) -> Option<&str> {
+        let (_, after) = self.message.split_once("did you mean `")?;
+        Some(after.split_once('`')?.0)
+    }
+
+    /// The message, the place, the line with the words in question underlined, and what else the message says.
+    pub fn shown(&self, file: &str, text: &str) -> String {
+        let (message, more) = self.message.split_once('\n').unwrap_or((&self.message, ""));
+        let Position { line, column, .. } = self.start;
+        let words = text.lines().nth(line).unwrap_or_default();
+        let number = (line + 1).to_string();
+        let margin = " ".repeat(number.len());
+        let length = words.chars().count();
+        let end = if self.end.line == line { self.end.column } else { length };
+        let underline = "^".repeat(end.min(length.max(column + 1)).saturating_sub(column).max(1));
+        // Tabs stay tabs, so that the mark stands under the word.
+        let indent: String = words.chars().take(column).map(|c| if c == '\t' { c } else { ' ' }).collect();
+        let mut out = format!("{message}\n{margin}--> {file}:{number}:{}\n{margin} |\n", column + 1);
+        out += &format!("{number} | {words}\n{margin} | {indent}{underline}");
+        more.lines().for_each(|line| {
+            // Writing to a string does not fail.
+            let _ = write!(out, "\n{margin} = {}", line.trim_start());
+        });
+        out
+    }
+}
+
+impl Position {
+    fn of(text: &str, line: usize, column: usize) -> Position {
+        let start: usize = text.split_inclusive('\n').take(line).map(str::len).sum();
+        let before: String = text[start..].chars().take(column).collect();
+        Position { line, column, column_utf16: before.encode_utf16().count(), byte: start + before.len() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_underlined_where_they_stand() {
+        let text = "pub Bob;\ncoordinates { \u{1d70b} [rad]; }\n\tbodies { ball: mas m; }\n";
+        let at = |line, column| Position::of(text, line, column);
+        let mistake =
+            Mistake { code: "E-FORM", message: "no word\n  known: mass".into(), start: at(2, 15), end: at(2, 18) };
+        let shown =
+            "no word\n --> bob.mech:3:16\n  |\n3 | \tbodies { ball: mas m; }\n  | \t              ^^^\n  = known: mass";
+        assert_eq!(mistake.shown("bob.mech", text), shown);
+        // A letter of four bytes and two units stands before this.
+        assert_eq!(at(1, 16), Position { line: 1, column: 16, column_utf16: 17, byte: 9 + 19 });
+        assert_eq!(at(9, 0).byte, text.len());
+    }
+}

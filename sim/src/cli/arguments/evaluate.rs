@@ -1,0 +1,34 @@
+//! Arguments of `evaluate`.
+
+use clap::Args;
+use std::path::PathBuf;
+
+/// The arguments of `evaluate`.
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  sim evaluate quick-return --kernel dynamics --at out/quick-return/trajectory.csv\n  \
+    sim evaluate linkage.mech --kernel mass_matrix --at states.csv > masses.csv\n\n\
+    Columns are named as those of a trajectory: `t`, `alpha`, `alpha_dot`, `alpha_ddot`, `lambda_slot`, in declared units or in that \
+    of the heading, `alpha [deg]`. Entries of matrices are named `mass_matrix_1_2`, in SI units. Where a kernel refuses a \
+    state, `refused` is 1 and its numbers are left out."
+)]
+pub(in crate::cli) struct EvaluateArguments {
+    /// The mechanism, as `list` names it, or a file that declares it: FILE or FILE:NAME.
+    pub(in crate::cli) model: String,
+
+    /// The kernel: dynamics, mass_matrix, constraint_jacobian, ..
+    #[arg(long, value_name = "NAME")]
+    pub(in crate::cli) kernel: String,
+
+    /// The states, as CSV with a heading; `-` is standard input.
+    #[arg(long, value_name = "FILE")]
+    pub(in crate::cli) at: PathBuf,
+
+    /// Sets a parameter, as in `--set O2A=180mm`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(in crate::cli) set: Vec<String>,
+
+    /// Holds an input at a value, as in `--input torque=2`; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub(in crate::cli) input: Vec<String>,
+}

@@ -1,0 +1,53 @@
+//! The mechanism that a word of the command line names: one of the program's own, or one of a file.
+
+use crate::cli::{Entry, RunCommand, Stop, find};
+use crate::{Model, load};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// A mechanism to work on.
+pub(super) struct Chosen {
+    pub(super) model: Arc<dyn Model>,
+    /// Its runs by step loops of its own, if it has them.
+    pub(super) run: Option<RunCommand>,
+}
+
+/// The mechanism of this name, or of this file.
+pub(super) fn chosen(mechanisms: &[Entry], word: &str) -> Result<Chosen, Stop> {
+    match file(word) {
+        Some((path, name)) => Ok(Chosen { model: load(path, name)?, run: None }),
+        None => find(mechanisms, word).map(|entry| Chosen { model: (entry.model)(), run: entry.run }),
+    }
+}
+
+/// `FILE` or `FILE:Name`, where the word is a file's: it ends in `.mech` or `.rs`, or has a separator in it.
+pub(super) fn file(word: &str) -> Option<(PathBuf, Option<&str>)> {
+    let is_file = |path: &str| {
+        let extension = Path::new(path).extension();
+        extension.is_some_and(|extension| extension == "mech" || extension == "rs")
+            || path.contains(std::path::is_separator)
+    };
+    let is_name = |name: &str| !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '-');
+    match word.rsplit_once(':') {
+        Some((path, name)) if is_file(path) && is_name(name) => Some((path.into(), Some(name))),
+        _ => is_file(word).then(|| (word.into(), None)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_are_told_from_names() {
+        for name in ["four-bar", "four.bar", "mech", "four-bar:FourBar"] {
+            assert_eq!(file(name), None, "{name}");
+        }
+        let of = |word| file(word).unwrap();
+        assert_eq!(of("a.mech"), ("a.mech".into(), None));
+        assert_eq!(of("a.rs:FourBar"), ("a.rs".into(), Some("FourBar")));
+        assert_eq!(of("some/four-bar"), ("some/four-bar".into(), None));
+        assert_eq!(of("some/four-bar:four-bar"), ("some/four-bar".into(), Some("four-bar")));
+        assert_eq!(of("some:where/a.mech"), ("some:where/a.mech".into(), None));
+    }
+}

@@ -1,0 +1,44 @@
+//! `sim check`.
+
+use crate::cli::arguments::{CheckArguments, Voice};
+use crate::cli::{Stop, print};
+use crate::{DeclarationFile, LoadError};
+use codegen::mistakes::{Mistake, Position};
+use serde_json::{Value, json};
+
+/// Shows the mistakes of a file.
+pub(in crate::cli) fn check(arguments: &CheckArguments, voice: Voice) -> Result<(), Stop> {
+    let path = &arguments.file;
+    let file = DeclarationFile::read(path)?;
+    let found = file.check();
+    if voice.json {
+        let (names, mistakes) = match &found {
+            Ok(names) => (names.clone(), Vec::new()),
+            Err(mistakes) => (Vec::new(), mistakes.iter().map(as_json).collect()),
+        };
+        print(&format!("{:#}\n", json!({ "file": path, "mechanisms": names, "mistakes": mistakes })))?;
+    }
+    match found {
+        Ok(names) if !voice.json && !voice.quiet => {
+            print(&format!("{}: no mistakes in {}\n", path.display(), names.join(", ")))
+        }
+        Ok(_) => Ok(()),
+        Err(mistakes) => {
+            let failure = LoadError::Mistakes { path: path.clone(), text: file.text().to_owned(), mistakes };
+            Err(if voice.json { Stop::Told } else { failure.into() })
+        }
+    }
+}
+
+/// For editors: ranges as the Language Server Protocol has them, and in bytes.
+fn as_json(mistake: &Mistake) -> Value {
+    let place = |at: Position| json!({ "line": at.line, "character": at.column_utf16 });
+    json!({
+        "code": mistake.code,
+        "message": mistake.message,
+        "suggestion": mistake.suggestion(),
+        "range": { "start": place(mistake.start), "end": place(mistake.end) },
+        "bytes": { "start": mistake.start.byte, "end": mistake.end.byte },
+        "related": [],
+    })
+}

@@ -1,0 +1,57 @@
+//! `sim new --file`.
+
+use crate::cli::arguments::{NewArguments, Voice};
+use crate::cli::chosen::chosen;
+use crate::cli::commands::new::{CRATE, type_name};
+use crate::cli::{Entry, Stop, print, program};
+use crate::{Provenance, WriteError};
+use std::fs::File;
+use std::io::{ErrorKind, Write};
+
+/// Writes a declaration to a file of its own.
+pub(in crate::cli) fn new_file(mechanisms: &[Entry], arguments: &NewArguments, voice: Voice) -> Result<(), Stop> {
+    let path = &arguments.path;
+    if path.extension().is_none_or(|extension| extension != "mech") {
+        return Err(Stop::Usage(format!(
+            "{}: a declaration's file ends in `.mech`, as in `linkage.mech`",
+            path.display()
+        )));
+    }
+    let text = match &arguments.from {
+        Some(model) => format!("{}\n{}", head(), chosen(mechanisms, model)?.model.description().declaration),
+        None => {
+            let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+            let name = type_name(&stem);
+            if !name.starts_with(|c: char| c.is_ascii_uppercase()) || !name.chars().all(|c| c.is_ascii_alphanumeric()) {
+                return Err(Stop::Usage(format!(
+                    "`{stem}` cannot name a mechanism: letters and digits do, as in `my-linkage`"
+                )));
+            }
+            format!("{}\n{}", head(), first(&name))
+        }
+    };
+    // One that is there is never overwritten.
+    let made =
+        File::options().write(true).create_new(true).open(path).and_then(|mut file| file.write_all(text.as_bytes()));
+    made.map_err(|why| match why.kind() {
+        ErrorKind::AlreadyExists => Stop::Usage(format!("{} exists already; name a new file", path.display())),
+        _ => WriteError::new(path, why).into(),
+    })?;
+    let (path, program) = (path.display(), program());
+    match voice {
+        _ if voice.quiet => Ok(()),
+        _ if voice.json => print(&format!("{:#}\n", serde_json::json!({ "file": arguments.path }))),
+        _ => print(&format!("made         {path}\nnext         {program} run {path}\n")),
+    }
+}
+
+fn head() -> String {
+    format!("// Written by {}.\nlanguage 1;\n", Provenance::program())
+}
+
+/// The declaration of a new crate, out of its braces.
+fn first(name: &str) -> String {
+    let (_, inside) = CRATE.split_once("mechanism! {\n").unwrap_or(("", CRATE));
+    let inside = inside.trim_end().trim_end_matches('}').replace("{{type}}", name);
+    inside.lines().map(|line| format!("{}\n", line.strip_prefix("    ").unwrap_or(line))).collect()
+}
