@@ -6,7 +6,7 @@
 use sim_kernel::mechanism;
 
 mechanism! {
-    /// Andrews' squeezing mechanism: seven bodies, three loops; run it for 30 ms (`--t-end 30ms`).
+    /// Andrews' squeezing mechanism: seven bodies, three loops.
     /// A constant torque turns crank 1 against a spring; the motion grows until nothing holds it.
     pub Andrews;
 
@@ -105,6 +105,8 @@ mechanism! {
         /// Joint force in P on plate 3
         joint_force [N] = norm(reaction(loop3));
     }
+
+    run { t_end = 30 [ms]; }
 
     drawing {
         ground O, A, B, C;

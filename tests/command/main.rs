@@ -5,6 +5,7 @@
 mod analysis;
 mod commit;
 mod failing;
+mod files;
 mod provenance;
 mod run_files;
 

@@ -5,7 +5,7 @@
 use models::CartPole;
 use sim::{
     Compiled, Controller, Erased, InPlace, Input, Mechanism, Method, Model, OnHeap, Run, Sample, Settings,
-    Stabilisation, Table, declared_start, run_controlled,
+    Stabilisation, Table, declared_start, interpret, run_controlled,
 };
 use std::fs;
 use std::path::PathBuf;
@@ -140,13 +140,13 @@ macro_rules! erased_models {
 }
 
 /// How the results of one in so many models, by loops for any model, differ from the compiled ones.
-fn differences_of_erased(every: usize) -> String {
+fn differences_of_erased(every: usize, form: fn(&Arc<dyn Model>) -> Arc<dyn Model>) -> String {
     let text = fs::read_to_string(file()).unwrap();
     let compiled: Vec<Fingerprint> = text.lines().map(Fingerprint::parsed).collect();
     let models: Vec<Arc<dyn Model>> = models::all_models!(erased_models);
     let pairs = models.into_iter().zip(compiled.chunks(3)).step_by(every);
     let differences = |(model, compiled): (Arc<dyn Model>, &[Fingerprint])| {
-        let erased = of_erased(model);
+        let erased = of_erased(form(&model));
         erased.iter().zip(compiled).filter_map(|(now, before)| now.difference(before)).collect::<String>()
     };
     pairs.map(differences).collect()
@@ -154,13 +154,29 @@ fn differences_of_erased(every: usize) -> String {
 
 #[test]
 fn every_fourth_model_has_the_same_bits_with_sizes_known_at_run_time() {
-    assert_eq!(differences_of_erased(4), "");
+    assert_eq!(differences_of_erased(4, Clone::clone), "");
+}
+
+/// The same mechanism, from the text of its declaration.
+fn interpreted(model: &Arc<dyn Model>) -> Arc<dyn Model> {
+    interpret(&codegen::derive(model.description().declaration.parse().unwrap()).unwrap())
+}
+
+#[test]
+fn every_seventh_model_has_the_same_bits_interpreted() {
+    assert_eq!(differences_of_erased(7, interpreted), "");
+}
+
+#[test]
+#[ignore = "takes long in a debug build; `.ci/full` runs it"]
+fn every_model_has_the_same_bits_interpreted() {
+    assert_eq!(differences_of_erased(1, interpreted), "");
 }
 
 #[test]
 #[ignore = "takes long in a debug build; `.ci/full` runs it"]
 fn every_model_has_the_same_bits_with_sizes_known_at_run_time() {
-    assert_eq!(differences_of_erased(1), "");
+    assert_eq!(differences_of_erased(1, Clone::clone), "");
 }
 
 /// Takes what is computed now as right.

@@ -34,6 +34,7 @@ pub fn describe(equations: &EquationsOfMotion, program: &Program, source: &Sourc
         optional_kernels: KernelId::optional().filter(is_made).map(KernelId::name).collect(),
         dimension: model.dimension,
         drawing: model.drawing.iter().map(shape).collect(),
+        run: model.run.clone(),
     }
 }
 

@@ -7,7 +7,7 @@ mod describe;
 mod events;
 mod kebab_case;
 
-pub use crate::model::Target;
+pub use crate::model::{RunDefault, Target};
 pub use crate::program::SparseRow;
 pub use describe::describe;
 pub use kebab_case::kebab_case;
@@ -56,6 +56,8 @@ pub struct Description {
     pub dimension: usize,
     /// The drawing, in the order of its kernel's numbers.
     pub drawing: Vec<Shape>,
+    /// How it is run where nothing else is said.
+    pub run: Vec<RunDefault>,
 }
 
 /// A named quantity.

@@ -62,6 +62,7 @@ words! {
         Joints "joints"
         Tables "tables"
         Speeds "speeds"
+        Run "run"
     }
 }
 
@@ -83,6 +84,7 @@ impl Block {
             | Block::Events
             | Block::Drawing
             | Block::Kernels
+            | Block::Run
             | Block::Joints => false,
         }
     }

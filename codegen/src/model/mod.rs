@@ -28,6 +28,7 @@ mod plain;
 mod quantities;
 mod rates;
 mod resolve;
+mod run;
 mod scope;
 mod smooth;
 mod space;
@@ -44,6 +45,7 @@ pub use crate::dsl::Direction;
 pub use dependence::{Dependence, Dependences};
 pub use dimension::Dimension;
 pub use resolve::resolve;
+pub use run::{METHODS, RunDefault};
 pub use space::{Attitude, Fall, Norm, Push, Pushed, Rates, Tensor, impossible_inertia};
 pub use units::Unit;
 
@@ -122,6 +124,8 @@ pub struct Model {
     pub wants_sensitivity: bool,
     /// The same for inverse dynamics.
     pub wants_inverse: bool,
+    /// How it is run where nothing else is said.
+    pub run: Vec<RunDefault>,
     /// Auxiliary displacements, which are zero here.
     pub auxiliaries: Vec<Auxiliary>,
 }

@@ -11,6 +11,7 @@ use super::outputs::resolve_outputs;
 use super::quantities::{
     check_coordinates_used, resolve_coordinates, resolve_inputs, resolve_lets, resolve_parameters,
 };
+use super::run::resolve_run;
 use super::scope::plain;
 use super::space::check_norms;
 use super::speeds::resolve_speeds;
@@ -65,6 +66,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         check_norms(&interpreter.quaternions, &constraints, &interpreter.graph, &mut interpreter.mistakes);
     let generalized_speeds =
         resolve_speeds(declaration, &coordinates, &constraints, &norm_constraints, &mut interpreter);
+    let run = resolve_run(declaration, &mut interpreter);
     let dimension = if interpreter.is_spatial() { 3 } else { 2 };
     let Interpreter { graph, dependences, mistakes, .. } = interpreter;
     let model = Model {
@@ -92,6 +94,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         groups,
         drawing,
         auxiliaries,
+        run,
         wants_jacobian: declaration.kernels.as_ref().map(|kernels| kernels.contains(&KernelId::DynamicsJacobian)),
         wants_inverse: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&KernelId::InverseDynamics)),
         wants_sensitivity: declaration

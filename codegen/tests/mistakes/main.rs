@@ -22,6 +22,7 @@ mod new_users;
 mod outputs;
 mod parameters;
 mod reuse;
+mod run;
 mod space;
 mod spanning_tree;
 mod speeds;

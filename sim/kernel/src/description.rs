@@ -49,6 +49,17 @@ pub struct Description {
     pub dimension: usize,
     /// The drawing, in the order of the numbers of [`crate::Mechanism::drawing`].
     pub drawing: &'static [Shape],
+    /// How it is run where nothing else is said, from its block `run`.
+    pub run: &'static [RunDefault],
+}
+
+/// A setting of a run, as a program takes it on its command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RunDefault {
+    /// The option, without the dashes in front: `t-end`.
+    pub option: &'static str,
+    /// Its value: `30 ms`.
+    pub value: &'static str,
 }
 
 /// A row of C_q by its entries that may be nonzero, and its place in C_q C_q': the factors fill only the envelope of

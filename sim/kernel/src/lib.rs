@@ -18,7 +18,7 @@ mod table;
 mod wave;
 
 pub use array::{Array, Element, FixedArray};
-pub use description::{Coordinate, Description, Figure, Quantity, Shape, SparseRow, Start};
+pub use description::{Coordinate, Description, Figure, Quantity, RunDefault, Shape, SparseRow, Start};
 pub use dual::Dual;
 pub use input::Input;
 pub use lanes::{LaneMask, Lanes};

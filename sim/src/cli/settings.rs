@@ -10,6 +10,10 @@ use sim_kernel::Description;
 const MOST: usize = 10_000_000;
 /// A relative tolerance that doubles can still meet.
 const LEAST_TOLERANCE: f64 = 1e-14;
+/// The end of a run.
+const T_END: &str = "2 s";
+/// The method.
+const METHOD: &str = "dop853";
 /// The relative tolerance of a method that chooses its steps.
 const RTOL: f64 = 1e-10;
 /// Rows of a run whose method chooses its steps.
@@ -20,13 +24,13 @@ const STEPS: usize = 8192;
 /// How to run.
 #[derive(Args, Clone, Debug)]
 pub(super) struct SettingsArguments {
-    /// End of the run; in seconds unless a unit is given.
-    #[arg(long, value_name = "TIME", default_value = "2", allow_hyphen_values = true)]
-    pub(super) t_end: String,
+    /// End of the run; in seconds unless a unit is given [default: 2 s].
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    t_end: Option<String>,
 
-    /// Method: euler, heun, rk3, rk4, dopri5, radau5 (for stiff mechanisms), dop853.
-    #[arg(long, value_name = "NAME", default_value = "dop853")]
-    method: String,
+    /// Method: euler, heun, rk3, rk4, dopri5, radau5 (for stiff mechanisms), dop853 [default: dop853].
+    #[arg(long, value_name = "NAME")]
+    method: Option<String>,
 
     /// Relative tolerance of a method that chooses its steps: dopri5, radau5, dop853 [default: 1e-10].
     #[arg(long, value_name = "NUMBER", conflicts_with_all = ["steps", "step"], allow_hyphen_values = true)]
@@ -45,9 +49,9 @@ pub(super) struct SettingsArguments {
     step: Option<String>,
 
     /// What keeps the constraints: projection, mass-projection, partitioning; for comparison baumgarte=RATE (in 1/s)
-    /// and none.
-    #[arg(long, value_name = "NAME", default_value = "projection")]
-    projection: String,
+    /// and none [default: projection].
+    #[arg(long, value_name = "NAME")]
+    projection: Option<String>,
 
     /// Records N + 1 rows at equal intervals, or `steps` for one after each step [default: steps where they are equal,
     /// else 1024]. A run that ends early has up to twice as many, closer by a power of two, and its last state.
@@ -60,9 +64,52 @@ pub(super) struct SettingsArguments {
 }
 
 impl SettingsArguments {
-    /// What they say.
+    /// What they say, or else the declaration's block `run`, or else the defaults.
     pub(super) fn settings(&self, description: &Description) -> Result<Settings, Stop> {
-        let end = positive("--t-end", &self.t_end)?;
+        self.with_declared(description).complete(description)
+    }
+
+    /// With what the declaration says of a run where these say nothing. Steps and tolerances go together: whoever gives one of
+    /// them, or a method that has no use for the declared ones, gives them all.
+    fn with_declared(&self, description: &Description) -> SettingsArguments {
+        let declared = |option: &str| {
+            let found = description.run.iter().find(|default| default.option == option);
+            found.map(|default| default.value.to_owned())
+        };
+        let mut all = self.clone();
+        let says_steps = self.steps.is_some() || self.step.is_some() || self.rtol.is_some() || self.atol.is_some();
+        let takes_equal = |name: &str| Method::ALL.iter().any(|method| method.name() == name && !method.is_adaptive());
+        let has_tolerance = !self.method.as_deref().is_some_and(takes_equal);
+        all.t_end = all.t_end.or_else(|| declared("t-end"));
+        all.method = all.method.or_else(|| declared("method"));
+        all.projection = all.projection.or_else(|| declared("projection"));
+        all.rows = all.rows.or_else(|| declared("rows"));
+        all.until = all.until.or_else(|| declared("until"));
+        if !says_steps {
+            all.steps = declared("steps").and_then(|steps| steps.parse().ok());
+            all.step = declared("step");
+            all.rtol = declared("rtol").filter(|_| has_tolerance);
+            all.atol = declared("atol").filter(|_| has_tolerance);
+        }
+        all
+    }
+
+    /// What a run is told where nothing else is said: options, values, and whether they are declared.
+    pub(super) fn defaults(description: &Description) -> Vec<(&'static str, &'static str, bool)> {
+        let declared = description.run.iter().map(|default| (default.option, default.value, true));
+        let is_declared = |options: &[&str]| description.run.iter().any(|default| options.contains(&default.option));
+        let mut all: Vec<_> = declared.collect();
+        if !is_declared(&["t-end"]) {
+            all.push(("t-end", T_END, false));
+        }
+        if !is_declared(&["method"]) {
+            all.push(("method", METHOD, false));
+        }
+        all
+    }
+
+    fn complete(&self, description: &Description) -> Result<Settings, Stop> {
+        let end = positive("--t-end", self.t_end.as_deref().unwrap_or(T_END))?;
         let method = self.method()?;
         let stepping = self.stepping(method, end)?;
         let (stabilisation, rows) = (self.stabilisation()?, self.rows(stepping)?);
@@ -71,11 +118,9 @@ impl SettingsArguments {
     }
 
     fn method(&self) -> Result<Method, Stop> {
+        let name = self.method.as_deref().unwrap_or(METHOD);
         let names = Method::ALL.iter().map(|method| method.name());
-        Method::ALL
-            .into_iter()
-            .find(|method| method.name() == self.method)
-            .ok_or_else(|| unknown("method", &self.method, names))
+        Method::ALL.into_iter().find(|method| method.name() == name).ok_or_else(|| unknown("method", name, names))
     }
 
     fn stepping(&self, method: Method, end: f64) -> Result<Stepping, Stop> {
@@ -107,7 +152,7 @@ impl SettingsArguments {
 
     fn stabilisation(&self) -> Result<Stabilisation, Stop> {
         let known = ["projection", "mass-projection", "partitioning", "baumgarte=20", "none"];
-        match self.projection.as_str() {
+        match self.projection.as_deref().unwrap_or("projection") {
             "projection" => Ok(Stabilisation::Projection),
             "mass-projection" => Ok(Stabilisation::MassProjection),
             "partitioning" => Ok(Stabilisation::Partitioning),
@@ -170,4 +215,16 @@ fn number(option: &str, text: &str) -> Result<f64, Stop> {
 
 fn whole_number(text: &str) -> Result<usize, String> {
     text.parse().ok().filter(|n| *n > 0).ok_or_else(|| "a whole number above 0 is needed, such as 8192".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the language calls methods is what they are called here.
+    #[test]
+    fn the_language_knows_the_methods() {
+        let names = Method::ALL.map(|method| (method.name(), method.is_adaptive()));
+        assert_eq!(codegen::model::METHODS, names);
+    }
 }

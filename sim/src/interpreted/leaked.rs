@@ -6,7 +6,7 @@
 use codegen::description as made;
 use codegen::symbolic;
 use sim_kernel::event::{Assignment, Conditional, Direction, Event, Hit, Step, Switch, Target};
-use sim_kernel::{Coordinate, Description, Figure, Quantity, Shape, SparseRow, Start, Table};
+use sim_kernel::{Coordinate, Description, Figure, Quantity, RunDefault, Shape, SparseRow, Start, Table};
 
 /// The description in the runtime's terms.
 pub(super) fn description(of: &made::Description) -> &'static Description {
@@ -36,6 +36,7 @@ pub(super) fn description(of: &made::Description) -> &'static Description {
         optional_kernels: of.optional_kernels.clone().leak(),
         dimension: of.dimension,
         drawing: each(&of.drawing, |shape| self::shape(*shape)),
+        run: each(&of.run, |default| RunDefault { option: default.option, value: text(&default.value) }),
     }))
 }
 

@@ -835,6 +835,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for BouncingBall<S> {
         optional_kernels: &["dynamics_jacobian"],
         dimension: 2,
         drawing: &[sim_kernel::Shape::Curve(2), sim_kernel::Shape::Circle],
+        run: &[],
     };
     fn defaults() -> Self {
         Self {

@@ -702,6 +702,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Pendulum<S> {
             sim_kernel::Shape::Line(2),
             sim_kernel::Shape::Circle,
         ],
+        run: &[],
     };
     fn defaults() -> Self {
         Self {

@@ -1622,6 +1622,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for QuickReturn<S> {
             sim_kernel::Shape::Slider,
             sim_kernel::Shape::Points(2),
         ],
+        run: &[],
     };
     fn defaults() -> Self {
         Self {

@@ -942,6 +942,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Skate<S> {
         optional_kernels: &["dynamics_jacobian"],
         dimension: 2,
         drawing: &[sim_kernel::Shape::Line(2), sim_kernel::Shape::Points(2)],
+        run: &[],
     };
     fn defaults() -> Self {
         Self {

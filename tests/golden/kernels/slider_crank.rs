@@ -1158,6 +1158,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for SliderCrank<S> {
             sim_kernel::Shape::Line(3),
             sim_kernel::Shape::Slider,
         ],
+        run: &[],
     };
     fn defaults() -> Self {
         Self {

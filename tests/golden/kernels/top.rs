@@ -1066,6 +1066,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Top<S> {
             sim_kernel::Shape::Circle,
             sim_kernel::Shape::Line(2),
         ],
+        run: &[],
     };
     fn defaults() -> Self {
         Self {

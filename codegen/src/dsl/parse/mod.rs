@@ -8,6 +8,7 @@ mod head;
 mod joint;
 mod lines;
 mod load;
+mod run_line;
 mod spatial_joint;
 mod table_lines;
 mod unit;
@@ -52,6 +53,7 @@ fn read(input: ParseStream) -> Result<Declaration> {
         joints: vec![],
         tables: vec![],
         speeds: vec![],
+        run: vec![],
     };
     let mut mistakes = Mistakes::default();
     while !input.is_empty() {
@@ -104,6 +106,7 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
             d.kernels.get_or_insert_default().extend(kernels);
         }
         Block::Tables => d.tables.extend(mistakes.note(lines(&content, table_lines::table)).into_iter().flatten()),
+        Block::Run => d.run.extend(mistakes.note(lines(&content, ended(run_line::setting))).into_iter().flatten()),
         Block::Joints => d.joints.extend(mistakes.note(lines(&content, ended(joint::joint))).into_iter().flatten()),
         Block::Auxiliary => {
             d.auxiliary.extend(mistakes.note(lines(&content, ended(block::auxiliary))).into_iter().flatten())

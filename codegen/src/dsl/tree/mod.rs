@@ -7,6 +7,7 @@ mod head;
 mod joint;
 mod load;
 mod output;
+mod run_setting;
 mod shape;
 
 pub use declared_table::{Between, DeclaredTable, Ends, Outside};
@@ -16,6 +17,7 @@ pub use head::Head;
 pub use joint::{Guide, Joint, JointKind, Rolling, Side, SpatialJoint, SpatialKind};
 pub use load::{Element, Extent, Law, Load};
 pub use output::{Output, OutputGroup};
+pub use run_setting::{RunSetting, RunValue};
 pub use shape::{Mark, Shape};
 
 use super::{Expression, Region, Unit};
@@ -56,6 +58,8 @@ pub struct Declaration {
     pub kernels: Option<Vec<KernelId>>,
     /// `auxiliary { .. }`: zero displacements, to find their conjugate forces.
     pub auxiliary: Vec<Auxiliary>,
+    /// `run { .. }`: how it is run where nothing else is said.
+    pub run: Vec<RunSetting>,
     /// `joints { .. }`; none once they are written out as coordinates or constraints.
     pub joints: Vec<Joint>,
 }

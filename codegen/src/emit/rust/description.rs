@@ -2,7 +2,7 @@
 
 use super::size;
 use crate::description::{
-    Conditional, Coordinate, Description, Event, Figure, Quantity, Shape, SparseRow, Step, Target,
+    Conditional, Coordinate, Description, Event, Figure, Quantity, RunDefault, Shape, SparseRow, Step, Target,
 };
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -25,6 +25,7 @@ pub(super) fn description(description: &Description, path: &TokenStream) -> Toke
     let events = description.events.iter().map(|each| event(each, path));
     let figures = description.figures.iter().map(|each| figure(each, path));
     let drawing = description.drawing.iter().map(|each| shape(*each, path));
+    let run = description.run.iter().map(|each| run_default(each, path));
     let dimension = size(description.dimension);
     quote! {
         #path::Description {
@@ -49,6 +50,7 @@ pub(super) fn description(description: &Description, path: &TokenStream) -> Toke
             optional_kernels: &[#(#optional_kernels),*],
             dimension: #dimension,
             drawing: &[#(#drawing),*],
+            run: &[#(#run),*],
         }
     }
 }
@@ -82,6 +84,11 @@ fn sparse_row(row: &SparseRow, path: &TokenStream) -> TokenStream {
 fn conditional(c: &Conditional, path: &TokenStream) -> TokenStream {
     let (name, first, len, active) = (&c.name, size(c.first_row), size(c.rows), c.initially_active);
     quote! { #path::event::Conditional { name: #name, first_row: #first, rows: #len, initially_active: #active } }
+}
+
+fn run_default(default: &RunDefault, path: &TokenStream) -> TokenStream {
+    let RunDefault { option, value } = default;
+    quote! { #path::RunDefault { option: #option, value: #value } }
 }
 
 fn figure(figure: &Figure, path: &TokenStream) -> TokenStream {

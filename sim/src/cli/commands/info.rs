@@ -2,6 +2,7 @@
 
 use crate::cli::arguments::Voice;
 use crate::cli::commands::list::counted;
+use crate::cli::settings::SettingsArguments;
 use crate::cli::{Stop, print};
 use crate::output::happening::happening;
 use crate::{Mobility, assemble, declared_start, mobility};
@@ -72,8 +73,15 @@ fn as_json(facts: &Facts) -> Value {
         "outputs": d.outputs.iter().map(quantity).collect::<Vec<_>>(),
         "events": d.events.iter().map(|event| json!({ "name": event.name, "does": happening(event, d) })).collect::<Vec<_>>(),
         "figures": d.figures.iter().map(|figure| figure.name).collect::<Vec<_>>(),
+        "run": runs(d).map(|(option, value, from)| json!({ "option": option, "value": value, "from": from })).collect::<Vec<_>>(),
         "kernels": kernels.collect::<Vec<_>>(),
     })
+}
+
+/// How it is run where nothing else is said: options, values, and where these come from.
+fn runs(d: &Description) -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+    let from = |declared: bool| if declared { "declaration" } else { "default" };
+    SettingsArguments::defaults(d).into_iter().map(move |(option, value, declared)| (option, value, from(declared)))
 }
 
 const fn told(start: Start) -> &'static str {
@@ -97,6 +105,9 @@ fn as_text(facts: &Facts) -> String {
     text += &constraints(d);
     let outputs = d.outputs.iter().map(|o| [o.name.to_owned(), unit(o), o.docs.to_owned(), String::new()]);
     text += &section("Outputs", outputs.collect());
+    let run =
+        runs(d).map(|(option, value, from)| [format!("--{option}"), value.to_owned(), from.to_owned(), String::new()]);
+    text += &section("Runs, where nothing else is said", run.collect());
     if !d.events.is_empty() {
         let event = |event: &Event| [event.name.to_owned(), happening(event, d), String::new(), String::new()];
         text += &section("Events", d.events.iter().map(event).collect());

@@ -1,0 +1,195 @@
+//! Mechanisms in files: what a command does with one is what it does with a compiled one, and mistakes show at their place.
+
+use crate::{column, fresh, sim, stderr, stdout};
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const BOB: &str = "language 1;
+
+/// A pendulum.
+pub Bob;
+
+coordinates { phi [rad]; }
+parameters { l [m] = 1; m [kg] = 2; }
+let P = l*[sin(phi), -cos(phi)];
+bodies { bob: mass m at P; }
+loads { gravity [0, -9.81 [m/s^2]]; }
+initial { phi = 0.5; }
+events { down: phi = 0; }
+outputs { height [mm] = P.y; }
+run { t_end = 300 [ms]; rtol = 1e-9; rows = 30; }
+";
+
+/// A folder with files.
+fn folder(name: &str, files: &[(&str, &str)]) -> PathBuf {
+    let folder = fresh(name);
+    fs::create_dir_all(&folder).unwrap();
+    files.iter().for_each(|(name, text)| fs::write(folder.join(name), text).unwrap());
+    folder
+}
+
+/// Runs the binary in a folder.
+fn within(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_sim")).args(arguments).current_dir(folder).output().unwrap()
+}
+
+/// Every shipped mechanism, written to a file and run from there.
+#[test]
+fn files_give_the_bytes_of_compiled_mechanisms() {
+    let names: Value = serde_json::from_str(&stdout(&sim(&["list", "--json"]))).unwrap();
+    let folder = folder("from-files", &[]);
+    for name in names.as_array().unwrap().iter().map(|each| each["name"].as_str().unwrap()) {
+        let file = format!("{name}.mech");
+        let made = within(&folder, &["new", "--file", &file, "--from", name]);
+        assert!(made.status.success(), "{}", stderr(&made));
+        let run = |model: &str, out: &str| {
+            let words = ["run", model, "--out", out, "--t-end", "0.2", "--no-figures", "--no-report"];
+            let output = within(&folder, &words);
+            (output.status.code(), fs::read(folder.join(out).join("trajectory.csv")).unwrap())
+        };
+        assert!(run(&file, "read") == run(name, "compiled"), "{name}");
+    }
+}
+
+/// A run file of a file makes the run again.
+#[test]
+fn a_run_from_a_file_is_made_again() {
+    let folder = folder("again", &[("bob.mech", BOB)]);
+    let run = |words: &[&str]| {
+        let output = within(&folder, words);
+        assert!(output.status.success(), "{}", stderr(&output));
+    };
+    run(&["run", "bob.mech", "--set", "l=2", "--no-figures", "--out", "first"]);
+    run(&["run", "first/run.json", "--out", "second"]);
+    for file in ["trajectory.csv", "run.json", "summary.json"] {
+        assert_eq!(
+            fs::read(folder.join("first").join(file)).unwrap(),
+            fs::read(folder.join("second").join(file)).unwrap()
+        );
+    }
+}
+
+/// The block `run` is below the command line and above the defaults.
+#[test]
+fn a_declaration_says_how_it_is_run() {
+    let folder = folder("declared-run", &[("bob.mech", BOB)]);
+    let last = |words: &[&str]| {
+        let words = [&["run", "bob.mech", "--no-figures", "--no-report", "--quiet"], words].concat();
+        let output = within(&folder, &words);
+        assert!(output.status.success(), "{}", stderr(&output));
+        let times = column(&folder.join("out/bob"), "t [s]");
+        (times.len(), *times.last().unwrap())
+    };
+    assert_eq!(last(&[]), (31, 0.3));
+    assert_eq!(last(&["--t-end", "0.2"]), (31, 0.2));
+    assert_eq!(last(&["--method", "rk4", "--steps", "10"]), (31, 0.3));
+    assert_eq!(last(&["--method", "rk4"]), (31, 0.3));
+    let file: Value = serde_json::from_str(&fs::read_to_string(folder.join("out/bob/run.json")).unwrap()).unwrap();
+    assert_eq!((&file["options"]["steps"], &file["options"]["rtol"]), (&8192.into(), &Value::Null));
+    let told: Value = serde_json::from_str(&stdout(&within(&folder, &["info", "bob.mech", "--json"]))).unwrap();
+    let of =
+        |option: &str| told["run"].as_array().unwrap().iter().find(|each| each["option"] == option).unwrap().clone();
+    assert_eq!((&of("t-end")["value"], &of("t-end")["from"]), (&"300 ms".into(), &"declaration".into()));
+    assert_eq!((&of("method")["value"], &of("method")["from"]), (&"dop853".into(), &"default".into()));
+}
+
+#[test]
+fn mistakes_are_shown_under_their_line() {
+    let folder = folder("mistaken", &[("bob.mech", &BOB.replace("mass m at", "mass mm at"))]);
+    for words in [["check", "bob.mech"], ["run", "bob.mech"], ["verify", "bob.mech"]] {
+        let output = within(&folder, &words);
+        assert_eq!(output.status.code(), Some(1));
+        let said = stderr(&output);
+        assert!(
+            said.contains("\n --> bob.mech:9:20\n  |\n9 | bodies { bob: mass mm at P; }\n  |                    ^^"),
+            "{said}"
+        );
+    }
+    let output = within(&folder, &["check", "bob.mech", "--json"]);
+    assert_eq!(output.status.code(), Some(1));
+    let told: Value = serde_json::from_str(&stdout(&output)).unwrap();
+    let mistake = &told["mistakes"][0];
+    assert_eq!(mistake["code"], "E-MEANING");
+    assert_eq!(mistake["range"]["start"], serde_json::json!({ "line": 8, "character": 19 }));
+    assert_eq!(
+        &BOB.replace("mass m at", "mass mm at")[mistake["bytes"]["start"].as_u64().unwrap() as usize..][..2],
+        "mm"
+    );
+    let right = within(&folder, &["new", "--file", "other.mech"]);
+    assert!(right.status.success());
+    let told: Value = serde_json::from_str(&stdout(&within(&folder, &["check", "other.mech", "--json"]))).unwrap();
+    assert_eq!((&told["mechanisms"][0], told["mistakes"].as_array().unwrap().len()), (&"other".into(), 0));
+}
+
+#[test]
+fn one_of_several_is_chosen() {
+    let both = format!("mechanism! {{ {} }}\nmechanism! {{ {} }}", &BOB[12..], BOB[12..].replace("Bob", "LongBob"));
+    let folder = folder("several", &[("bobs.rs", &both)]);
+    let run = |model: &str| within(&folder, &["assemble", model]);
+    assert!(run("bobs.rs:LongBob").status.success() && run("bobs.rs:long-bob").status.success());
+    assert!(stderr(&run("bobs.rs")).contains("bobs.rs declares Bob, LongBob: choose one, as in `bobs.rs:Bob`"));
+    assert!(stderr(&run("bobs.rs:Bobby")).contains("bobs.rs declares no `Bobby`, but Bob, LongBob"));
+    assert!(stderr(&run("none.mech")).contains("cannot read none.mech"));
+    assert_eq!(run("none.mech").status.code(), Some(1));
+}
+
+/// Tables are read from the folder of the file, and from nowhere else.
+#[test]
+fn tables_stand_beside_the_file() {
+    let tabled = |file: &str| {
+        let tables = format!("tables {{ f over [m] = linear from \"{file}\"; }}\nlet P");
+        BOB.replacen("let P", &tables, 1)
+    };
+    let folder = folder("tabled", &[]);
+    fs::create_dir_all(folder.join("inside/rows")).unwrap();
+    fs::write(folder.join("inside/rows/f.csv"), "0, 0\n1, 2\n").unwrap();
+    fs::write(folder.join("outside.csv"), "0, 0\n1, 2\n").unwrap();
+    #[cfg(unix)]
+    std::os::unix::fs::symlink(folder.join("outside.csv"), folder.join("inside/link.csv")).unwrap();
+    let check = |file: &str| {
+        fs::write(folder.join("inside/bob.mech"), tabled(file)).unwrap();
+        within(&folder, &["check", "inside/bob.mech"])
+    };
+    let said = check("rows/f.csv");
+    assert!(said.status.success(), "{}", stderr(&said));
+    for outside in ["../outside.csv", "link.csv"] {
+        let said = check(outside);
+        assert_eq!(said.status.code(), Some(1));
+        assert!(stderr(&said).contains("or below: tables are read from there alone"), "{}", stderr(&said));
+    }
+}
+
+/// Accelerations and multipliers of a run are those of the kernel at its states.
+#[test]
+fn kernels_are_evaluated_at_states() {
+    let folder = folder("evaluated", &[]);
+    let ran =
+        within(&folder, &["run", "quick-return", "--t-end", "0.1", "--rows", "20", "--no-figures", "--no-report"]);
+    assert!(ran.status.success());
+    let states = "out/quick-return/trajectory.csv";
+    let evaluate = |words: &[&str]| within(&folder, &[&["evaluate", "quick-return"], words].concat());
+    let output = evaluate(&["--kernel", "dynamics", "--at", states]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    fs::create_dir_all(folder.join("found")).unwrap();
+    fs::write(folder.join("found/trajectory.csv"), &output.stdout).unwrap();
+    for header in ["t [s]", "alpha_ddot [rad/s^2]", "gamma_ddot [rad/s^2]", "lambda_slot [N]"] {
+        assert_eq!(column(&folder.join("found"), header), column(&folder.join("out/quick-return"), header), "{header}");
+    }
+    let said = |words: &[&str]| stderr(&evaluate(words));
+    assert!(said(&["--kernel", "dynamic", "--at", states]).contains("did you mean `dynamics`?"));
+    fs::write(folder.join("few.csv"), "alpha [deg],beta,gamma\n90,1.2,2.7\n").unwrap();
+    assert!(said(&["--kernel", "dynamics", "--at", "few.csv"]).contains("`dynamics` needs the column `alpha_dot`"));
+    // 90 degrees are pi/2, and the entries of a matrix have numbers.
+    fs::write(
+        folder.join("same.csv"),
+        format!("alpha,beta,gamma\n{:?},1.2,2.7\n", 90.0 * (std::f64::consts::PI / 180.0)),
+    )
+    .unwrap();
+    let of = |file: &str| stdout(&evaluate(&["--kernel", "mass_matrix", "--at", file]));
+    assert_eq!(of("few.csv"), of("same.csv"));
+    assert!(of("few.csv").starts_with("t [s],mass_matrix_1_1,mass_matrix_1_2,"));
+    fs::write(folder.join("nan.csv"), "alpha,beta,gamma\nNaN,1.2,2.7\n").unwrap();
+    assert!(said(&["--kernel", "mass_matrix", "--at", "nan.csv"]).contains("`alpha [1]`: row 1 is not finite"));
+}
