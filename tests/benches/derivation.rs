@@ -2,6 +2,7 @@
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
+use codegen::description::describe;
 use codegen::dsl::Source;
 use codegen::{dynamics, emit, model, program};
 use proc_macro2::TokenStream;
@@ -34,7 +35,13 @@ fn stages(description: &Description) {
         let derived = clock.elapsed();
         let program = program::plan(&mut equations);
         let planned = clock.elapsed();
-        let rust = emit::emit(&declaration.head, &source, &equations, &program, &quote!(sim_kernel));
+        let rust = emit::emit(
+            &declaration.head,
+            &describe(&equations, &program, &source),
+            &equations,
+            &program,
+            &quote!(sim_kernel),
+        );
         let emitted = clock.elapsed();
         assert!(!rust.is_empty());
         let times = [parsed, resolved - parsed, derived - resolved, planned - derived, emitted - planned, emitted];

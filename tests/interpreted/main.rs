@@ -2,23 +2,36 @@
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
-mod bits;
+use tests::same_bits::{compiled, differences, interpreted};
 
-use sim::{Model, erase, interpret};
-use std::sync::Arc;
+/// Where kernels are called; `figures -- files bits` takes a thousand places.
+const STATES: usize = 25;
 
-macro_rules! erased {
-    ($($model:ty),*) => { vec![$(erase(<$model as sim::Compiled>::defaults())),*] };
+#[test]
+fn every_kernel_has_the_same_bits() {
+    for (seed, compiled) in compiled().into_iter().enumerate() {
+        let interpreted = interpreted(&*compiled).unwrap();
+        assert_eq!(differences(&*compiled, &*interpreted, STATES, seed as u64), Vec::<String>::new());
+    }
 }
 
-/// Every shipped mechanism, compiled and interpreted.
-fn both() -> Vec<[Arc<dyn Model>; 2]> {
-    let compiled: Vec<Arc<dyn Model>> = models::all_models!(erased);
-    compiled.into_iter().map(|model| [model.clone(), again(&*model)]).collect()
+/// What is told of a mechanism is the same, word by word.
+#[test]
+fn descriptions_are_the_same() {
+    for compiled in compiled() {
+        let interpreted = interpreted(&*compiled).unwrap();
+        assert_eq!(format!("{:#?}", interpreted.description()), format!("{:#?}", compiled.description()));
+    }
 }
 
-/// The same mechanism, from the text of its declaration.
-fn again(model: &dyn Model) -> Arc<dyn Model> {
-    let tokens = model.description().declaration.parse().unwrap();
-    interpret(&codegen::derive(tokens).unwrap())
+/// Two mechanisms that differ in one number differ in their kernels.
+#[test]
+fn a_difference_is_found() {
+    let model = compiled().into_iter().find(|model| model.description().name == "quick-return").unwrap();
+    let mut values = model.values();
+    values.parameters[0] = values.parameters[0].next_up();
+    let found = differences(&*model, &*model.with_values(&values), 1, 0);
+    assert_eq!(found, ["quick-return: values"]);
+    let other = compiled().into_iter().find(|model| model.description().name == "quick-return-ratio").unwrap();
+    assert!(differences(&*model, &*other, 1, 0).contains(&"quick-return: dynamics".to_owned()));
 }

@@ -5,13 +5,14 @@
 use models::CartPole;
 use sim::{
     Compiled, Controller, Erased, InPlace, Input, Mechanism, Method, Model, OnHeap, Run, Sample, Settings,
-    Stabilisation, Table, declared_start, interpret, run_controlled,
+    Stabilisation, Table, declared_start, run_controlled,
 };
 use std::fs;
 use std::path::PathBuf;
 use std::sync::Arc;
 use tests::digest::Fnv;
 use tests::run_with;
+use tests::same_bits;
 
 /// What a run gave.
 #[derive(Clone, Debug, PartialEq)]
@@ -157,9 +158,8 @@ fn every_fourth_model_has_the_same_bits_with_sizes_known_at_run_time() {
     assert_eq!(differences_of_erased(4, Clone::clone), "");
 }
 
-/// The same mechanism, from the text of its declaration.
 fn interpreted(model: &Arc<dyn Model>) -> Arc<dyn Model> {
-    interpret(&codegen::derive(model.description().declaration.parse().unwrap()).unwrap())
+    same_bits::interpreted(&**model).unwrap()
 }
 
 #[test]

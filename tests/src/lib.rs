@@ -6,6 +6,7 @@ pub mod digest;
 pub mod extremes;
 pub mod faults;
 pub mod house;
+pub mod same_bits;
 pub mod spectra;
 
 use serde_json::Value;

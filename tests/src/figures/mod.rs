@@ -4,6 +4,7 @@
 //! value is known.
 
 mod builds;
+mod files;
 mod kernels;
 mod numbers;
 mod rooms;
@@ -26,7 +27,7 @@ pub(crate) type Subject = (&'static str, fn(&mut Table));
 pub(crate) const AREAS: &[Area] = &[
     measured("numbers", "no wrong number with exit status 0", numbers::SUBJECTS),
     measured("rooms", "a runtime for every use, and a house with rooms", rooms::SUBJECTS),
-    open("files"),
+    measured("files", "mechanisms as files: run in milliseconds", files::SUBJECTS),
     open("size"),
     open("robots"),
     open("sweeps"),

@@ -64,17 +64,19 @@ fn columns(description: &Description, kernel: Kernel, found: Vec<(usize, Vec<f64
     };
     let is_matrix = found.len() > 1;
     let of_row = |(row, values): (usize, Vec<f64>)| -> Vec<Column> {
-        let values = values.into_iter().enumerate();
+        let numbered = values.iter().copied().enumerate();
         match (kernel, row) {
             (Kernel::Dynamics, 0) => {
-                values.map(|(i, value)| quantity("", &description.coordinates[i].acceleration, value)).collect()
+                numbered.map(|(i, value)| quantity("", &description.coordinates[i].acceleration, value)).collect()
             }
             (Kernel::Dynamics, 1) => {
-                values.map(|(i, value)| quantity("lambda_", &description.constraints[i], value)).collect()
+                numbered.map(|(i, value)| quantity("lambda_", &description.constraints[i], value)).collect()
             }
-            (Kernel::Dynamics, _) => values.map(|(_, value)| Column { heading: "power [W]".into(), value }).collect(),
-            (Kernel::Outputs, _) => values.map(|(i, value)| quantity("", &description.outputs[i], value)).collect(),
-            _ => values
+            (Kernel::Dynamics, _) => {
+                values.into_iter().map(|value| Column { heading: "power [W]".into(), value }).collect()
+            }
+            (Kernel::Outputs, _) => numbered.map(|(i, value)| quantity("", &description.outputs[i], value)).collect(),
+            _ => numbered
                 .map(|(i, value)| {
                     let place = if is_matrix { format!("{}_{}", row + 1, i + 1) } else { format!("{}", i + 1) };
                     Column { heading: format!("{}_{place}", kernel.name()), value }

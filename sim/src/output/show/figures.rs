@@ -4,8 +4,10 @@ use super::{Curve, Length, Plot, Pose, Positions, Shapes, ShowError, Size, mecha
 use crate::output::outcome::{Outcome, Recorded, Row};
 use crate::state::provenance::Provenance;
 use crate::{Column, Run, Table};
-use sim_kernel::{Description, Figure, Mechanism, Shape};
+use sim_kernel::{Description, Figure, Mechanism, Quantity, Shape};
+use std::num::NonZeroUsize;
 use std::ops::Range;
+use std::panic::resume_unwind;
 use std::path::Path;
 
 /// Positions in the picture of the mechanism.
@@ -69,21 +71,43 @@ pub(super) fn draw_outputs(
     size: Size,
 ) -> Figures {
     let outputs: Vec<_> = table.outputs().iter().zip(description.outputs).collect();
+    let is_shown = |group: &[(&Column, &Quantity)]| {
+        group.iter().any(|(column, _)| column.values.iter().any(|value| value.is_finite()))
+    };
+    let groups = groups(description).map(|(figure, indices)| (figure, &outputs[indices]));
+    let shown: Vec<_> = groups.filter(|(_, group)| is_shown(group)).collect();
     let mut figures = Figures::default();
-    for (figure, indices) in groups(description) {
-        let group = &outputs[indices];
-        if group.iter().all(|(column, _)| column.values.iter().all(|value| !value.is_finite())) {
-            continue;
-        }
-        let labels: Vec<&str> = group.iter().map(|(column, output)| label(output.docs, &column.name)).collect();
-        let curves =
-            group.iter().zip(&labels).map(|((column, _), label)| Curve { label, values: column.values.clone() });
-        let columns: Vec<&Column> = group.iter().map(|(column, _)| *column).collect();
-        let y_label = y_label(figure.name, &columns, &labels);
-        let shown = Plot { title: figure.title, x_label, y_label: &y_label, x, curves: curves.collect() };
-        figures.add(figure.name, panels_with(&[shown], size, directory, figure.name, &table.provenance));
+    // Side by side, as PNG take long.
+    let processors = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    for some in shown.chunks(processors) {
+        let drawn = std::thread::scope(|scope| {
+            let mut threads = Vec::new();
+            for (figure, group) in some {
+                let draw = move || draw_group(figure, group, (x_label, x), (directory, size), &table.provenance);
+                threads.push(scope.spawn(draw));
+            }
+            threads.into_iter().map(|thread| thread.join().unwrap_or_else(|panic| resume_unwind(panic))).collect()
+        });
+        let drawn: Vec<Result<(), ShowError>> = drawn;
+        some.iter().zip(drawn).for_each(|((figure, _), result)| figures.add(figure.name, result));
     }
     figures
+}
+
+/// The figure of one group of outputs.
+fn draw_group(
+    figure: &Figure,
+    group: &[(&Column, &Quantity)],
+    (x_label, x): (&str, &[f64]),
+    (directory, size): (&Path, Size),
+    provenance: &Provenance,
+) -> Result<(), ShowError> {
+    let labels: Vec<&str> = group.iter().map(|(column, output)| label(output.docs, &column.name)).collect();
+    let curves = group.iter().zip(&labels).map(|((column, _), label)| Curve { label, values: column.values.clone() });
+    let columns: Vec<&Column> = group.iter().map(|(column, _)| *column).collect();
+    let y_label = y_label(figure.name, &columns, &labels);
+    let shown = Plot { title: figure.title, x_label, y_label: &y_label, x, curves: curves.collect() };
+    panels_with(&[shown], size, directory, figure.name, provenance)
 }
 
 /// The name of a figure that is not a group of outputs; names of groups have no hyphen.
