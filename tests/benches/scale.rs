@@ -9,9 +9,9 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use codegen::kernel_id::KernelId;
-use codegen::{dynamics, emit, model, program};
+use codegen::{Derived, emit};
 use quote::quote;
-use sim_kernel::{Compiled, Mechanism};
+use sim_kernel::Compiled;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -201,11 +201,10 @@ fn dependent<const Q: usize>(states: &[[[f64; Q]; 2]; STATES], route: &impl Fn(&
 
 fn making(name: &str, declaration: &str) -> Making {
     let derive = || {
-        let parsed = codegen::parse(declaration.parse().unwrap()).unwrap();
-        let mut equations = dynamics::derive_cheapest(model::resolve(&parsed).unwrap());
-        let program = program::plan(&mut equations);
-        let rust = emit::emit(&parsed.head, declaration, &equations, &program, &quote!(sim_kernel));
-        (program, rust)
+        let derived = codegen::derive(declaration.parse().unwrap()).unwrap();
+        let Derived { head, description, equations, program } = &derived;
+        let rust = emit::emit(head, description, equations, program, &quote!(sim_kernel));
+        (derived.program, rust)
     };
     let derivation = (0..3).map(|_| {
         let clock = Instant::now();

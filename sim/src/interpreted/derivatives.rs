@@ -86,7 +86,7 @@ impl Columns {
     ) -> bool {
         let mut i = 0;
         let given = given(kernels.programs, &values.inputs, prepared, at);
-        kernels.programs.call(KernelId::Dynamics, given, &mut |row, numbers| {
+        kernels.programs.call(KernelId::Dynamics, &given, &mut |row, numbers| {
             // The third row is the power.
             for number in numbers.iter().filter(|_| row < 2) {
                 self.entries[i * self.width + j] = number.derivative;

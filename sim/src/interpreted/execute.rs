@@ -1,6 +1,7 @@
 //! The execution of a program: each instruction as generated Rust does it, so that the bits are the same.
 
-use codegen::emit::bytecode::{Code, Field, Instruction, Wave};
+use super::compact::{Body, Compact, Register};
+use codegen::emit::bytecode::{Code, Field, Instruction, LookUp, Wave};
 use codegen::kernel_id::Argument;
 use codegen::symbolic::Function;
 use sim_kernel::{Input, Mask, Scalar, Table, pivot_is_refused};
@@ -22,12 +23,48 @@ pub(super) struct Given<'a, S> {
     pub(super) tables: &'a [Table],
 }
 
-/// Executes a program. Results stand in their registers. Gives where a pivot is refused.
-pub(super) fn execute<S: Scalar>(code: &Code, given: Given<S>, registers: &mut [S]) -> S::Mask {
-    load(code, given, registers);
-    for instruction in &code.instructions {
-        step(*instruction, code, given, registers);
+/// What a program begins with: constants, and what it reads of the mechanism.
+pub(super) fn image<S: Scalar>(code: &Code, given: &Given<S>) -> Vec<S> {
+    let constants = code.constants.iter().map(|constant| S::from_f64(*constant));
+    let fields = code.fields.iter().map(|field| match *field {
+        Field::Parameter(at) => given.parameters[at],
+        Field::Activity(at) => given.activities[at],
+        Field::Prepared(at) => given.prepared[at],
+    });
+    constants.chain(fields).collect()
+}
+
+/// Executes a program that begins with an image. Results stand in their registers.
+pub(super) fn execute<S: Scalar>(code: &Code, compact: &Compact, image: &[S], given: &Given<S>, registers: &mut [S]) {
+    registers[..image.len()].copy_from_slice(image);
+    for (register, (argument, at)) in registers[image.len()..].iter_mut().zip(&code.arguments) {
+        *register = match argument {
+            Argument::Time => given.time,
+            Argument::Positions => given.positions[*at],
+            Argument::Speeds => given.speeds[*at],
+            Argument::Accelerations => given.accelerations[*at],
+            Argument::Multipliers => given.multipliers[*at],
+            Argument::GeneralizedSpeeds => given.generalized_speeds[*at],
+        };
     }
+    match compact {
+        Compact::Few(body) => all(body, given, registers),
+        Compact::Many(body) => all(body, given, registers),
+        Compact::Any(body) => all(body, given, registers),
+    }
+}
+
+/// How many registers a program has to be given.
+pub(super) fn room(code: &Code, compact: &Compact) -> usize {
+    match compact {
+        Compact::Few(_) => u8::room(code.registers),
+        Compact::Many(_) => u16::room(code.registers),
+        Compact::Any(_) => u32::room(code.registers),
+    }
+}
+
+/// Where a pivot is refused.
+pub(super) fn refused<S: Scalar>(code: &Code, registers: &[S]) -> S::Mask {
     match &code.pivots {
         None => S::not(S::Mask::NONE),
         Some(pivots) => pivots.iter().fold(S::Mask::NONE, |refused, [pivot, terms]| {
@@ -36,29 +73,19 @@ pub(super) fn execute<S: Scalar>(code: &Code, given: Given<S>, registers: &mut [
     }
 }
 
-/// Constants, fields and arguments.
-fn load<S: Scalar>(code: &Code, given: Given<S>, registers: &mut [S]) {
-    let constants = code.constants.iter().map(|constant| S::from_f64(*constant));
-    let fields = code.fields.iter().map(|field| match *field {
-        Field::Parameter(at) => given.parameters[at],
-        Field::Activity(at) => given.activities[at],
-        Field::Prepared(at) => given.prepared[at],
-    });
-    let arguments = code.arguments.iter().map(|(argument, at)| match argument {
-        Argument::Time => given.time,
-        Argument::Positions => given.positions[*at],
-        Argument::Speeds => given.speeds[*at],
-        Argument::Accelerations => given.accelerations[*at],
-        Argument::Multipliers => given.multipliers[*at],
-        Argument::GeneralizedSpeeds => given.generalized_speeds[*at],
-    });
-    registers.iter_mut().zip(constants.chain(fields).chain(arguments)).for_each(|(register, value)| *register = value);
+/// All instructions.
+fn all<S: Scalar, R: Register>(body: &Body<R>, given: &Given<S>, registers: &mut [S]) {
+    // There is always room.
+    let Some(file) = R::file(registers) else { return };
+    for instruction in &body.instructions {
+        step(*instruction, body, given, file);
+    }
 }
 
 #[inline(always)]
-fn step<S: Scalar>(instruction: Instruction<u32>, code: &Code, given: Given<S>, registers: &mut [S]) {
+fn step<S: Scalar, R: Register>(instruction: Instruction<R>, body: &Body<R>, given: &Given<S>, file: &mut R::File<S>) {
     use Instruction as I;
-    let r = |at: u32| registers[at as usize];
+    let r = |at: R| at.read(file);
     let (to, value) = match instruction {
         I::Copy { to, a } => (to, r(a)),
         I::Negate { to, a } => (to, -r(a)),
@@ -73,11 +100,11 @@ fn step<S: Scalar>(instruction: Instruction<u32>, code: &Code, given: Given<S>, 
         I::Power { to, a, b } => (to, r(a).powf(r(b))),
         I::Atan2 { to, a, b } => (to, r(a).atan2(r(b))),
         I::Choose { to, a, b, c } => (to, r(a).choose(r(b), r(c))),
-        I::Held { input, to, a } => (to, given.inputs[input].or(r(a))),
-        I::Waves { first, count } => return waves(&code.waves[first..first + count], registers),
-        I::LookUp { table, a, to, count } => return look_up(&given.tables[table], r(a), &to[..count], registers),
+        I::Held { input, to, a } => (to, given.inputs[usize::from(input)].or(r(a))),
+        I::Waves { place } => return waves(&body.waves[usize::from(place)], file),
+        I::LookUp { place, a } => return look_up(&body.look_ups[usize::from(place)], r(a), given.tables, file),
     };
-    registers[to as usize] = value;
+    to.write(file, value);
 }
 
 #[inline(never)]
@@ -100,30 +127,31 @@ fn call<S: Scalar>(function: Function, x: S) -> S {
 }
 
 /// Sines and cosines of several angles: four at once, as far as there are so many.
-fn waves<S: Scalar>(waves: &[Wave<u32>], registers: &mut [S]) {
+#[inline(never)]
+fn waves<S: Scalar, R: Register>(waves: &[Wave<R>], file: &mut R::File<S>) {
     let (fours, rest) = waves.as_chunks::<4>();
-    fours.iter().for_each(|four| side_by_side(four, registers));
+    fours.iter().for_each(|four| side_by_side(four, file));
     match *rest {
-        [a, b, c] => side_by_side(&[a, b, c], registers),
-        [a, b] => side_by_side(&[a, b], registers),
-        [a] => side_by_side(&[a], registers),
+        [a, b, c] => side_by_side(&[a, b, c], file),
+        [a, b] => side_by_side(&[a, b], file),
+        [a] => side_by_side(&[a], file),
         _ => {}
     }
 }
 
 #[inline(always)]
-fn side_by_side<S: Scalar, const N: usize>(waves: &[Wave<u32>; N], registers: &mut [S]) {
-    let (sines, cosines) = S::sin_cos_each(waves.map(|wave| registers[wave.angle as usize]));
+fn side_by_side<S: Scalar, R: Register, const N: usize>(waves: &[Wave<R>; N], file: &mut R::File<S>) {
+    let (sines, cosines) = S::sin_cos_each(waves.map(|wave| wave.angle.read(file)));
     for ((wave, sine), cosine) in waves.iter().zip(sines).zip(cosines) {
-        registers[wave.sin as usize] = sine;
-        registers[wave.cos as usize] = cosine;
+        wave.sin.write(file, sine);
+        wave.cos.write(file, cosine);
     }
 }
 
 #[inline(never)]
-fn look_up<S: Scalar>(table: &Table, x: S, to: &[u32], registers: &mut [S]) {
-    let found: [S; 4] = table.at(x);
-    for (to, value) in to.iter().zip(found) {
-        registers[*to as usize] = value;
+fn look_up<S: Scalar, R: Register>(of: &LookUp<R>, x: S, tables: &[Table], file: &mut R::File<S>) {
+    let found: [S; 4] = tables[of.table].at(x);
+    for (to, value) in of.to[..of.count].iter().zip(found) {
+        to.write(file, value);
     }
 }

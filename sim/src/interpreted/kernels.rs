@@ -2,7 +2,7 @@
 
 use super::execute::Given;
 use super::programs::Programs;
-use super::registers::Register;
+use super::registers::Number;
 use crate::model::At;
 use crate::model::erased::{Found, Kernel, Values};
 use codegen::kernel_id::{KernelId, Receiver};
@@ -15,20 +15,20 @@ pub(super) struct Kernels<'a, S> {
     pub(super) values: &'a Values<S>,
 }
 
-impl<'a, S: Register> Kernels<'a, S> {
+impl<'a, S: Number> Kernels<'a, S> {
     /// What the equations of motion need of the parameters.
     pub(super) fn prepare(self) -> Vec<S> {
-        self.programs.list(KernelId::Prepare, self.given(&[], At::moving(S::ZERO, &[], &[])))
+        self.programs.list(KernelId::Prepare, &self.given(&[], At::moving(S::ZERO, &[], &[])))
     }
 
     /// The declared start: positions, then speeds.
     pub(super) fn initial(self) -> Vec<S> {
-        self.programs.list(KernelId::Initial, self.given(&[], At::moving(S::ZERO, &[], &[])))
+        self.programs.list(KernelId::Initial, &self.given(&[], At::moving(S::ZERO, &[], &[])))
     }
 
     /// The values of the inputs at a place.
     pub(super) fn inputs(self, at: At<S>) -> Vec<S> {
-        self.programs.list(KernelId::InputValues, self.given(&[], at))
+        self.programs.list(KernelId::InputValues, &self.given(&[], at))
     }
 
     /// What programs read.
@@ -46,7 +46,7 @@ impl<'a, S: Register> Kernels<'a, S> {
                 let is_prepared = id.signature().receiver == Receiver::Prepared;
                 let prepared = if is_prepared { self.prepare() } else { Vec::new() };
                 let kernels = Kernels { programs, values: self.values };
-                kernels.programs.call(id, kernels.given(&prepared, at), found)
+                kernels.programs.call(id, &kernels.given(&prepared, at), found)
             }
             None => self.without_program(kernel, at, found),
         }
@@ -74,7 +74,7 @@ impl<'a, S: Register> Kernels<'a, S> {
 
     /// M q'' + h - Q.
     fn inverse_dynamics(self, at: At<S>) -> Vec<S> {
-        let row = |kernel| self.programs.list(kernel, self.given(&[], at));
+        let row = |kernel| self.programs.list(kernel, &self.given(&[], at));
         let (mass, h) = (row(KernelId::MassMatrix), row(KernelId::ConvectiveForces));
         let (loads, n) = (row(KernelId::GeneralizedForces), at.positions.len());
         let force = |i: usize| {
@@ -90,7 +90,7 @@ impl<'a, S: Register> Kernels<'a, S> {
         if !self.programs.has(KernelId::GeneralizedSpeeds) {
             return at.speeds.to_vec();
         }
-        let mut speeds = self.programs.list(KernelId::GeneralizedSpeeds, self.given(&[], at));
+        let mut speeds = self.programs.list(KernelId::GeneralizedSpeeds, &self.given(&[], at));
         speeds.resize(at.speeds.len(), S::ZERO);
         speeds
     }

@@ -74,7 +74,11 @@ impl Model for Interpreted {
     }
     fn prepare(&self) -> Box<dyn Prepared> {
         let (programs, inputs) = (self.programs.clone(), self.values.inputs.clone());
-        Box::new(InterpretedPrepared { programs, inputs, values: self.kernels().prepare() })
+        let values = self.kernels().prepare();
+        let given = given(&programs, &inputs, &values, At::moving(0.0, &[], &[]));
+        let [dynamics, velocities] =
+            [KernelId::Dynamics, KernelId::Kinematics].map(|kernel| programs.image(kernel, &given));
+        Box::new(InterpretedPrepared { programs, inputs, dynamics, velocities })
     }
 }
 
@@ -83,7 +87,9 @@ impl Model for Interpreted {
 struct InterpretedPrepared {
     programs: Arc<Programs>,
     inputs: Vec<Input>,
-    values: Vec<f64>,
+    /// What these kernels begin with.
+    dynamics: Vec<f64>,
+    velocities: Vec<f64>,
 }
 
 impl Prepared for InterpretedPrepared {
@@ -94,11 +100,14 @@ impl Prepared for InterpretedPrepared {
         self.inputs.copy_from_slice(inputs);
     }
     fn call(&self, kernel: Kernel, at: At<f64>, found: Found<f64>) -> bool {
-        let id = if kernel == Kernel::Velocities { KernelId::Kinematics } else { KernelId::Dynamics };
+        let (id, image) = match kernel {
+            Kernel::Velocities => (KernelId::Kinematics, &self.velocities),
+            _ => (KernelId::Dynamics, &self.dynamics),
+        };
         if !self.programs.has(id) {
             found(0, at.speeds);
             return false;
         }
-        self.programs.call(id, given(&self.programs, &self.inputs, &self.values, at), found)
+        self.programs.call_from(id, image, &given(&self.programs, &self.inputs, &[], at), found)
     }
 }

@@ -1,13 +1,15 @@
 //! The programs of a mechanism, derived from its declaration.
 
-use super::execute::{Given, execute};
+use super::compact::Compact;
+use super::execute::{Given, execute, image, refused, room};
 use super::leaked;
-use super::registers::{Register, with_registers};
+use super::registers::{Number, with_registers};
+use crate::model::erased::Found;
 use codegen::Derived;
 use codegen::emit::bytecode::{Code, codes};
 use codegen::kernel_id::KernelId;
 use codegen::symbolic::evaluate;
-use sim_kernel::{Description, Mask, Table};
+use sim_kernel::{Description, Mask, Scalar, Table};
 
 /// The programs of a mechanism, and what is told of it.
 #[derive(Debug)]
@@ -19,7 +21,14 @@ pub(super) struct Programs {
     pub(super) defaults: Vec<f64>,
     pub(super) tables: Vec<Table>,
     /// By the number of the kernel.
-    codes: Vec<Option<Code>>,
+    programs: Vec<Option<OneProgram>>,
+}
+
+/// The program of a kernel.
+#[derive(Debug)]
+struct OneProgram {
+    code: Code,
+    compact: Compact,
 }
 
 impl Programs {
@@ -27,46 +36,58 @@ impl Programs {
         let Derived { equations, program, description, .. } = derived;
         let (model, graph) = (&equations.model, &equations.graph);
         let defaults: Vec<_> = model.parameters.iter().map(|parameter| parameter.default).collect();
-        let mut by_number: Vec<Option<Code>> = KernelId::ALL.iter().map(|_| None).collect();
+        let mut by_number: Vec<Option<OneProgram>> = KernelId::ALL.iter().map(|_| None).collect();
         for code in codes(model, program) {
             let number = code.kernel as usize;
-            by_number[number] = Some(code);
+            by_number[number] = Some(OneProgram { compact: Compact::of(&code), code });
         }
         Programs {
             description: leaked::description(description),
             rows_left: equations.speeds.as_ref().map(|speeds| &*speeds.rows.clone().leak()),
             defaults: evaluate(graph, &defaults, |_| f64::NAN),
             tables: graph.tables().iter().map(leaked::table).collect(),
-            codes: by_number,
+            programs: by_number,
         }
     }
 
     pub(super) fn has(&self, kernel: KernelId) -> bool {
-        self.codes[kernel as usize].is_some()
+        self.programs[kernel as usize].is_some()
     }
 
-    /// Executes a kernel, and gives the rows of its results: of a linearisation C, C_t, and then C_q. True if it refuses a
-    /// pivot. Nothing is given of a kernel that there is not, which is refused.
-    pub(super) fn call<S: Register>(
+    /// What a kernel begins with: it does not change while the mechanism's values do not.
+    pub(super) fn image<S: Scalar>(&self, kernel: KernelId, given: &Given<S>) -> Vec<S> {
+        let program = &self.programs[kernel as usize];
+        program.as_ref().map_or_else(Vec::new, |program| image(&program.code, given))
+    }
+
+    /// Executes a kernel, and gives the rows of its results.
+    pub(super) fn call<S: Number>(&self, kernel: KernelId, given: &Given<S>, found: Found<S>) -> bool {
+        self.call_from(kernel, &self.image(kernel, given), given, found)
+    }
+
+    /// Executes a kernel that begins with an image, and gives the rows of its results: of a linearisation C, C_t, and then
+    /// C_q. True if it refuses a pivot. Nothing is given of a kernel that there is not, which is refused.
+    pub(super) fn call_from<S: Number>(
         &self,
         kernel: KernelId,
-        given: Given<S>,
-        found: &mut dyn FnMut(usize, &[S]),
+        image: &[S],
+        given: &Given<S>,
+        found: Found<S>,
     ) -> bool {
-        let Some(code) = &self.codes[kernel as usize] else { return true };
-        with_registers(code.registers, |registers| {
-            let refused = execute(code, given, registers);
+        let Some(OneProgram { code, compact }) = &self.programs[kernel as usize] else { return true };
+        with_registers(room(code, compact), |registers| {
+            execute(code, compact, image, given, registers);
             let is_last = |name: &str| name == "jacobian";
             let first = code.results.iter().filter(|result| !is_last(&result.name));
             let last = code.results.iter().filter(|result| is_last(&result.name));
             let rows = first.chain(last).flat_map(|result| &result.rows);
             rows.enumerate().for_each(|(row, range)| found(row, &registers[range.clone()]));
-            refused.any()
+            refused(code, registers).any()
         })
     }
 
     /// All results of a kernel, one after the other.
-    pub(super) fn list<S: Register>(&self, kernel: KernelId, given: Given<S>) -> Vec<S> {
+    pub(super) fn list<S: Number>(&self, kernel: KernelId, given: &Given<S>) -> Vec<S> {
         let mut list = Vec::new();
         self.call(kernel, given, &mut |_, row| list.extend_from_slice(row));
         list

@@ -10,22 +10,22 @@ thread_local! {
 }
 
 /// Numbers that programs are executed on.
-pub(super) trait Register: Scalar {
+pub(super) trait Number: Scalar {
     /// Where this thread keeps room for them.
     const ROOM: &'static LocalKey<Cell<Vec<Self>>>;
 }
 
-impl Register for f64 {
+impl Number for f64 {
     const ROOM: &'static LocalKey<Cell<Vec<f64>>> = &NUMBERS;
 }
 
-impl Register for Dual {
+impl Number for Dual {
     const ROOM: &'static LocalKey<Cell<Vec<Dual>>> = &DUALS;
 }
 
 /// Works with at least so many registers, whatever they hold.
 #[inline]
-pub(super) fn with_registers<S: Register, T>(count: usize, work: impl FnOnce(&mut [S]) -> T) -> T {
+pub(super) fn with_registers<S: Number, T>(count: usize, work: impl FnOnce(&mut [S]) -> T) -> T {
     // A call inside of another finds none, and makes its own.
     let mut room = S::ROOM.take();
     if room.len() < count {

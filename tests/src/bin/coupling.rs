@@ -4,7 +4,7 @@
 
 #![allow(missing_docs)]
 
-use sim::{Array, Compiled, FixedArray, Measures, Mechanism, State, project};
+use sim::{Compiled, FixedArray, Measures, State, project};
 use std::hint::black_box;
 use tests::interleaved;
 
@@ -50,7 +50,7 @@ fn peak_memory() -> Result<usize, Box<dyn std::error::Error>> {
 const OFF: f64 = 1e-9;
 
 /// Nanoseconds of a right-hand side in angles, and of one with its projection as free bodies, of the same state.
-fn times<A: Compiled, F: Mechanism>() -> String {
+fn times<A: Compiled, F: Compiled>() -> String {
     const CALLS: usize = 100;
     let angles = A::Q::from_fn(|i| 0.3 * (1.7 * i as f64).sin());
     let rates = A::Q::from_fn(|i| 0.5 * (0.9 * i as f64).cos());
@@ -83,8 +83,8 @@ fn times<A: Compiled, F: Mechanism>() -> String {
 }
 
 /// Positions and speeds of the rods of a chain from their angles, rods of 1 m.
-fn as_free_bodies<A: Compiled, F: Mechanism>(angles: &A::Q, rates: &A::Q) -> [F::Q; 2] {
-    let [mut positions, mut speeds] = [F::Q::filled(0.0); 2];
+fn as_free_bodies<A: Compiled, F: Compiled>(angles: &A::Q, rates: &A::Q) -> [F::Q; 2] {
+    let [mut positions, mut speeds] = [F::Q::from_fn(|_| 0.0); 2];
     let (mut end, mut end_speed) = ([0.0; 2], [0.0; 2]);
     for i in 0..A::Q::LEN {
         let ((sin, cos), rate) = (angles[i].sin_cos(), rates[i]);

@@ -1,6 +1,6 @@
 //! Registers for values: one is taken again as soon as its value has been used for the last time, so that few are needed.
 
-use super::instruction::{Access, Instruction, Wave};
+use super::instruction::{Access, Instruction, LookUp, Wave, Waves};
 
 /// Where a value is.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -32,25 +32,31 @@ impl Sizes {
 /// A program on registers.
 pub(super) struct Allocated {
     pub(super) instructions: Vec<Instruction<u32>>,
-    pub(super) waves: Vec<Wave<u32>>,
+    pub(super) waves: Vec<Waves<u32>>,
+    pub(super) look_ups: Vec<LookUp<u32>>,
     pub(super) first_result: usize,
     pub(super) registers: usize,
 }
 
 /// Gives every value a register.
-pub(super) fn allocate(instructions: &[Instruction<Place>], waves: &[Wave<Place>], sizes: Sizes) -> Allocated {
+pub(super) fn allocate(
+    instructions: &[Instruction<Place>],
+    (waves, look_ups): (&[Waves<Place>], &[LookUp<Place>]),
+    sizes: Sizes,
+) -> Allocated {
     let (last_uses, mut homes) = (last_uses(instructions, waves, sizes.locals), Homes::new(sizes));
     // Results follow the locals, whose number is known in the end.
     let mut allocated: Vec<Instruction<Place>> = Vec::with_capacity(instructions.len());
-    let mut allocated_waves: Vec<Wave<Place>> = Vec::with_capacity(waves.len());
+    let (mut waves, mut look_ups) = (waves.to_vec(), look_ups.to_vec());
     for (at, instruction) in instructions.iter().enumerate() {
         let ends = |local: usize| last_uses[local].is_none_or(|last| last == at);
         let mut touched: Vec<usize> = Vec::new();
-        if let Instruction::Waves { first, count } = instruction {
-            for wave in &waves[*first..*first + *count] {
+        if let Instruction::Waves { place } = instruction {
+            for wave in &mut waves[*place as usize] {
                 // All angles are kept until all sines are there: several are evaluated together.
-                let [angle, sin, cos] = [wave.angle, wave.sin, wave.cos].map(|place| homes.of(place, &mut touched));
-                allocated_waves.push(Wave { angle, sin, cos });
+                for place in [&mut wave.angle, &mut wave.sin, &mut wave.cos] {
+                    *place = homes.of(*place, &mut touched);
+                }
             }
         }
         allocated.push(instruction.map(&mut |place, access| {
@@ -60,6 +66,9 @@ pub(super) fn allocate(instructions: &[Instruction<Place>], waves: &[Wave<Place>
             }
             homes.of(place, &mut touched)
         }));
+        if let Instruction::LookUp { place, .. } = instruction {
+            look_ups[*place as usize].to.iter_mut().for_each(|to| *to = homes.of(*to, &mut touched));
+        }
         homes.leave(touched.drain(..).filter(|local| ends(*local)));
     }
     let first_result = sizes.before_locals() + homes.count;
@@ -70,11 +79,14 @@ pub(super) fn allocate(instructions: &[Instruction<Place>], waves: &[Wave<Place>
         Place::Local(at) => sizes.before_locals() + at,
         Place::Result(at) => first_result + at,
     } as u32;
+    let wave =
+        |Wave { angle, sin, cos }: Wave<Place>| Wave { angle: register(angle), sin: register(sin), cos: register(cos) };
     Allocated {
         instructions: allocated.into_iter().map(|each| each.map(&mut |place, _| register(place))).collect(),
-        waves: allocated_waves
+        waves: waves.into_iter().map(|waves| waves.into_iter().map(wave).collect()).collect(),
+        look_ups: look_ups
             .into_iter()
-            .map(|Wave { angle, sin, cos }| Wave { angle: register(angle), sin: register(sin), cos: register(cos) })
+            .map(|LookUp { table, to, count }| LookUp { table, to: to.map(register), count })
             .collect(),
         first_result,
         registers: first_result + sizes.results,
@@ -82,7 +94,7 @@ pub(super) fn allocate(instructions: &[Instruction<Place>], waves: &[Wave<Place>
 }
 
 /// The last instruction that reads each local; `None` where none does.
-fn last_uses(instructions: &[Instruction<Place>], waves: &[Wave<Place>], locals: usize) -> Vec<Option<usize>> {
+fn last_uses(instructions: &[Instruction<Place>], waves: &[Waves<Place>], locals: usize) -> Vec<Option<usize>> {
     let mut last_uses = vec![None; locals];
     for (at, instruction) in instructions.iter().enumerate() {
         let mut read = |place: Place| {
@@ -90,8 +102,8 @@ fn last_uses(instructions: &[Instruction<Place>], waves: &[Wave<Place>], locals:
                 last_uses[local] = Some(at);
             }
         };
-        if let Instruction::Waves { first, count } = instruction {
-            waves[*first..*first + *count].iter().for_each(|wave| read(wave.angle));
+        if let Instruction::Waves { place } = instruction {
+            waves[*place as usize].iter().for_each(|wave| read(wave.angle));
         }
         instruction.map(&mut |place, access| {
             if access == Access::Read {

@@ -33,11 +33,25 @@ pub enum Instruction<R> {
     /// b where a is above 0, NaN where it is that, otherwise c.
     Choose { to: R, a: R, b: R, c: R },
     /// What an input of the mechanism is set to, or else a.
-    Held { input: usize, to: R, a: R },
-    /// Sines and cosines of the angles from `first` on.
-    Waves { first: usize, count: usize },
-    /// A table and its derivatives at a, as many as there are registers up to the last that is no sink.
-    LookUp { table: usize, a: R, to: [R; 4], count: usize },
+    Held { input: u16, to: R, a: R },
+    /// Sines and cosines of some angles together, by their place.
+    Waves { place: u16 },
+    /// A table at a, by its place.
+    LookUp { place: u16, a: R },
+}
+
+/// Sines and cosines that are computed together.
+pub type Waves<R> = Vec<Wave<R>>;
+
+/// A table and its derivatives.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct LookUp<R> {
+    /// Which table of the model's graph.
+    pub table: usize,
+    /// What takes the value and its derivatives, by order.
+    pub to: [R; 4],
+    /// How many of these are needed.
+    pub count: usize,
 }
 
 /// The sine and cosine of one angle.
@@ -52,8 +66,9 @@ pub struct Wave<R> {
 }
 
 impl<R: Copy> Instruction<R> {
-    /// The same on other registers. All that are read come before those that are written. Angles stand elsewhere.
-    pub(super) fn map<T: Copy>(self, f: &mut impl FnMut(R, Access) -> T) -> Instruction<T> {
+    /// The same on other registers. All that are read come before those that are written. Angles and results of tables stand
+    /// elsewhere.
+    pub fn map<T: Copy>(self, f: &mut impl FnMut(R, Access) -> T) -> Instruction<T> {
         use Access::{Read, Write};
         use Instruction as I;
         macro_rules! each {
@@ -77,18 +92,16 @@ impl<R: Copy> Instruction<R> {
             I::Atan2 { to, a, b } => each!(to, Atan2 { a, b }),
             I::Choose { to, a, b, c } => each!(to, Choose { a, b, c }),
             I::Held { input, to, a } => each!(to, Held { a } input),
-            I::Waves { first, count } => I::Waves { first, count },
-            I::LookUp { table, a, to, count } => {
-                let a = f(a, Read);
-                I::LookUp { table, a, to: to.map(|to| f(to, Write)), count }
-            }
+            I::Waves { place } => I::Waves { place },
+            I::LookUp { place, a } => I::LookUp { place, a: f(a, Read) },
         }
     }
 }
 
 /// How an instruction uses a register.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Access {
+#[allow(missing_docs)]
+pub enum Access {
     Read,
     Write,
 }

@@ -7,7 +7,7 @@ mod allocate;
 mod instruction;
 mod write;
 
-pub use instruction::{Instruction, Wave};
+pub use instruction::{Access, Instruction, LookUp, Wave, Waves};
 pub use write::codes;
 
 use crate::kernel_id::{Argument, KernelId};
@@ -29,8 +29,10 @@ pub struct Code {
     pub registers: usize,
     /// The instructions, in order.
     pub instructions: Vec<Instruction<u32>>,
-    /// The angles of [`Instruction::Waves`].
-    pub waves: Vec<Wave<u32>>,
+    /// What [`Instruction::Waves`] computes.
+    pub waves: Vec<Waves<u32>>,
+    /// What [`Instruction::LookUp`] looks up.
+    pub look_ups: Vec<LookUp<u32>>,
     /// The results, in the order of the record that is returned.
     pub results: Vec<Returned>,
     /// Whether a pivot is refused: pivots, each with the magnitude of its terms. `None` refuses every state.

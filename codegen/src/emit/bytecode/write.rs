@@ -1,11 +1,11 @@
 //! From programs to instructions.
 
 use super::allocate::{Place, Sizes, allocate};
-use super::instruction::{Instruction, Wave};
+use super::instruction::{Instruction, LookUp, Wave, Waves};
 use super::{Code, Field, Returned};
 use crate::kernel_id::{Argument, KernelId, Receiver};
 use crate::model::Model;
-use crate::program::{Entries, Kernel, LookUp, Name, Program, Results, Statement, Tree};
+use crate::program::{self, Entries, Kernel, Name, Program, Results, Statement, Tree};
 use crate::symbolic::Function;
 use rustc_hash::FxHashMap;
 
@@ -53,7 +53,8 @@ struct Writer<'a> {
     locals: usize,
     results: usize,
     instructions: Vec<Instruction<Place>>,
-    waves: Vec<Wave<Place>>,
+    waves: Vec<Waves<Place>>,
+    look_ups: Vec<LookUp<Place>>,
 }
 
 impl<'a> Writer<'a> {
@@ -70,6 +71,7 @@ impl<'a> Writer<'a> {
             results: 0,
             instructions: Vec::new(),
             waves: Vec::new(),
+            look_ups: Vec::new(),
         }
     }
 
@@ -86,7 +88,7 @@ impl<'a> Writer<'a> {
             locals: self.locals,
             results: self.results,
         };
-        let done = allocate(&self.instructions, &self.waves, sizes);
+        let done = allocate(&self.instructions, (&self.waves, &self.look_ups), sizes);
         for result in &mut returned {
             for row in &mut result.rows {
                 *row = done.first_result + row.start..done.first_result + row.end;
@@ -101,6 +103,7 @@ impl<'a> Writer<'a> {
             registers: done.registers,
             instructions: done.instructions,
             waves: done.waves,
+            look_ups: done.look_ups,
             results: returned,
             pivots: pivots.map(|pivots| pivots.into_iter().map(|pair| pair.map(register)).collect()),
         }
@@ -135,20 +138,20 @@ impl<'a> Writer<'a> {
                 self.names.insert(name.clone(), place);
             }
             Statement::SinCos(waves) => {
-                let waves: Vec<Wave<Place>> = waves
-                    .iter()
-                    .map(|wave| {
-                        let angle = self.value(&wave.argument);
-                        Wave { angle, sin: self.named(wave.sin.as_ref()), cos: self.named(wave.cos.as_ref()) }
-                    })
-                    .collect();
-                self.instructions.push(Instruction::Waves { first: self.waves.len(), count: waves.len() });
-                self.waves.extend(waves);
+                let place = self.waves.len() as u16;
+                let waves = waves.iter().map(|wave| {
+                    let angle = self.value(&wave.argument);
+                    Wave { angle, sin: self.named(wave.sin.as_ref()), cos: self.named(wave.cos.as_ref()) }
+                });
+                let waves = waves.collect();
+                self.waves.push(waves);
+                self.instructions.push(Instruction::Waves { place });
             }
-            Statement::Table(LookUp { table, names, argument }) => {
-                let a = self.value(argument);
+            Statement::Table(program::LookUp { table, names, argument }) => {
+                let (a, place) = (self.value(argument), self.look_ups.len() as u16);
                 let to = std::array::from_fn(|order| self.named(names.get(order).and_then(Option::as_ref)));
-                self.instructions.push(Instruction::LookUp { table: table.index(), a, to, count: names.len() });
+                self.look_ups.push(LookUp { table: table.index(), to, count: names.len() });
+                self.instructions.push(Instruction::LookUp { place, a });
             }
         }
     }
@@ -287,7 +290,7 @@ impl<'a> Writer<'a> {
 
     fn method(&mut self, name: &str, arguments: &[Tree]) -> Box<dyn FnOnce(Place) -> Instruction<Place>> {
         if let ("or", [Tree::Field(held), course]) = (name, arguments) {
-            let (input, a) = (self.inputs.get(&**held).copied().unwrap_or_default(), self.value(course));
+            let (input, a) = (self.inputs.get(&**held).copied().unwrap_or_default() as u16, self.value(course));
             return Box::new(move |to| Instruction::Held { input, to, a });
         }
         let places: Vec<Place> = arguments.iter().map(|argument| self.value(argument)).collect();
