@@ -2,6 +2,8 @@
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
+mod mangled;
+
 use tests::same_bits::{compiled, differences, interpreted};
 
 /// Where kernels are called; `figures -- files bits` takes a thousand places.

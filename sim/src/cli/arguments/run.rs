@@ -19,8 +19,9 @@ use std::path::PathBuf;
     A value may have a unit of the same dimension: 180mm, 0.18, \"180 mm\". Without one it is in the declared unit."
 )]
 pub(in crate::cli) struct RunArguments {
-    /// The mechanism, as `list` names it; or a run file, NAME.json, which other arguments override.
-    #[arg(value_name = "MODEL|FILE.json")]
+    /// The mechanism, as `list` names it, or a file that declares it, FILE or FILE:NAME; or a run file, NAME.json, which other
+    /// arguments override.
+    #[arg(value_name = "MODEL|FILE")]
     pub(in crate::cli) model: String,
 
     #[command(flatten)]
