@@ -81,8 +81,8 @@ pub(super) enum Compact {
 impl Compact {
     pub(super) fn of(code: &Code) -> Compact {
         match code.registers {
-            0..=0x100 => Compact::Few(body(code, |register| register as u8)),
-            0..=0x1_0000 => Compact::Many(body(code, |register| register as u16)),
+            ..=0x100 => Compact::Few(body(code, |register| register as u8)),
+            0x101..=0x1_0000 => Compact::Many(body(code, |register| register as u16)),
             _ => Compact::Any(body(code, |register| register)),
         }
     }
