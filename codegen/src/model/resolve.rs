@@ -69,6 +69,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
     let run = resolve_run(declaration, &mut interpreter);
     let dimension = if interpreter.is_spatial() { 3 } else { 2 };
     let Interpreter { graph, dependences, mistakes, .. } = interpreter;
+    let wants = |kernel| declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&kernel));
     let model = Model {
         name: plain(&declaration.head.name),
         docs: declaration.head.docs.clone(),
@@ -96,11 +97,8 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         auxiliaries,
         run,
         wants_jacobian: declaration.kernels.as_ref().map(|kernels| kernels.contains(&KernelId::DynamicsJacobian)),
-        wants_inverse: declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&KernelId::InverseDynamics)),
-        wants_sensitivity: declaration
-            .kernels
-            .as_ref()
-            .is_some_and(|kernels| kernels.contains(&KernelId::DynamicsSensitivity)),
+        wants_inverse: wants(KernelId::InverseDynamics),
+        wants_sensitivity: wants(KernelId::DynamicsSensitivity),
     };
     mistakes.or((model, graph))
 }
