@@ -15,6 +15,7 @@ pub use kebab_case::kebab_case;
 use crate::dsl::Source;
 
 /// Everything about a mechanism that is known once it is derived, in the runtime's terms.
+#[derive(Default)]
 pub struct Description {
     /// The name on the command line: `quick-return`.
     pub name: String,

@@ -4,7 +4,7 @@ use super::hash::{documentation, hash};
 use proc_macro2::{Delimiter, LineColumn, TokenStream, TokenTree};
 
 /// What a built mechanism carries of its declaration.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Source {
     /// Its text, as [`source_text`] gives it.
     pub text: String,

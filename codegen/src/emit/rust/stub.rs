@@ -3,6 +3,7 @@
 use super::concrete::Concrete;
 use super::ident;
 use super::names::other_scalar;
+use crate::description::Description;
 use crate::dsl::Head;
 use crate::kernel_id::{KernelId, Receiver, Signature, Trait};
 use proc_macro2::TokenStream;
@@ -16,6 +17,7 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
     let functions = functions(head, path);
     let kernels = kernels(Trait::Mechanism, &concrete);
     let speeds = speeds(head, &concrete, path);
+    let description = super::description::description(&Description::default(), path);
     quote! {
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
         #visibility struct #name<S = ::core::primitive::f64>(::core::marker::PhantomData<S>);
@@ -45,11 +47,7 @@ pub fn stub(head: &Head, path: &TokenStream) -> TokenStream {
         }
 
         impl<S: #path::Scalar> #path::Compiled<S> for #name<S> {
-            const DESCRIPTION: #path::Description = #path::Description {
-                name: "", type_name: "", docs: "", declaration: "", declaration_hash: "", coordinates: &[], mixes_lengths: false, parameters: &[],
-                inputs: &[], constraints: &[], speed_constraints: &[], norm_constraints: &[], sparsity: &[],
-                conditionals: &[], events: &[], outputs: &[], rated_outputs: &[], figures: &[], optional_kernels: &[], dimension: 2, drawing: &[],
-            };
+            const DESCRIPTION: #path::Description = #description;
 
             fn defaults() -> Self {
                 Self(::core::marker::PhantomData)
