@@ -193,3 +193,31 @@ fn kernels_are_evaluated_at_states() {
     fs::write(folder.join("nan.csv"), "alpha,beta,gamma\nNaN,1.2,2.7\n").unwrap();
     assert!(said(&["--kernel", "mass_matrix", "--at", "nan.csv"]).contains("`alpha [1]`: row 1 is not finite"));
 }
+
+/// Text of a declaration stays text wherever it is shown: no file has it as markup.
+#[test]
+fn text_is_inert() {
+    let evil = "</script><!--<script><img src=x onerror=alert(1)></text><b>";
+    let text = BOB
+        .replace("/// A pendulum.", &format!("/// {evil}"))
+        .replace("height [mm]", &format!("/// {evil}\n group \"{evil}\" {{ /// {evil}\n height [mm]"))
+        .replace("= P.y;", "= P.y; }")
+        .replace("l [m] = 1", &format!("/// {evil}\n l [m] = 1"))
+        .replace("{ phi [rad]; }", &format!("{{ /// {evil}\n phi [rad]; }}"));
+    let folder = folder("inert", &[("bob.mech", &text)]);
+    for words in [
+        &["run", "bob.mech", "--out", "run"][..],
+        &["kinematics", "bob.mech", "--drive", "phi", "--from", "0", "--to", "1", "--speed", "1", "--out", "swept"],
+    ] {
+        let output = within(&folder, words);
+        assert!(output.status.success(), "{}", stderr(&output));
+        for file in fs::read_dir(folder.join(words.last().unwrap())).unwrap().map(|entry| entry.unwrap().path()) {
+            let extension = file.extension().unwrap();
+            if extension == "html" || extension == "svg" {
+                let shown = fs::read_to_string(&file).unwrap();
+                let markup = ["<img", "<b>", "<!--", "</script><script", "<script><"];
+                markup.iter().for_each(|markup| assert!(!shown.contains(markup), "{}: {markup}", file.display()));
+            }
+        }
+    }
+}

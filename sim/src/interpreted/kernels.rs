@@ -116,7 +116,7 @@ pub(super) fn given<'a, S: Scalar>(
         activities: &[],
         inputs,
         prepared,
-        tables: &programs.tables,
+        tables: programs.tables,
     }
 }
 

@@ -1,16 +1,41 @@
 //! Descriptions and tables that live as long as the program, as those of compiled mechanisms do.
 //!
-//! Everything that runs a mechanism lends its names for ever. So what a file tells of one is kept for ever too, once for
-//! each text: some kilobytes.
+//! Everything that runs a mechanism lends its names for ever. So what a declaration tells of one is kept for ever too, some
+//! kilobytes, once however often the same text is read.
 
 use codegen::description as made;
-use codegen::symbolic;
+use codegen::{Derived, symbolic};
 use sim_kernel::event::{Assignment, Conditional, Direction, Event, Hit, Step, Switch, Target};
 use sim_kernel::{Coordinate, Description, Figure, Quantity, RunDefault, Shape, SparseRow, Start, Table};
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+
+/// What is kept of a declaration.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Kept {
+    pub(super) description: &'static Description,
+    pub(super) tables: &'static [Table],
+    /// Where generalised speeds are declared, the constraints that they leave.
+    pub(super) rows_left: Option<&'static [usize]>,
+}
+
+/// By the text of the declaration, which says all of it.
+static KEPT: Mutex<BTreeMap<String, Kept>> = Mutex::new(BTreeMap::new());
+
+/// What is kept of a declaration, from now on if not before.
+pub(super) fn kept(derived: &Derived) -> Kept {
+    let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    let text = derived.description.source.text.clone();
+    *kept.entry(text).or_insert_with(|| Kept {
+        description: Box::leak(Box::new(description(&derived.description))),
+        tables: each(derived.equations.graph.tables(), table),
+        rows_left: derived.equations.speeds.as_ref().map(|speeds| &*speeds.rows.clone().leak()),
+    })
+}
 
 /// The description in the runtime's terms.
-pub(super) fn description(of: &made::Description) -> &'static Description {
-    Box::leak(Box::new(Description {
+fn description(of: &made::Description) -> Description {
+    Description {
         name: text(&of.name),
         type_name: text(&of.type_name),
         docs: text(&of.docs),
@@ -37,11 +62,11 @@ pub(super) fn description(of: &made::Description) -> &'static Description {
         dimension: of.dimension,
         drawing: each(&of.drawing, |shape| self::shape(*shape)),
         run: each(&of.run, |default| RunDefault { option: default.option, value: text(&default.value) }),
-    }))
+    }
 }
 
 /// A table with its pieces, as generated code has it.
-pub(super) fn table(table: &symbolic::Table) -> Table {
+fn table(table: &symbolic::Table) -> Table {
     let piece = |(place, [c0, c1, c2, c3]): (usize, &[f64; 4])| [table.start(place), *c0, *c1, *c2, *c3];
     let pieces: Vec<[f64; 5]> = table.pieces.iter().enumerate().map(piece).collect();
     Table::new(table.knots.clone().leak(), pieces.leak(), table.period().unwrap_or(0.0))

@@ -2,7 +2,7 @@
 
 use super::compact::Compact;
 use super::execute::{Given, execute, image, refused, room};
-use super::leaked;
+use super::leaked::{Kept, kept};
 use super::registers::{Number, with_registers};
 use crate::model::erased::Found;
 use codegen::Derived;
@@ -19,7 +19,7 @@ pub(super) struct Programs {
     pub(super) rows_left: Option<&'static [usize]>,
     /// Declared values of parameters.
     pub(super) defaults: Vec<f64>,
-    pub(super) tables: Vec<Table>,
+    pub(super) tables: &'static [Table],
     /// By the number of the kernel.
     programs: Vec<Option<OneProgram>>,
 }
@@ -33,7 +33,8 @@ struct OneProgram {
 
 impl Programs {
     pub(super) fn new(derived: &Derived) -> Programs {
-        let Derived { equations, program, description, .. } = derived;
+        let Derived { equations, program, .. } = derived;
+        let Kept { description, tables, rows_left } = kept(derived);
         let (model, graph) = (&equations.model, &equations.graph);
         let defaults: Vec<_> = model.parameters.iter().map(|parameter| parameter.default).collect();
         let mut by_number: Vec<Option<OneProgram>> = KernelId::ALL.iter().map(|_| None).collect();
@@ -42,10 +43,10 @@ impl Programs {
             by_number[number] = Some(OneProgram { compact: Compact::of(&code), code });
         }
         Programs {
-            description: leaked::description(description),
-            rows_left: equations.speeds.as_ref().map(|speeds| &*speeds.rows.clone().leak()),
+            description,
+            rows_left,
             defaults: evaluate(graph, &defaults, |_| f64::NAN),
-            tables: graph.tables().iter().map(leaked::table).collect(),
+            tables,
             programs: by_number,
         }
     }

@@ -42,7 +42,8 @@ pub(super) fn page(shown: &Shown) -> String {
         "provenance" => escaped(&shown.table.provenance.to_json().to_string()),
         "footer" => footer(&shown.table.provenance),
         // Within a script element only its end tag must not occur.
-        "data" => data(shown).to_string().replace("</", "<\\/"),
+        // So that no text of a declaration ends the script, or begins what a page reads otherwise.
+        "data" => data(shown).to_string().replace('<', "\\u003c"),
         "uplot" => format!("/*!\n{UPLOT_LICENSE}*/\n{UPLOT}"),
         "script" => format!("(() => {{\n\"use strict\";\n{}}})();", SCRIPT.concat()),
         other => other.to_owned(),
