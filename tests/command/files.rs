@@ -117,6 +117,12 @@ fn mistakes_are_shown_under_their_line() {
         &BOB.replace("mass m at", "mass mm at")[mistake["bytes"]["start"].as_u64().unwrap() as usize..][..2],
         "mm"
     );
+    fs::write(folder.join("open.mech"), "pub Bob; coordinates { x [m];").unwrap();
+    let said = stderr(&within(&folder, &["check", "open.mech"]));
+    assert!(
+        said.contains("a bracket, a quote or a comment is not closed") && said.contains("open.mech:1:22"),
+        "{said}"
+    );
     let right = within(&folder, &["new", "--file", "other.mech"]);
     assert!(right.status.success());
     let told: Value = serde_json::from_str(&stdout(&within(&folder, &["check", "other.mech", "--json"]))).unwrap();
@@ -190,6 +196,16 @@ fn kernels_are_evaluated_at_states() {
     let of = |file: &str| stdout(&evaluate(&["--kernel", "mass_matrix", "--at", file]));
     assert_eq!(of("few.csv"), of("same.csv"));
     assert!(of("few.csv").starts_with("t [s],mass_matrix_1_1,mass_matrix_1_2,"));
+    // So have those of a matrix of one row; what has no entries has no columns.
+    let line = |model: &str, kernel: &str, states: &str| {
+        fs::write(folder.join("few.csv"), states).unwrap();
+        let output = within(&folder, &["evaluate", model, "--kernel", kernel, "--at", "few.csv"]);
+        (stdout(&output), stderr(&output))
+    };
+    assert_eq!(line("pendulum", "mass_matrix", "phi\n0.5\n").0, "t [s],mass_matrix_1_1,refused\n0.0,1.0,0\n");
+    assert_eq!(line("pendulum", "constraint_jacobian", "phi\n0.5\n").0, "t [s],refused\n0.0,0\n");
+    let (nothing, why) = line("pendulum", "mass_matrix", "phi\n");
+    assert!(nothing.is_empty() && why.contains("few.csv: no states"), "{nothing}{why}");
     fs::write(folder.join("nan.csv"), "alpha,beta,gamma\nNaN,1.2,2.7\n").unwrap();
     assert!(said(&["--kernel", "mass_matrix", "--at", "nan.csv"]).contains("`alpha [1]`: row 1 is not finite"));
 }

@@ -1,7 +1,7 @@
 //! Declarations in a text: a Rust file, or one declaration by itself.
 
 use super::{limits, parse_head, version};
-use proc_macro2::{Span, TokenStream, TokenTree};
+use proc_macro2::{LexError, Span, TokenStream, TokenTree};
 use syn::{Error, Result};
 
 /// The tokens of each `mechanism! { .. }` in a Rust file, in order; or the whole text, if it is a bare declaration. What says
@@ -11,7 +11,11 @@ use syn::{Error, Result};
 /// If the text is not made of Rust's tokens, or of brackets nested too deeply, if it declares nothing, and if it is written in
 /// a newer language.
 pub fn declarations(text: &str) -> Result<Vec<TokenStream>> {
-    let tokens: TokenStream = text.parse()?;
+    let tokens: TokenStream = text.parse().map_err(|e: LexError| {
+        let message = "from here on this is not made of words: a bracket, a quote or a comment is not closed, or a sign is none of \
+                       the language";
+        Error::new(e.span(), message)
+    })?;
     limits::check_file(tokens.clone())?;
     let mut found = Vec::new();
     collect(tokens.clone(), &mut found);

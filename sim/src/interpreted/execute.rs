@@ -100,9 +100,9 @@ fn step<S: Scalar, R: Register>(instruction: Instruction<R>, body: &Body<R>, giv
         I::Power { to, a, b } => (to, r(a).powf(r(b))),
         I::Atan2 { to, a, b } => (to, r(a).atan2(r(b))),
         I::Choose { to, a, b, c } => (to, r(a).choose(r(b), r(c))),
-        I::Held { input, to, a } => (to, given.inputs[usize::from(input)].or(r(a))),
-        I::Waves { place } => return waves(&body.waves[usize::from(place)], file),
-        I::LookUp { place, a } => return look_up(&body.look_ups[usize::from(place)], r(a), given.tables, file),
+        I::Held { input, to, a } => (to, given.inputs[input as usize].or(r(a))),
+        I::Waves { place } => return waves(&body.waves[place as usize], file),
+        I::LookUp { place, a } => return look_up(&body.look_ups[place as usize], r(a), given.tables, file),
     };
     to.write(file, value);
 }

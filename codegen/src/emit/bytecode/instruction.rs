@@ -33,11 +33,11 @@ pub enum Instruction<R> {
     /// b where a is above 0, NaN where it is that, otherwise c.
     Choose { to: R, a: R, b: R, c: R },
     /// What an input of the mechanism is set to, or else a.
-    Held { input: u16, to: R, a: R },
+    Held { input: u32, to: R, a: R },
     /// Sines and cosines of some angles together, by their place.
-    Waves { place: u16 },
+    Waves { place: u32 },
     /// A table at a, by its place.
-    LookUp { place: u16, a: R },
+    LookUp { place: u32, a: R },
 }
 
 /// Sines and cosines that are computed together.

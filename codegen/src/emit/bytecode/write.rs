@@ -138,7 +138,7 @@ impl<'a> Writer<'a> {
                 self.names.insert(name.clone(), place);
             }
             Statement::SinCos(waves) => {
-                let place = self.waves.len() as u16;
+                let place = self.waves.len() as u32;
                 let waves = waves.iter().map(|wave| {
                     let angle = self.value(&wave.argument);
                     Wave { angle, sin: self.named(wave.sin.as_ref()), cos: self.named(wave.cos.as_ref()) }
@@ -148,7 +148,7 @@ impl<'a> Writer<'a> {
                 self.instructions.push(Instruction::Waves { place });
             }
             Statement::Table(program::LookUp { table, names, argument }) => {
-                let (a, place) = (self.value(argument), self.look_ups.len() as u16);
+                let (a, place) = (self.value(argument), self.look_ups.len() as u32);
                 let to = std::array::from_fn(|order| self.named(names.get(order).and_then(Option::as_ref)));
                 self.look_ups.push(LookUp { table: table.index(), to, count: names.len() });
                 self.instructions.push(Instruction::LookUp { place, a });
@@ -290,7 +290,7 @@ impl<'a> Writer<'a> {
 
     fn method(&mut self, name: &str, arguments: &[Tree]) -> Box<dyn FnOnce(Place) -> Instruction<Place>> {
         if let ("or", [Tree::Field(held), course]) = (name, arguments) {
-            let (input, a) = (self.inputs.get(&**held).copied().unwrap_or_default() as u16, self.value(course));
+            let (input, a) = (self.inputs.get(&**held).copied().unwrap_or_default() as u32, self.value(course));
             return Box::new(move |to| Instruction::Held { input, to, a });
         }
         let places: Vec<Place> = arguments.iter().map(|argument| self.value(argument)).collect();

@@ -24,14 +24,13 @@ pub(in crate::cli) fn evaluate(model: &dyn Model, arguments: &EvaluateArguments)
         let refused = model.call(kernel, place.at(), &mut |row, numbers| found.push((row, numbers.to_vec())));
         let columns = columns(model.description(), kernel, found);
         if row == 0 {
-            let headings: Vec<&str> = columns.iter().map(|column| column.heading.as_str()).collect();
-            text = format!("t [s],{},refused\n", headings.join(","));
+            text = line("t [s]", columns.iter().map(|column| column.heading.clone()), "refused");
         }
         if !refused && columns.iter().any(|column| !column.value.is_finite()) {
             outside = outside.or(Some(row + 1));
         }
         let cells = columns.iter().map(|column| if refused { String::new() } else { format!("{:?}", column.value) });
-        text += &format!("{:?},{},{}\n", place.time, cells.collect::<Vec<_>>().join(","), u8::from(refused));
+        text += &line(&format!("{:?}", place.time), cells, if refused { "1" } else { "0" });
     }
     print(&text)?;
     outside.map_or(Ok(()), |row| {
@@ -40,6 +39,12 @@ pub(in crate::cli) fn evaluate(model: &dyn Model, arguments: &EvaluateArguments)
              negative number)"
         )))
     })
+}
+
+/// A line of the table.
+fn line(time: &str, cells: impl Iterator<Item = String>, refused: &str) -> String {
+    let cells: Vec<String> = [time.to_owned()].into_iter().chain(cells).chain([refused.to_owned()]).collect();
+    cells.join(",") + "\n"
 }
 
 /// With the user's parameters and inputs.
@@ -62,7 +67,16 @@ fn columns(description: &Description, kernel: Kernel, found: Vec<(usize, Vec<f64
         heading: format!("{prefix}{} [{}]", q.name, q.unit),
         value: value / q.factor,
     };
-    let is_matrix = found.len() > 1;
+    // A matrix of one row is one too.
+    let is_matrix = matches!(
+        kernel,
+        Kernel::MassMatrix
+            | Kernel::ConstraintJacobian
+            | Kernel::ConstraintLinearization
+            | Kernel::SparseLinearization
+            | Kernel::DynamicsJacobian
+            | Kernel::DynamicsSensitivity
+    );
     let of_row = |(row, values): (usize, Vec<f64>)| -> Vec<Column> {
         let numbered = values.iter().copied().enumerate();
         match (kernel, row) {
@@ -112,6 +126,10 @@ impl States {
     fn read(description: &'static Description, kernel: Kernel, arguments: &EvaluateArguments) -> Result<States, Stop> {
         let table = columns_of(&arguments.at)?;
         let rows = table.first().map_or(0, |column| column.values.len());
+        if rows == 0 {
+            let path = arguments.at.display();
+            return Err(Stop::Usage(format!("{path}: no states; a line for each is needed below the heading")));
+        }
         let of = |name: String, unit: &str, factor: f64, is_needed: bool| match table
             .iter()
             .find(|column| column.name == name)
