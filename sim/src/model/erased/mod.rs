@@ -5,12 +5,14 @@
 //! need no second form. A loop is compiled for a few [`Storage`]s, since what is copied grows with the largest length.
 
 mod arrays;
+mod each;
 mod mechanism;
 mod model;
 mod place;
 mod typed;
 
 pub use arrays::{Bounded, InPlace, List, OnHeap, Storage};
+pub use each::{Results, States};
 pub use mechanism::{Erased, ErasedPrepared};
 pub use model::{Found, Kernel, Model, Prepared, Values};
 pub use typed::erase;

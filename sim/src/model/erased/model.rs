@@ -1,5 +1,6 @@
 //! A mechanism whose sizes are known at run time: its kernels on slices.
 
+use super::each::{Results, States, one_by_one};
 use crate::model::At;
 use sim_kernel::{Description, Dual, Input, Scalar};
 use std::fmt::Debug;
@@ -121,7 +122,11 @@ pub trait Model: Debug + Send + Sync {
     fn held_inputs(&self, time: f64, q: &[f64]) -> Vec<Input>;
     /// Gives the rows of a kernel's result. True if the kernel refuses a pivot: the result is then not valid.
     fn call(&self, kernel: Kernel, at: At<f64>, found: Found<f64>) -> bool;
-    /// The same on dual numbers, with these values in place of its own, for the kernels that analyses differentiate:
+    /// A kernel's results at many states, with the bits of [`call`](Model::call).
+    fn call_each(&self, kernel: Kernel, states: &States) -> Results {
+        one_by_one(self, kernel, states)
+    }
+    /// As [`call`](Model::call), on dual numbers, with these values in place of its own, for the kernels that analyses differentiate:
     /// the linearised constraints and their magnitudes, dynamics, velocities and their variables, outputs and their rates. It refuses others.
     fn call_on_duals(&self, values: &Values<Dual>, kernel: Kernel, at: At<Dual>, found: Found<Dual>) -> bool;
     /// Its equations of motion, with all that the parameters determine computed.
