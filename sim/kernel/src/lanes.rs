@@ -36,8 +36,14 @@ impl<const N: usize> Lanes<N> {
 
     /// One lane.
     #[inline(always)]
-    pub fn lane(self, lane: usize) -> f64 {
+    pub fn lane(&self, lane: usize) -> f64 {
         self.0[lane]
+    }
+
+    /// Sets one lane.
+    #[inline(always)]
+    pub fn set_lane(&mut self, lane: usize, value: f64) {
+        self.0[lane] = value;
     }
 
     #[inline(always)]
@@ -61,7 +67,7 @@ impl<const N: usize> From<[f64; N]> for Lanes<N> {
 impl<const N: usize> LaneMask<N> {
     /// Whether it is true in this lane.
     #[inline(always)]
-    pub fn lane(self, lane: usize) -> bool {
+    pub fn lane(&self, lane: usize) -> bool {
         self.0[lane] != 0
     }
 

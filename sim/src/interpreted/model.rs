@@ -3,7 +3,7 @@
 use super::kernels::{Kernels, given, program};
 use super::programs::Programs;
 use crate::model::At;
-use crate::model::erased::{Found, Kernel, Model, Prepared, Values};
+use crate::model::erased::{Found, Kernel, Model, Prepared, Results, States, Values, one_by_one};
 use codegen::Derived;
 use codegen::kernel_id::KernelId;
 use sim_kernel::{Description, Dual, Input};
@@ -68,6 +68,11 @@ impl Model for Interpreted {
             Kernel::DynamicsSensitivity if !has_program => self.kernels().sensitivity(at, found),
             _ => self.kernels().call(kernel, at, found),
         }
+    }
+    fn call_each(&self, kernel: Kernel, states: &States) -> Results {
+        let is_one = states.times.len() < 2;
+        let of_many = if is_one { None } else { self.kernels().call_each(kernel, states) };
+        of_many.unwrap_or_else(|| one_by_one(self, kernel, states))
     }
     fn call_on_duals(&self, values: &Values<Dual>, kernel: Kernel, at: At<Dual>, found: Found<Dual>) -> bool {
         Kernels { programs: &self.programs, values }.call(kernel, at, found)

@@ -1,15 +1,17 @@
 //! The programs of a mechanism, derived from its declaration.
 
+use super::blocks::OfMany;
 use super::compact::Compact;
-use super::execute::{Given, execute, image, refused, room};
+use super::execute::{Given, image, refused};
 use super::leaked::{Kept, kept};
 use super::registers::{Number, with_registers};
-use crate::model::erased::Found;
+use crate::model::erased::{Found, Results, States};
 use codegen::Derived;
 use codegen::emit::bytecode::{Code, codes};
 use codegen::kernel_id::KernelId;
 use codegen::symbolic::evaluate;
 use sim_kernel::{Description, Mask, Scalar, Table};
+use std::ops::Range;
 
 /// The programs of a mechanism, and what is told of it.
 #[derive(Debug)]
@@ -26,9 +28,9 @@ pub(super) struct Programs {
 
 /// The program of a kernel.
 #[derive(Debug)]
-struct OneProgram {
-    code: Code,
-    compact: Compact,
+pub(super) struct OneProgram {
+    pub(super) code: Code,
+    pub(super) compact: Compact,
 }
 
 impl Programs {
@@ -66,8 +68,7 @@ impl Programs {
         self.call_from(kernel, &self.image(kernel, given), given, found)
     }
 
-    /// Executes a kernel that begins with an image, and gives the rows of its results: of a linearisation C, C_t, and then
-    /// C_q. True if it refuses a pivot. Nothing is given of a kernel that there is not, which is refused.
+    /// Executes a kernel that begins with an image, and gives the rows of its results. True if it refuses a pivot. Nothing is given of a kernel that there is not, which is refused.
     pub(super) fn call_from<S: Number>(
         &self,
         kernel: KernelId,
@@ -75,16 +76,20 @@ impl Programs {
         given: &Given<S>,
         found: Found<S>,
     ) -> bool {
-        let Some(OneProgram { code, compact }) = &self.programs[kernel as usize] else { return true };
-        with_registers(room(code, compact), |registers| {
-            execute(code, compact, image, given, registers);
-            let is_last = |name: &str| name == "jacobian";
-            let first = code.results.iter().filter(|result| !is_last(&result.name));
-            let last = code.results.iter().filter(|result| is_last(&result.name));
-            let rows = first.chain(last).flat_map(|result| &result.rows);
-            rows.enumerate().for_each(|(row, range)| found(row, &registers[range.clone()]));
+        let Some(program) = &self.programs[kernel as usize] else { return true };
+        let code = &program.code;
+        with_registers(S::room(program), |registers| {
+            S::execute(program, image, given, registers);
+            rows(code).enumerate().for_each(|(row, range)| found(row, &registers[range.clone()]));
             refused(code, registers).any()
         })
+    }
+
+    /// A kernel's results at many states; none of a kernel that there is not.
+    pub(super) fn call_each(&self, kernel: KernelId, given: &Given<f64>, states: &States) -> Option<Results> {
+        let OneProgram { code, .. } = self.programs[kernel as usize].as_ref()?;
+        let (image, rows) = (image(code, given), rows(code).cloned().collect::<Vec<_>>());
+        Some(OfMany { code, image: &image, inputs: given.inputs, tables: given.tables, rows: &rows, states }.results())
     }
 
     /// All results of a kernel, one after the other.
@@ -93,4 +98,12 @@ impl Programs {
         self.call(kernel, given, &mut |_, row| list.extend_from_slice(row));
         list
     }
+}
+
+/// The rows of a kernel's results: of a linearisation C, C_t, and then C_q.
+fn rows(code: &Code) -> impl Iterator<Item = &Range<usize>> {
+    let is_last = |name: &str| name == "jacobian";
+    let first = code.results.iter().filter(move |result| !is_last(&result.name));
+    let last = code.results.iter().filter(move |result| is_last(&result.name));
+    first.chain(last).flat_map(|result| &result.rows)
 }

@@ -1,5 +1,7 @@
 //! Room for the registers of a call, kept for the next one, so that calls do not allocate.
 
+use super::execute::{Given, execute, execute_compact, room};
+use super::programs::OneProgram;
 use sim_kernel::{Dual, Scalar};
 use std::cell::Cell;
 use std::thread::LocalKey;
@@ -13,14 +15,34 @@ thread_local! {
 pub(super) trait Number: Scalar {
     /// Where this thread keeps room for them.
     const ROOM: &'static LocalKey<Cell<Vec<Self>>>;
+
+    /// How many registers a program has to be given.
+    fn room(program: &OneProgram) -> usize;
+    /// Executes it, from an image on.
+    fn execute(program: &OneProgram, image: &[Self], given: &Given<Self>, registers: &mut [Self]);
 }
 
 impl Number for f64 {
     const ROOM: &'static LocalKey<Cell<Vec<f64>>> = &NUMBERS;
+
+    fn room(program: &OneProgram) -> usize {
+        room(&program.code, &program.compact)
+    }
+    fn execute(program: &OneProgram, image: &[f64], given: &Given<f64>, registers: &mut [f64]) {
+        execute_compact(&program.code, &program.compact, image, given, registers);
+    }
 }
 
 impl Number for Dual {
     const ROOM: &'static LocalKey<Cell<Vec<Dual>>> = &DUALS;
+
+    fn room(program: &OneProgram) -> usize {
+        program.code.registers
+    }
+    fn execute(program: &OneProgram, image: &[Dual], given: &Given<Dual>, registers: &mut [Dual]) {
+        registers[..image.len()].copy_from_slice(image);
+        execute::<_, false>(&program.code, given, registers);
+    }
 }
 
 /// Works with at least so many registers, whatever they hold.

@@ -4,6 +4,7 @@
 //! [`Instruction`], in the order in which the generated Rust does it: whoever executes them gets the same bits.
 
 mod allocate;
+mod in_place;
 mod instruction;
 mod write;
 
@@ -12,6 +13,11 @@ pub use write::codes;
 
 use crate::kernel_id::{Argument, KernelId};
 use std::ops::Range;
+
+/// The register of every program that holds -0: x + (-0) is x, whatever x is.
+pub const MINUS_ZERO: u32 = 0;
+/// The register of every program that holds 1.
+pub const ONE: u32 = 1;
 
 /// A kernel as instructions. Its registers are, in this order: constants, what is loaded from the receiver, what is
 /// loaded from the arguments, others, and the results.

@@ -1,6 +1,7 @@
 //! From programs to instructions.
 
 use super::allocate::{Place, Sizes, allocate};
+use super::in_place::{Parts, in_place};
 use super::instruction::{Instruction, LookUp, Wave, Waves};
 use super::{Code, Field, Returned};
 use crate::kernel_id::{Argument, KernelId, Receiver};
@@ -76,6 +77,9 @@ impl<'a> Writer<'a> {
     }
 
     fn code(mut self, kernel: &Kernel) -> Code {
+        // MINUS_ZERO and ONE.
+        self.constant(-0.0);
+        self.constant(1.0);
         self.load(kernel);
         kernel.pieces.iter().flat_map(|piece| &piece.statements).for_each(|statement| self.statement(statement));
         kernel.statements.iter().for_each(|statement| self.statement(statement));
@@ -88,7 +92,9 @@ impl<'a> Writer<'a> {
             locals: self.locals,
             results: self.results,
         };
-        let done = allocate(&self.instructions, (&self.waves, &self.look_ups), sizes);
+        let Parts { instructions, waves, look_ups } =
+            in_place(Parts { instructions: self.instructions, waves: self.waves, look_ups: self.look_ups });
+        let done = allocate(&instructions, (&waves, &look_ups), sizes);
         for result in &mut returned {
             for row in &mut result.rows {
                 *row = done.first_result + row.start..done.first_result + row.end;
@@ -238,9 +244,14 @@ impl<'a> Writer<'a> {
             true => self.operation(&Tree::Negate(Box::new(first.clone()))),
             false => self.operation(first),
         };
+        // What stands somewhere already is added to from there.
+        let is_there = !negative && matches!(first, Tree::Constant(_) | Tree::Name(_) | Tree::Field(_));
+        let mut there = is_there.then(|| self.value(first));
         for (negative, term) in terms {
-            let to = self.local();
-            let a = self.push(last, to);
+            let a = there.take().unwrap_or_else(|| {
+                let to = self.local();
+                self.push(last, to)
+            });
             last = match (term, negative) {
                 (Tree::Product(factors), _) if factors.len() > 1 => {
                     let (b, c) = self.last_factors(factors);

@@ -51,7 +51,7 @@ pub struct Results {
 }
 
 /// A kernel at each of many states, one after the other.
-pub(super) fn one_by_one(model: &(impl Model + ?Sized), kernel: Kernel, states: &States) -> Results {
+pub(crate) fn one_by_one(model: &(impl Model + ?Sized), kernel: Kernel, states: &States) -> Results {
     let prepared = matches!(kernel, Kernel::Dynamics | Kernel::Velocities).then(|| model.prepare());
     let mut results = Results::default();
     for state in 0..states.times.len() {

@@ -12,6 +12,7 @@ mod place;
 mod typed;
 
 pub use arrays::{Bounded, InPlace, List, OnHeap, Storage};
+pub(crate) use each::one_by_one;
 pub use each::{Results, States};
 pub use mechanism::{Erased, ErasedPrepared};
 pub use model::{Found, Kernel, Model, Prepared, Values};
