@@ -42,7 +42,6 @@ pub use analysis::poincare::{Period, Section, Sectioning, poincare, poincare_whi
 pub use analysis::sensitivity::ForwardSensitivity;
 #[cfg(feature = "analysis")]
 pub use analysis::verify;
-pub use batch::{Vectors, Work};
 pub use batch::{accelerate_each, accelerate_each_with, advance_each};
 pub use events::{Change, Crossing, EventSearch, Occurrence, act};
 pub use integrate::{
@@ -66,6 +65,7 @@ pub use motion::project::{project, project_positions, project_velocities};
 pub use motion::residuals::{rates, residuals};
 pub use motion::singular::Singularity;
 pub use numerics::eigen::{Eigen, NoEigenvalues, eigen};
+pub use numerics::vectors::{Vectors, Work};
 pub use output::formats::{Format, write_table};
 pub use output::show;
 pub use output::write::{WriteError, summary, write_commented_csv, write_csv, write_json};

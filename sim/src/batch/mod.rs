@@ -2,14 +2,13 @@
 
 mod lanes;
 mod simulations;
-mod vector;
 
 use crate::Failure;
 use crate::motion::equations::accelerate;
+use crate::numerics::vectors::{Vectors, Work};
 use crate::state::trajectory::State;
 use sim_kernel::{Array, Dynamics, LaneMask, Lanes, Mask, Mechanism, Scalar};
 pub use simulations::advance_each;
-pub use vector::{Vectors, Work};
 
 /// The number of states evaluated at once: as many as the widest vector instructions hold.
 const LANES: usize = 8;

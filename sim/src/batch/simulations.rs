@@ -6,10 +6,10 @@
 
 use super::LANES;
 use super::lanes::{InLanes, Numbers, gather, lane_of, measures, mechanism, sample, sample_of};
-use super::vector::{Vectors, Work};
 use crate::integrate::{ExplicitRungeKutta, Reached, Target, attempt_plainly, tableau};
 use crate::motion::field::Field;
 use crate::motion::plain::Plain;
+use crate::numerics::vectors::{Vectors, Work};
 use crate::run::{Attempted, Simulation};
 use crate::state::failure::Failure;
 use crate::state::settings::{Stabilisation, Tolerance};

@@ -2,7 +2,7 @@
 //! instructions that the processor has.
 
 use super::execute::{Given, execute, refused};
-use crate::batch::{Vectors, Work};
+use crate::numerics::vectors::{Vectors, Work};
 use crate::{Results, States};
 use codegen::emit::bytecode::Code;
 use sim_kernel::{Input, Lanes, Mask, Scalar, Table};

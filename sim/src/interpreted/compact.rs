@@ -119,6 +119,13 @@ impl<R> Body<R> {
     }
 }
 
+/// The program of a kernel.
+#[derive(Debug)]
+pub(super) struct OneProgram {
+    pub(super) code: Code,
+    pub(super) compact: Compact,
+}
+
 /// Instructions on registers whose numbers are as short as possible.
 #[derive(Debug)]
 pub(super) enum Compact {

@@ -1,7 +1,7 @@
 //! The programs of a mechanism, derived from its declaration.
 
 use super::blocks::OfMany;
-use super::compact::Compact;
+use super::compact::{Compact, OneProgram};
 use super::execute::{Given, image, refused};
 use super::leaked::{Kept, kept};
 use super::registers::{Number, with_registers};
@@ -24,13 +24,6 @@ pub(super) struct Programs {
     pub(super) tables: &'static [Table],
     /// By the number of the kernel.
     programs: Vec<Option<OneProgram>>,
-}
-
-/// The program of a kernel.
-#[derive(Debug)]
-pub(super) struct OneProgram {
-    pub(super) code: Code,
-    pub(super) compact: Compact,
 }
 
 impl Programs {

@@ -1,7 +1,7 @@
 //! Room for the registers of a call, kept for the next one, so that calls do not allocate.
 
+use super::compact::OneProgram;
 use super::execute::{Given, execute, execute_compact, room};
-use super::programs::OneProgram;
 use sim_kernel::{Dual, Scalar};
 use std::cell::Cell;
 use std::thread::LocalKey;

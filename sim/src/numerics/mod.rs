@@ -8,3 +8,4 @@ pub(crate) mod nearest;
 pub(crate) mod numbers;
 pub(crate) mod root;
 pub(crate) mod solve;
+pub(crate) mod vectors;

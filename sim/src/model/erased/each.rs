@@ -1,6 +1,5 @@
-//! A kernel at many states.
+//! Many states, and what a kernel gives there.
 
-use super::model::{Kernel, Model};
 use crate::model::At;
 
 /// Many states: the numbers of one after those of another. What is empty is zero at all of them.
@@ -48,28 +47,4 @@ pub struct Results {
     pub numbers: Vec<f64>,
     /// The states at which the kernel refuses a pivot: their numbers are not valid.
     pub refused: Vec<usize>,
-}
-
-/// A kernel at each of many states, one after the other.
-pub(crate) fn one_by_one(model: &(impl Model + ?Sized), kernel: Kernel, states: &States) -> Results {
-    let prepared = matches!(kernel, Kernel::Dynamics | Kernel::Velocities).then(|| model.prepare());
-    let mut results = Results::default();
-    for state in 0..states.times.len() {
-        let Results { rows, numbers, refused } = &mut results;
-        let mut found = |row: usize, values: &[f64]| {
-            if state == 0 {
-                debug_assert_eq!(row, rows.len());
-                rows.push(values.len());
-            }
-            numbers.extend_from_slice(values);
-        };
-        let is_refused = match &prepared {
-            Some(prepared) => prepared.call(kernel, states.at(state), &mut found),
-            None => model.call(kernel, states.at(state), &mut found),
-        };
-        if is_refused {
-            refused.push(state);
-        }
-    }
-    results
 }

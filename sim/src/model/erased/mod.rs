@@ -8,12 +8,13 @@ mod arrays;
 mod each;
 mod mechanism;
 mod model;
+mod one_by_one;
 mod place;
 mod typed;
 
 pub use arrays::{Bounded, InPlace, List, OnHeap, Storage};
-pub(crate) use each::one_by_one;
 pub use each::{Results, States};
 pub use mechanism::{Erased, ErasedPrepared};
 pub use model::{Found, Kernel, Model, Prepared, Values};
+pub(crate) use one_by_one::one_by_one;
 pub use typed::erase;

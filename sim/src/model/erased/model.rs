@@ -1,6 +1,6 @@
 //! A mechanism whose sizes are known at run time: its kernels on slices.
 
-use super::each::{Results, States, one_by_one};
+use super::each::{Results, States};
 use crate::model::At;
 use sim_kernel::{Description, Dual, Input, Scalar};
 use std::fmt::Debug;
@@ -123,9 +123,7 @@ pub trait Model: Debug + Send + Sync {
     /// Gives the rows of a kernel's result. True if the kernel refuses a pivot: the result is then not valid.
     fn call(&self, kernel: Kernel, at: At<f64>, found: Found<f64>) -> bool;
     /// A kernel's results at many states, with the bits of [`call`](Model::call).
-    fn call_each(&self, kernel: Kernel, states: &States) -> Results {
-        one_by_one(self, kernel, states)
-    }
+    fn call_each(&self, kernel: Kernel, states: &States) -> Results;
     /// As [`call`](Model::call), on dual numbers, with these values in place of its own, for the kernels that analyses differentiate:
     /// the linearised constraints and their magnitudes, dynamics, velocities and their variables, outputs and their rates. It refuses others.
     fn call_on_duals(&self, values: &Values<Dual>, kernel: Kernel, at: At<Dual>, found: Found<Dual>) -> bool;

@@ -1,6 +1,8 @@
 //! A compiled mechanism with its type erased.
 
+use super::each::{Results, States};
 use super::model::{Found, Kernel, Model, Prepared, Values};
+use super::one_by_one::one_by_one;
 use crate::model::At;
 use crate::numerics::arrays::array;
 use sim_kernel::{Array, Compiled, Description, Dual, Input, Mask, Mechanism, Scalar};
@@ -43,6 +45,9 @@ impl<M: Compiled> Model for Typed<M> {
     }
     fn call(&self, kernel: Kernel, at: At<f64>, found: Found<f64>) -> bool {
         call(&self.0, kernel, at, found)
+    }
+    fn call_each(&self, kernel: Kernel, states: &States) -> Results {
+        one_by_one(self, kernel, states)
     }
     fn call_on_duals(&self, values: &Values<Dual>, kernel: Kernel, at: At<Dual>, found: Found<Dual>) -> bool {
         call_differentiable(&with_values(self.0.on(Dual::constant), values), kernel, at, found)
