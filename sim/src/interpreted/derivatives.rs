@@ -5,15 +5,15 @@ use super::kernels::{Kernels, given};
 use crate::model::erased::{Found, Values};
 use crate::model::{At, constants};
 use codegen::kernel_id::KernelId;
-use sim_kernel::Dual;
+use sim_kernel::{Dual, Scalar};
 
 impl Kernels<'_, f64> {
     /// Columns of d(q'', lambda)/dq and d(q'', lambda)/dq' as rows of the four matrices; true if a pivot is refused.
     pub(super) fn jacobian(self, at: At<f64>, found: Found<f64>) -> bool {
         let values = self.values.map(Dual::constant);
         let prepared = Kernels { programs: self.programs, values: &values }.prepare();
-        let [q, qd] = [at.positions, at.speeds].map(constants);
-        let (n, m) = (q.len(), self.programs.description.constraints.len());
+        let (n, m) = (self.n(), self.programs.description.constraints.len());
+        let [q, qd] = [at.positions, at.speeds].map(|given| all(given, n));
         let [mut by_positions, mut by_speeds] = [0, 1].map(|_| Columns::new(n + m, n));
         let mut refused = false;
         for j in 0..n {
@@ -39,8 +39,8 @@ impl Kernels<'_, f64> {
     /// d(q'', lambda)/d(parameters) by rows.
     pub(super) fn sensitivity(self, at: At<f64>, found: Found<f64>) -> bool {
         let values = self.values.map(Dual::constant);
-        let [q, qd] = [at.positions, at.speeds].map(constants);
-        let (n, m) = (q.len(), self.programs.description.constraints.len());
+        let (n, m) = (self.n(), self.programs.description.constraints.len());
+        let [q, qd] = [at.positions, at.speeds].map(|given| all(given, n));
         let mut columns = Columns::new(n + m, values.parameters.len());
         let mut refused = false;
         for j in 0..values.parameters.len() {
@@ -51,6 +51,13 @@ impl Kernels<'_, f64> {
         (0..n + m).for_each(|i| found(i, columns.row(i)));
         refused
     }
+}
+
+/// Numbers that do not vary; zero where they are omitted.
+fn all(given: &[f64], n: usize) -> Vec<Dual> {
+    let mut numbers = constants(given);
+    numbers.resize(n, Dual::ZERO);
+    numbers
 }
 
 /// The same numbers, with one as the variable of differentiation.

@@ -74,19 +74,20 @@ pub(super) fn execute<S: Scalar, const IS_BLOCK: bool>(code: &Code, given: &Give
     }
 }
 
-/// Takes the arguments.
+/// Takes the arguments. Omitted ones are zero.
 #[inline(always)]
 fn load<S: Scalar>(code: &Code, given: &Given<S>, registers: &mut [S]) {
     let arguments = &mut registers[code.constants.len() + code.fields.len()..];
     for (register, (argument, at)) in arguments.iter_mut().zip(&code.arguments) {
-        *register = match argument {
-            Argument::Time => given.time,
-            Argument::Positions => given.positions[*at],
-            Argument::Speeds => given.speeds[*at],
-            Argument::Accelerations => given.accelerations[*at],
-            Argument::Multipliers => given.multipliers[*at],
-            Argument::GeneralizedSpeeds => given.generalized_speeds[*at],
+        let numbers = match argument {
+            Argument::Time => std::slice::from_ref(&given.time),
+            Argument::Positions => given.positions,
+            Argument::Speeds => given.speeds,
+            Argument::Accelerations => given.accelerations,
+            Argument::Multipliers => given.multipliers,
+            Argument::GeneralizedSpeeds => given.generalized_speeds,
         };
+        *register = numbers.get(*at).copied().unwrap_or(S::ZERO);
     }
 }
 

@@ -70,7 +70,7 @@ impl<'a, S: Number> Kernels<'a, S> {
             Kernel::InverseDynamics => found(0, &self.inverse_dynamics(at)),
             Kernel::EventValues => found(0, &[]),
             Kernel::VelocityVariables => found(0, &self.velocity_variables(at)),
-            Kernel::Velocities => found(0, at.speeds),
+            Kernel::Velocities => found(0, &self.speeds(at)),
             _ => return true,
         }
         false
@@ -80,7 +80,7 @@ impl<'a, S: Number> Kernels<'a, S> {
     fn inverse_dynamics(self, at: At<S>) -> Vec<S> {
         let row = |kernel| self.programs.list(kernel, &self.given(&[], at));
         let (mass, h) = (row(KernelId::MassMatrix), row(KernelId::ConvectiveForces));
-        let (loads, n) = (row(KernelId::GeneralizedForces), at.positions.len());
+        let (loads, n) = (row(KernelId::GeneralizedForces), self.n());
         let force = |i: usize| {
             let entries = mass[i * n..][..n].iter().zip(at.accelerations);
             let inertial = entries.fold(S::ZERO, |sum, (entry, acceleration)| sum + *entry * *acceleration);
@@ -92,11 +92,22 @@ impl<'a, S: Number> Kernels<'a, S> {
     /// Generalised speeds, with zeros after them, or q'.
     fn velocity_variables(self, at: At<S>) -> Vec<S> {
         if !self.programs.has(KernelId::GeneralizedSpeeds) {
-            return at.speeds.to_vec();
+            return self.speeds(at);
         }
         let mut speeds = self.programs.list(KernelId::GeneralizedSpeeds, &self.given(&[], at));
-        speeds.resize(at.speeds.len(), S::ZERO);
+        speeds.resize(self.n(), S::ZERO);
         speeds
+    }
+
+    /// q', zero if omitted.
+    fn speeds(self, at: At<S>) -> Vec<S> {
+        let mut speeds = at.speeds.to_vec();
+        speeds.resize(self.n(), S::ZERO);
+        speeds
+    }
+
+    pub(super) fn n(self) -> usize {
+        self.programs.description.coordinates.len()
     }
 }
 

@@ -1,0 +1,70 @@
+//! Kernels at many states, one after the other and at once.
+
+use super::draws::{Place, random_values};
+use super::{Answer, bits, plain};
+use crate::Random;
+use sim::{Kernel, Model, Results, States};
+
+/// The kernels of which many states at once differ from the compiled kernel at each: no state, one, a part of a block, and as
+/// many as are asked for, with the last block in part.
+pub(super) fn differences(
+    compiled: &dyn Model,
+    interpreted: &dyn Model,
+    states: usize,
+    random: &mut Random,
+) -> Vec<String> {
+    let mut found = Vec::new();
+    for count in [0, 1, 7, states.max(70)] {
+        let values = random_values(compiled, random);
+        let [compiled, interpreted] = [compiled, interpreted].map(|model| model.with_values(&values));
+        let places: Vec<Place> = (0..count).map(|_| Place::random(&*compiled, random)).collect();
+        let states = Numbers::of(&places);
+        for kernel in Kernel::ALL {
+            let alone: Vec<Answer> = places.iter().map(|place| plain(&*compiled, *kernel, place.at())).collect();
+            for (what, model) in [("interpreted", &interpreted), ("compiled", &compiled)] {
+                if answers(&model.call_each(*kernel, &states.given()), count) != alone {
+                    let name = compiled.description().name;
+                    found.push(format!("{name}: {} at {count} states, {what}", kernel.name()));
+                }
+            }
+        }
+    }
+    found
+}
+
+/// The numbers of many places.
+struct Numbers {
+    times: Vec<f64>,
+    levels: [Vec<f64>; 4],
+}
+
+impl Numbers {
+    fn of(places: &[Place]) -> Numbers {
+        let level = |of: fn(&Place) -> &Vec<f64>| places.iter().flat_map(|place| of(place).clone()).collect();
+        Numbers {
+            times: places.iter().map(|place| place.time).collect(),
+            levels: [
+                level(|place| &place.positions),
+                level(|place| &place.speeds),
+                level(|place| &place.accelerations),
+                level(|place| &place.multipliers),
+            ],
+        }
+    }
+
+    fn given(&self) -> States<'_> {
+        let [positions, speeds, accelerations, multipliers] = &self.levels;
+        States { times: &self.times, positions, speeds, accelerations, multipliers }
+    }
+}
+
+/// The results at each state.
+fn answers(results: &Results, count: usize) -> Vec<Answer> {
+    let width: usize = results.rows.iter().sum();
+    let answer = |state: usize| {
+        let mut numbers = results.numbers[state * width..][..width].iter().map(|number| bits(*number));
+        let row = |(row, length): (usize, &usize)| (row, numbers.by_ref().take(*length).collect());
+        Answer { rows: results.rows.iter().enumerate().map(row).collect(), refused: results.refused.contains(&state) }
+    };
+    (0..count).map(answer).collect()
+}
