@@ -71,6 +71,25 @@ fn a_run_from_a_file_is_made_again() {
     }
 }
 
+/// Without PNG, those of an earlier run in the folder are gone too.
+#[test]
+fn figures_may_be_vectors_alone() {
+    let folder = folder("vectors", &[("bob.mech", BOB)]);
+    let written = |words: &[&str]| {
+        let output = within(&folder, &[&["run", "bob.mech", "--no-report", "--json"], words].concat());
+        assert!(output.status.success(), "{}", stderr(&output));
+        let told: Value = serde_json::from_str(&stdout(&output)).unwrap();
+        let names = fs::read_dir(folder.join("out/bob")).unwrap().map(|entry| entry.unwrap().file_name());
+        let names: Vec<String> = names.map(|name| name.into_string().unwrap()).collect();
+        let of = |extension: &str| names.iter().filter(|name| name.ends_with(extension)).count();
+        (of(".svg"), of(".png"), told["files"].as_array().unwrap().len())
+    };
+    let (svg, png, told) = written(&[]);
+    assert!(svg > 0 && png == svg, "{svg} {png}");
+    assert_eq!(written(&["--no-png"]), (svg, 0, told - png));
+    assert_eq!(written(&["--no-figures"]), (0, 0, told - png - svg));
+}
+
 /// The block `run` is below the command line and above the defaults.
 #[test]
 fn a_declaration_says_how_it_is_run() {

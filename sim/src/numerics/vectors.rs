@@ -1,5 +1,7 @@
 //! Vector instructions: code compiled for each width that a processor may have, chosen at run time.
 
+use std::fmt;
+
 /// Work that is compiled for every width of vector instructions, with the functions that are inlined into it.
 pub trait Work {
     /// Its result.
@@ -11,6 +13,18 @@ pub trait Work {
 /// Vector instructions that this processor has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Vectors(Width);
+
+impl fmt::Display for Vectors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self.0 {
+            Width::Baseline => "the target's vectors",
+            #[cfg(target_arch = "x86_64")]
+            Width::Avx2 => "AVX2",
+            #[cfg(target_arch = "x86_64")]
+            Width::Avx512 => "AVX-512",
+        })
+    }
+}
 
 /// Only [`Vectors`] that the processor has are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

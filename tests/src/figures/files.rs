@@ -2,7 +2,7 @@
 
 use super::{Subject, Table};
 use models::QuickReturn;
-use sim::{At, DeclarationFile, Erased, InPlace, Kernel, Model, Settings, declared_start};
+use sim::{At, DeclarationFile, Erased, InPlace, Kernel, Model, Settings, States, Vectors, declared_start};
 use std::hint::black_box;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -12,8 +12,14 @@ use std::time::{Duration, Instant};
 use tests::same_bits::{compiled, differences, interpreted};
 use tests::{interleaved, shortest};
 
-pub(super) const SUBJECTS: &[Subject] =
-    &[("bits", same_bits), ("process", whole_process), ("call", a_call), ("run", a_run), ("first", first_results)];
+pub(super) const SUBJECTS: &[Subject] = &[
+    ("bits", same_bits),
+    ("process", whole_process),
+    ("call", a_call),
+    ("blocks", blocks),
+    ("run", a_run),
+    ("first", first_results),
+];
 
 /// Where every kernel is called.
 const STATES: usize = 1000;
@@ -58,10 +64,11 @@ fn processes(table: &mut Table) -> io::Result<()> {
         command
     };
     succeed(&mut command(&["new", "--file", "quick-return.mech", "--from", "quick-return"]))?;
+    let without_png = ["run", "quick-return.mech", "--quiet", "--no-png"];
     let plain = ["run", "quick-return.mech", "--quiet", "--no-figures", "--no-report"];
     for (what, words, bound) in [
         ("no figures, no report, in ms", &plain[..], 25.0),
-        ("with report, in ms", &plain[..4], 150.0),
+        ("with report and figures as SVG, in ms", &without_png, 150.0),
         ("with report and figures, PNG too, in ms", &plain[..3], 400.0),
     ] {
         let mut times = Vec::new();
@@ -110,6 +117,24 @@ fn a_call(table: &mut Table) {
     let times = interleaved(15, &mut [&mut first, &mut second]);
     let [one, other] = [times[0], times[1]].map(|time| 1e9 * time.as_secs_f64() / CALLS as f64);
     table.at_most(&format!("interpreted, in ns; compiled, through the same interface {one:.0}"), other, 250.0);
+}
+
+/// States that a kernel gets at once.
+const MANY: usize = 10_000;
+
+fn blocks(table: &mut Table) {
+    table.heading("quick-return's right-hand side at many states at once");
+    let Some([_, interpreted]) = quick_return(table) else { return };
+    let [q, qd] = interpreted.initial();
+    let times: Vec<f64> = (0..MANY).map(|state| 1e-4 * state as f64).collect();
+    let repeated = |numbers: &[f64]| numbers.repeat(MANY);
+    let (positions, speeds) = (repeated(&q), repeated(&qd));
+    let states = States { times: &times, positions: &positions, speeds: &speeds, accelerations: &[], multipliers: &[] };
+    let time = shortest(25, || {
+        black_box(interpreted.call_each(Kernel::Dynamics, black_box(&states)));
+    });
+    let (nanoseconds, vectors) = (1e9 * time.as_secs_f64() / MANY as f64, Vectors::widest());
+    table.at_most(&format!("interpreted, in ns a state, with {vectors}"), nanoseconds, 20.0);
 }
 
 /// Compiled and interpreted.

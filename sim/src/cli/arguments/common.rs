@@ -1,6 +1,7 @@
 //! Arguments of several commands.
 
 use crate::Format;
+use crate::output::show::FigureSettings;
 use clap::Args;
 
 /// The form of the output.
@@ -61,6 +62,17 @@ pub(in crate::cli) struct WrittenArguments {
     /// Writes no figures.
     #[arg(long)]
     pub(in crate::cli) no_figures: bool,
+
+    /// Writes figures as SVG alone, which is faster.
+    #[arg(long)]
+    pub(in crate::cli) no_png: bool,
+}
+
+impl WrittenArguments {
+    /// How figures are written.
+    pub(in crate::cli) fn figures(&self) -> FigureSettings {
+        FigureSettings { size: self.size.show(), png: !self.no_png }
+    }
 }
 
 pub(in crate::cli) fn format(name: &str) -> Result<Format, String> {

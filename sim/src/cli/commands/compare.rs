@@ -22,7 +22,7 @@ pub(in crate::cli) fn compare(arguments: &CompareArguments, voice: Voice) -> Res
             x: &figure.times,
             curves: curves.collect(),
         };
-        show::panels_with(&[plot], arguments.size.show(), &arguments.out, quantity, &provenance)?;
+        show::panels_with(&[plot], arguments.size.show().into(), &arguments.out, quantity, &provenance)?;
         written.push(format!("{quantity}.svg"));
         written.push(format!("{quantity}.png"));
     }

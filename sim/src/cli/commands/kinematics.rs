@@ -122,9 +122,9 @@ pub(in crate::cli) fn kinematics_command<M: Mechanism>(
     let directory = directory.unwrap_or_else(|| format!("out/{}-kinematics", description.name).into());
     let files = Files::new(description, &directory, &SWEEP_FIGURES)?;
     let found = signals::interruptible(|| kinematics_until(&signals::INTERRUPTED, mechanism, &start, &sweep))?;
-    let size = arguments.written.size.show();
+    let settings = arguments.written.figures();
     let pictures = Pictures {
-        figures: &|table, directory| show::sweep_figures(&found, table, directory, size),
+        figures: &|table, directory| show::sweep_figures(&found, table, directory, settings),
         report: &|table, command, path| show::sweep_report(&found, table, command, path),
     };
     tell(&Found::new(&found), &mut found.table(), (arguments, files), &pictures, voice)
@@ -200,7 +200,7 @@ fn tell(
         files.add("report.html", |path| (pictures.report)(table, &command, path));
     }
     if !arguments.written.no_figures && is_shown && files.has_room() {
-        files.add_figures(|directory| (pictures.figures)(table, directory));
+        files.add_figures(arguments.written.figures(), |directory| (pictures.figures)(table, directory));
     }
     files.finish();
     files.say(voice, summary, &format!("{}{}", report(found), files.line()))?;

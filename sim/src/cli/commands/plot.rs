@@ -41,7 +41,7 @@ pub(in crate::cli) fn plot(arguments: &PlotArguments, voice: Voice) -> Result<()
     };
     let (directory, name) = place(&arguments.out.clone().unwrap_or_else(default));
     make(&directory)?;
-    let (provenance, size) = (provenance_of(std::slice::from_ref(&run)), arguments.size.show());
+    let (provenance, size) = (provenance_of(std::slice::from_ref(&run)), arguments.size.show().into());
     let ratio = groups.first().and_then(|group| ratio_of_lengths(&group[0].unit, &across.unit));
     match (plots.as_slice(), ratio) {
         ([plot], Some(ratio)) => show::path_with(plot, ratio, size, &directory, &name, &provenance)?,

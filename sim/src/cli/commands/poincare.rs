@@ -36,9 +36,8 @@ pub(in crate::cli) fn poincare_command<M: Mechanism>(
     let found =
         progress::watched(end, voice, |goes_on| poincare_while(mechanism, &start, &section, &settings, goes_on))?;
     let mut table = Table::of(&found.mechanism, &found.trajectory);
-    let draw = |table: &Table, directory: &Path| {
-        show::section_figures(&found, table, directory, arguments.written.size.show())
-    };
+    let draw =
+        |table: &Table, directory: &Path| show::section_figures(&found, table, directory, arguments.written.figures());
     let (period, failure) = (found.period, found.trajectory.failure.as_ref());
     tell(description, &mut table, (period, failure), arguments, &draw, (files, voice))
 }
@@ -67,7 +66,7 @@ fn tell(
     files.add_table(table, &arguments.written);
     folder::tell("summary.json", said.clone());
     if !arguments.written.no_figures && !times.is_empty() {
-        files.add_figures(|directory| draw(table, directory));
+        files.add_figures(arguments.written.figures(), |directory| draw(table, directory));
     }
     files.finish();
     files.say(voice, said, &format!("{}{}", report(description, arguments, &times, period), files.line()))?;

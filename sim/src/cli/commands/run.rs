@@ -82,8 +82,8 @@ fn write(
         files.add("report.html", |path| show::report_of(run, outcome, table, &about, path));
     }
     if !arguments.written.no_figures && is_shown && files.has_room() {
-        let size = arguments.written.size.show();
-        files.add_figures(|directory| show::figures_of(run, outcome, table, directory, size));
+        let settings = arguments.written.figures();
+        files.add_figures(settings, |directory| show::figures_of(run, outcome, table, directory, settings));
     }
     let times = Times { without_figures, total: seconds() };
     let timing = json!({

@@ -163,6 +163,7 @@ fn options(settings: &Settings, arguments: &RunArguments, events: &[sim_kernel::
     put("size", arguments.written.size.to_string().into());
     put("csv-comments", arguments.written.csv_comments.into());
     put("no-figures", arguments.written.no_figures.into());
+    put("no-png", arguments.written.no_png.into());
     put("no-report", arguments.no_report.into());
     options
 }

@@ -4,7 +4,7 @@ use crate::cli::arguments::{Voice, WrittenArguments};
 use crate::cli::files::folder;
 use crate::cli::files::identity::{self, PROVENANCE, RUN};
 use crate::cli::{Stop, print};
-use crate::output::show::{Figures, ShowError};
+use crate::output::show::{FigureSettings, Figures, ShowError};
 use crate::{Format, Table, write_commented_csv, write_table};
 use serde_json::Value;
 use sim_kernel::Description;
@@ -60,10 +60,14 @@ impl Files {
     }
 
     /// Draws figures into a folder that it is given.
-    pub(in crate::cli) fn add_figures(&mut self, draw: impl FnOnce(&Path) -> Figures) {
+    pub(in crate::cli) fn add_figures(&mut self, settings: FigureSettings, draw: impl FnOnce(&Path) -> Figures) {
         let drawn = draw(&self.unfinished);
-        let names = drawn.names.iter().flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]);
-        names.for_each(|name| folder::add(&name));
+        for name in &drawn.names {
+            folder::add(&format!("{name}.svg"));
+            if settings.png {
+                folder::add(&format!("{name}.png"));
+            }
+        }
         drawn.failures.into_iter().for_each(|failure| self.fail(failure));
     }
 

@@ -1,6 +1,6 @@
 //! The figures of a run: one for each group of outputs, and the mechanism in several positions.
 
-use super::{Curve, Length, Plot, Pose, Positions, Shapes, ShowError, Size, mechanism_with, panels_with};
+use super::{Curve, FigureSettings, Length, Plot, Pose, Positions, Shapes, ShowError, mechanism_with, panels_with};
 use crate::output::outcome::{Outcome, Recorded, Row};
 use crate::state::provenance::Provenance;
 use crate::{Column, Run, Table};
@@ -38,8 +38,8 @@ impl Figures {
 }
 
 /// Draws every figure of a run into a directory. A group of outputs without any finite value has none.
-pub fn figures<M: Mechanism>(run: &Run<M>, table: &Table, directory: &Path, size: Size) -> Figures {
-    figures_of(run, &run.outcome(), table, directory, size)
+pub fn figures<M: Mechanism>(run: &Run<M>, table: &Table, directory: &Path, settings: FigureSettings) -> Figures {
+    figures_of(run, &run.outcome(), table, directory, settings)
 }
 
 pub(crate) fn figures_of(
@@ -47,16 +47,16 @@ pub(crate) fn figures_of(
     outcome: &Outcome,
     table: &Table,
     directory: &Path,
-    size: Size,
+    settings: FigureSettings,
 ) -> Figures {
     let description = outcome.description;
-    let mut figures = draw_outputs(description, table, ("time [s]", table.times()), directory, size);
+    let mut figures = draw_outputs(description, table, ("time [s]", table.times()), directory, settings);
     if !description.drawing.is_empty() {
         let rows = chosen(run, outcome, table.times(), poses(description));
         let poses = rows.iter().map(|row| (row.time, row.drawing.as_slice())).collect();
         let motion = motion(description, outcome.samples, |index| run.row(index).drawing);
         let name = name_beside_groups(description, "mechanism");
-        let sheet = Sheet { directory, name: &name, size, provenance: &table.provenance };
+        let sheet = Sheet { directory, name: &name, settings, provenance: &table.provenance };
         figures.add(&name, draw_mechanism(description, ("t [s]", poses), &motion, &sheet));
     }
     figures
@@ -68,7 +68,7 @@ pub(super) fn draw_outputs(
     table: &Table,
     (x_label, x): (&str, &[f64]),
     directory: &Path,
-    size: Size,
+    settings: FigureSettings,
 ) -> Figures {
     let outputs: Vec<_> = table.outputs().iter().zip(description.outputs).collect();
     let is_shown = |group: &[(&Column, &Quantity)]| {
@@ -83,7 +83,7 @@ pub(super) fn draw_outputs(
         let drawn = std::thread::scope(|scope| {
             let mut threads = Vec::new();
             for (figure, group) in some {
-                let draw = move || draw_group(figure, group, (x_label, x), (directory, size), &table.provenance);
+                let draw = move || draw_group(figure, group, (x_label, x), (directory, settings), &table.provenance);
                 threads.push(scope.spawn(draw));
             }
             threads.into_iter().map(|thread| thread.join().unwrap_or_else(|panic| resume_unwind(panic))).collect()
@@ -99,7 +99,7 @@ fn draw_group(
     figure: &Figure,
     group: &[(&Column, &Quantity)],
     (x_label, x): (&str, &[f64]),
-    (directory, size): (&Path, Size),
+    (directory, settings): (&Path, FigureSettings),
     provenance: &Provenance,
 ) -> Result<(), ShowError> {
     let labels: Vec<&str> = group.iter().map(|(column, output)| label(output.docs, &column.name)).collect();
@@ -107,7 +107,7 @@ fn draw_group(
     let columns: Vec<&Column> = group.iter().map(|(column, _)| *column).collect();
     let y_label = y_label(figure.name, &columns, &labels);
     let shown = Plot { title: figure.title, x_label, y_label: &y_label, x, curves: curves.collect() };
-    panels_with(&[shown], size, directory, figure.name, provenance)
+    panels_with(&[shown], settings, directory, figure.name, provenance)
 }
 
 /// The name of a figure that is not a group of outputs; names of groups have no hyphen.
@@ -149,7 +149,7 @@ fn y_label(name: &str, columns: &[&Column], labels: &[&str]) -> String {
 pub(super) struct Sheet<'a> {
     pub(super) directory: &'a Path,
     pub(super) name: &'a str,
-    pub(super) size: Size,
+    pub(super) settings: FigureSettings,
     pub(super) provenance: &'a Provenance,
 }
 
@@ -167,7 +167,7 @@ pub(super) fn draw_mechanism(
     };
     let (shapes, unit) = (Shapes::of(description), Length::of(description));
     let positions = Positions { title: &title, shapes, unit, heading, poses: &poses, motion };
-    mechanism_with(&positions, sheet.size, sheet.directory, sheet.name, sheet.provenance)
+    mechanism_with(&positions, sheet.settings, sheet.directory, sheet.name, sheet.provenance)
 }
 
 /// The drawing at so many samples, of some at equal distances where they are many, with the last; none where nothing is traced.

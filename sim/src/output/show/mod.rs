@@ -95,6 +95,28 @@ impl Default for Size {
     }
 }
 
+/// How figures are written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FigureSettings {
+    /// Their size.
+    pub size: Size,
+    /// Whether PNG are written beside SVG. They take most of the time.
+    pub png: bool,
+}
+
+impl Default for FigureSettings {
+    fn default() -> FigureSettings {
+        Size::default().into()
+    }
+}
+
+impl From<Size> for FigureSettings {
+    /// In both formats.
+    fn from(size: Size) -> FigureSettings {
+        FigureSettings { size, png: true }
+    }
+}
+
 /// One position of a mechanism.
 #[derive(Clone, Copy, Debug)]
 pub struct Pose<'a> {
@@ -137,18 +159,18 @@ pub fn plot(plot: &Plot, directory: &Path, name: &str) -> Result<(), ShowError> 
 ///
 /// As [`plot`].
 pub fn panels(plots: &[Plot], size: Size, directory: &Path, name: &str) -> Result<(), ShowError> {
-    panels_with(plots, size, directory, name, &Provenance::default())
+    panels_with(plots, size.into(), directory, name, &Provenance::default())
 }
 
 /// The same with more of its origin than the program.
 pub(crate) fn panels_with(
     plots: &[Plot],
-    size: Size,
+    settings: FigureSettings,
     directory: &Path,
     name: &str,
     provenance: &Provenance,
 ) -> Result<(), ShowError> {
-    save(&plot::scene(plots, size, name)?, directory, name, provenance)
+    save(&plot::scene(plots, settings.size, name)?, settings.png, directory, name, provenance)
 }
 
 /// Writes a plot of lengths against a length with equal scales, as the path of a point is drawn, to `NAME.svg` and `NAME.png`
@@ -158,19 +180,19 @@ pub(crate) fn panels_with(
 ///
 /// As [`plot`].
 pub fn path(plot: &Plot, ratio: f64, size: Size, directory: &Path, name: &str) -> Result<(), ShowError> {
-    path_with(plot, ratio, size, directory, name, &Provenance::default())
+    path_with(plot, ratio, size.into(), directory, name, &Provenance::default())
 }
 
 /// The same with more of its origin than the program.
 pub(crate) fn path_with(
     plot: &Plot,
     ratio: f64,
-    size: Size,
+    settings: FigureSettings,
     directory: &Path,
     name: &str,
     provenance: &Provenance,
 ) -> Result<(), ShowError> {
-    save(&plot::path(plot, ratio, size, name)?, directory, name, provenance)
+    save(&plot::path(plot, ratio, settings.size, name)?, settings.png, directory, name, provenance)
 }
 
 /// Writes a mechanism in several positions to `NAME.svg` and `NAME.png` in the directory, which is created if necessary, on a
@@ -180,25 +202,28 @@ pub(crate) fn path_with(
 ///
 /// There is nothing to show, a pose has too few or too many numbers, or a file cannot be written.
 pub fn mechanism(positions: &Positions, size: Size, directory: &Path, name: &str) -> Result<(), ShowError> {
-    mechanism_with(positions, size, directory, name, &Provenance::default())
+    mechanism_with(positions, size.into(), directory, name, &Provenance::default())
 }
 
 /// The same with more of its origin than the program.
 pub(crate) fn mechanism_with(
     positions: &Positions,
-    size: Size,
+    settings: FigureSettings,
     directory: &Path,
     name: &str,
     provenance: &Provenance,
 ) -> Result<(), ShowError> {
-    save(&mechanism::scene(positions, size, name)?, directory, name, provenance)
+    save(&mechanism::scene(positions, settings.size, name)?, settings.png, directory, name, provenance)
 }
 
-/// Writes a scene in both formats.
-fn save(scene: &Scene, directory: &Path, name: &str, provenance: &Provenance) -> Result<(), ShowError> {
+/// Writes a scene as SVG and, if asked for, as PNG.
+fn save(scene: &Scene, png: bool, directory: &Path, name: &str, provenance: &Provenance) -> Result<(), ShowError> {
     let document = svg::document(scene, provenance);
     fs::create_dir_all(directory).map_err(|why| ShowError::write(directory, why))?;
     let path = directory.join(format!("{name}.svg"));
     whole_bytes(&path, document.as_bytes()).map_err(|why| ShowError::write(&path, why))?;
-    png::write(scene, provenance, &directory.join(format!("{name}.png")))
+    match png {
+        true => png::write(scene, provenance, &directory.join(format!("{name}.png"))),
+        false => Ok(()),
+    }
 }

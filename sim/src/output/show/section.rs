@@ -1,7 +1,7 @@
 //! The figures of a Poincaré section: speed against position of each coordinate, a dot for each crossing.
 
 use super::figures::{Figures, label};
-use super::{Curve, Plot, Size, panels_with};
+use super::{Curve, FigureSettings, Plot, panels_with};
 use crate::model::At;
 use crate::state::provenance::Provenance;
 use crate::{Driven, Section, Table};
@@ -10,16 +10,21 @@ use std::f64::consts::TAU;
 use std::path::Path;
 
 /// Draws `section_NAME` for each coordinate into a directory; the figures come from where the table does. Angles are within half a turn of the first.
-pub fn section_figures<M: Mechanism>(found: &Section<M>, table: &Table, directory: &Path, size: Size) -> Figures {
+pub fn section_figures<M: Mechanism>(
+    found: &Section<M>,
+    table: &Table,
+    directory: &Path,
+    settings: FigureSettings,
+) -> Figures {
     let samples: Vec<At<f64>> = found.trajectory.samples.iter().map(At::sample).collect();
-    draw(found.mechanism.description(), &samples, directory, size, &table.provenance)
+    draw(found.mechanism.description(), &samples, directory, settings, &table.provenance)
 }
 
 fn draw(
     description: &'static Description,
     samples: &[At<f64>],
     directory: &Path,
-    size: Size,
+    settings: FigureSettings,
     provenance: &Provenance,
 ) -> Figures {
     let mut figures = Figures::default();
@@ -40,7 +45,7 @@ fn draw(
         let curves = vec![Curve { label: c.speed.name, values }];
         let shown = Plot { title: "Poincaré section", x_label: &x_label, y_label: &y_label, x: &x, curves };
         let name = format!("section_{}", c.position.name);
-        figures.add(&name, panels_with(&[shown], size, directory, &name, provenance));
+        figures.add(&name, panels_with(&[shown], settings, directory, &name, provenance));
     }
     figures
 }

@@ -1,7 +1,7 @@
 //! The figures of a sweep: all quantities against the driven one.
 
 use super::figures::{Figures, Sheet, draw_mechanism, draw_outputs, label, motion, name_beside_groups, poses};
-use super::{Curve, Plot, ShowError, Size, panels_with};
+use super::{Curve, FigureSettings, Plot, ShowError, panels_with};
 use crate::output::outcome::Row;
 use crate::state::provenance::Provenance;
 use crate::{Column, Driven, Kinematics, Table};
@@ -17,7 +17,12 @@ const MOST_PANELS: usize = 5;
 /// Draws every figure of a sweep into a directory: each group of outputs, the forces of the drives (`drive`), the
 /// transmission index (`transmission`), and the ratios of outputs to the driven quantity (`ratios`), all against the
 /// driven quantity; and the mechanism at equal intervals.
-pub fn sweep_figures<M: Mechanism>(found: &Kinematics<M>, table: &Table, directory: &Path, size: Size) -> Figures {
+pub fn sweep_figures<M: Mechanism>(
+    found: &Kinematics<M>,
+    table: &Table,
+    directory: &Path,
+    settings: FigureSettings,
+) -> Figures {
     let drawing = |index: usize| Row::new(&found.mechanism, &found.trajectory.samples[index], 0.0).drawing;
     let swept = Swept {
         description: found.mechanism.description(),
@@ -26,7 +31,7 @@ pub fn sweep_figures<M: Mechanism>(found: &Kinematics<M>, table: &Table, directo
         is_cycle: found.is_cycle(),
         drawing: &drawing,
     };
-    draw(&swept, table, directory, size)
+    draw(&swept, table, directory, settings)
 }
 
 /// A sweep without the type of its mechanism.
@@ -40,20 +45,20 @@ struct Swept<'a> {
     drawing: &'a dyn Fn(usize) -> Vec<f64>,
 }
 
-fn draw(swept: &Swept, table: &Table, directory: &Path, size: Size) -> Figures {
+fn draw(swept: &Swept, table: &Table, directory: &Path, settings: FigureSettings) -> Figures {
     let Swept { description, driven, values, .. } = *swept;
     let driven = driven.quantity(description);
     let what = label(driven.docs, driven.name).trim_end_matches('.');
     let x_label = format!("{what} [{}]", driven.unit);
     let x: Vec<f64> = values.iter().map(|value| value / driven.factor).collect();
     let abscissa = (x_label.as_str(), x.as_slice());
-    let mut figures = draw_outputs(description, table, abscissa, directory, size);
+    let mut figures = draw_outputs(description, table, abscissa, directory, settings);
     let columns = |prefix: &str| table.columns.iter().filter(|column| column.name.starts_with(prefix)).collect();
     let mut add = |name: &str, title: &str, columns: Vec<&Column>| {
         let columns: Vec<&Column> = columns.into_iter().take(MOST_PANELS).collect();
         if !columns.is_empty() {
             let name = name_beside_groups(description, name);
-            figures.add(&name, stacked(title, &columns, abscissa, directory, &name, size, &table.provenance));
+            figures.add(&name, stacked(title, &columns, abscissa, directory, &name, settings, &table.provenance));
         }
     };
     add("drive", "What the drive exerts", columns("drive_"));
@@ -61,7 +66,7 @@ fn draw(swept: &Swept, table: &Table, directory: &Path, size: Size) -> Figures {
     add("ratios", &format!("Ratios of rates to that of {}", driven.name), columns("ratio_"));
     if !description.drawing.is_empty() && !values.is_empty() {
         let name = name_beside_groups(description, "mechanism");
-        let sheet = Sheet { directory, name: &name, size, provenance: &table.provenance };
+        let sheet = Sheet { directory, name: &name, settings, provenance: &table.provenance };
         figures.add(&name, draw_positions(swept, &sheet));
     }
     figures
@@ -87,7 +92,7 @@ fn stacked(
     (x_label, x): (&str, &[f64]),
     directory: &Path,
     name: &str,
-    size: Size,
+    settings: FigureSettings,
     provenance: &Provenance,
 ) -> Result<(), ShowError> {
     let labels: Vec<String> = columns.iter().map(|column| column.header()).collect();
@@ -99,7 +104,7 @@ fn stacked(
             Plot { title, x_label, y_label: label, x, curves }
         })
         .collect();
-    panels_with(&plots, size, directory, name, provenance)
+    panels_with(&plots, settings, directory, name, provenance)
 }
 
 /// So many samples at equal intervals, without the last of a whole turn.
