@@ -46,6 +46,12 @@ impl<const N: usize> Lanes<N> {
         self.0[lane] = value;
     }
 
+    /// The sines of angles in their place, and their cosines.
+    #[inline(always)]
+    pub fn sin_cos_in_place(angles_and_sines: &mut Self, cosines: &mut Self) {
+        sin_cos_in_place(&mut angles_and_sines.0, &mut cosines.0);
+    }
+
     #[inline(always)]
     fn each(self, f: impl Fn(f64) -> f64) -> Self {
         Lanes::from_fn(|lane| f(self.0[lane]))
@@ -129,6 +135,19 @@ impl<const N: usize> Neg for Lanes<N> {
     }
 }
 
+/// As many at once as the widest vector holds, so that what is computed on the way stays in vector registers.
+#[inline(always)]
+fn sin_cos_in_place(angles_and_sines: &mut [f64], cosines: &mut [f64]) {
+    let (sines, few_sines) = angles_and_sines.as_chunks_mut::<8>();
+    let (cosines, few_cosines) = cosines.as_chunks_mut::<8>();
+    for (sine, cosine) in sines.iter_mut().zip(cosines) {
+        (*sine, *cosine) = sin_cos_each(*sine);
+    }
+    for (sine, cosine) in few_sines.iter_mut().zip(few_cosines) {
+        ([*sine], [*cosine]) = sin_cos_each([*sine]);
+    }
+}
+
 macro_rules! lane_by_lane {
     ($($function:ident),*) => {
         $(#[inline(always)]
@@ -183,7 +202,7 @@ impl<const N: usize> Scalar for Lanes<N> {
     fn sin_cos_each<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
         let (mut sines, mut cosines) = (angles, angles);
         for i in 0..K {
-            (sines[i].0, cosines[i].0) = sin_cos_each(angles[i].0);
+            sin_cos_in_place(&mut sines[i].0, &mut cosines[i].0);
         }
         (sines, cosines)
     }

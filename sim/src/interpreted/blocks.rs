@@ -1,15 +1,20 @@
 //! A program at many states: each instruction is read once for a block of them, and done by the widest vector
 //! instructions that the processor has.
 
-use super::execute::{Given, execute, refused};
+use super::compact::{Body, body};
+use super::execute::{Given, refused, step};
 use crate::numerics::vectors::{Vectors, Work};
 use crate::{Results, States};
-use codegen::emit::bytecode::Code;
+use codegen::emit::bytecode::{Code, Instruction, Wave};
+use codegen::kernel_id::Argument;
 use sim_kernel::{Input, Lanes, Mask, Scalar, Table};
 use std::ops::Range;
 
 /// How many states a block has.
 const STATES: usize = 64;
+
+/// How many numbers the widest vectors hold.
+const WIDTH: usize = 8;
 
 /// A number at each of them.
 type Block = Lanes<STATES>;
@@ -41,17 +46,18 @@ impl Work for OfMany<'_> {
     fn run(self) -> Results {
         let OfMany { code, states, .. } = self;
         let inputs: Vec<Input<Block>> = self.inputs.iter().map(|input| input.map(Block::from_f64)).collect();
+        let given = Given::at_rest(&inputs, self.tables);
         // Programs do not write to the registers that they begin with.
         let mut registers: Vec<Block> = self.image.iter().map(|number| Block::from_f64(*number)).collect();
         registers.resize(code.registers, Block::ZERO);
-        let mut levels = Levels::new(states);
+        let body = body(code, |register| register);
         let width: usize = self.rows.iter().map(ExactSizeIterator::len).sum();
         let count = states.times.len();
         let (mut numbers, mut refusals) = (vec![0.0; width * count], Vec::new());
         for first in (0..count).step_by(STATES) {
             let filled = STATES.min(count - first);
-            levels.fill(states, first, filled);
-            execute::<_, true>(code, &levels.given(&inputs, self.tables), &mut registers);
+            gather(code, states, first, filled, &mut registers);
+            execute(&body, &given, &mut registers);
             scatter(&registers, self.rows, &mut numbers[first * width..][..filled * width], width);
             let is_refused = refused(code, &registers);
             if is_refused.any() {
@@ -60,6 +66,35 @@ impl Work for OfMany<'_> {
         }
         Results { rows: self.rows.iter().map(ExactSizeIterator::len).collect(), numbers, refused: refusals }
     }
+}
+
+/// Executes a program on registers that hold its image.
+#[inline(always)]
+fn execute(body: &Body<u32>, given: &Given<Block>, registers: &mut [Block]) {
+    for group in &body.groups {
+        for sum in &body.sums[group.sums.clone()] {
+            sum.execute_block(registers);
+        }
+        match group.last {
+            Some(Instruction::Waves { place }) => {
+                for wave in &body.lists().waves[place as usize] {
+                    sin_cos(*wave, registers);
+                }
+            }
+            Some(last) => step::<_, _, true>(last, body.lists(), given, registers),
+            None => {}
+        }
+    }
+}
+
+/// As many lanes at once as the widest vectors hold, so that what is computed on the way stays in vector registers.
+#[inline(always)]
+fn sin_cos(Wave { angle, sin, cos }: Wave<u32>, registers: &mut [Block]) {
+    let angle = registers[angle as usize];
+    registers[sin as usize] = angle;
+    // They are two registers.
+    let Ok([sin, cos]) = registers.get_disjoint_mut([sin as usize, cos as usize]) else { return };
+    Lanes::sin_cos_in_place(sin, cos);
 }
 
 /// The results of a block, state by state.
@@ -76,55 +111,26 @@ fn scatter(registers: &[Block], rows: &[Range<usize>], numbers: &mut [f64], widt
     }
 }
 
-/// The numbers of a block of states.
-struct Levels {
-    time: Block,
-    /// Positions, speeds, accelerations and multipliers.
-    levels: [Vec<Block>; 4],
-}
-
-impl Levels {
-    fn new(states: &States) -> Levels {
-        let count = states.times.len().max(1);
-        let of = |numbers: &[f64]| vec![Block::ZERO; numbers.len() / count];
-        Levels { time: Block::ZERO, levels: of_states(states).map(of) }
-    }
-
-    /// Takes so many states from the first on. Other lanes keep what they hold.
-    #[inline(always)]
-    fn fill(&mut self, states: &States, first: usize, filled: usize) {
-        for lane in 0..filled {
-            self.time.set_lane(lane, states.times[first + lane]);
+/// Takes the arguments of so many states from the first on. Omitted ones are zero; other lanes keep what they hold.
+#[inline(always)]
+fn gather(code: &Code, states: &States, first: usize, filled: usize, registers: &mut [Block]) {
+    let arguments = &mut registers[code.constants.len() + code.fields.len()..];
+    for (register, (argument, at)) in arguments.iter_mut().zip(&code.arguments) {
+        let numbers = match argument {
+            Argument::Time => states.times,
+            Argument::Positions => states.positions,
+            // Generalised speeds stand in their place.
+            Argument::Speeds | Argument::GeneralizedSpeeds => states.speeds,
+            Argument::Accelerations => states.accelerations,
+            Argument::Multipliers => states.multipliers,
+        };
+        let width = numbers.len() / states.times.len();
+        if width == 0 {
+            continue;
         }
-        for (level, numbers) in self.levels.iter_mut().zip(of_states(states)) {
-            let width = level.len();
-            let of_block = &numbers[first * width..][..filled * width];
-            for (i, block) in level.iter_mut().enumerate() {
-                for (lane, state) in of_block.chunks_exact(width).enumerate().take(STATES) {
-                    block.set_lane(lane, state[i]);
-                }
-            }
+        let of_each = numbers[first * width..].chunks_exact(width).take(filled);
+        for (lane, state) in of_each.enumerate() {
+            register.set_lane(lane, state[*at]);
         }
     }
-
-    fn given<'a>(&'a self, inputs: &'a [Input<Block>], tables: &'a [Table]) -> Given<'a, Block> {
-        let [positions, speeds, accelerations, multipliers] = &self.levels;
-        Given {
-            time: self.time,
-            positions,
-            speeds,
-            accelerations,
-            multipliers,
-            generalized_speeds: speeds,
-            parameters: &[],
-            activities: &[],
-            inputs,
-            prepared: &[],
-            tables,
-        }
-    }
-}
-
-fn of_states<'a>(states: &States<'a>) -> [&'a [f64]; 4] {
-    [states.positions, states.speeds, states.accelerations, states.multipliers]
 }

@@ -93,6 +93,14 @@ impl<R: Register> SumOfProduct<R> {
         let product = self.b.read(file) * self.c.read(file);
         self.to.write(file, self.a.read(file) + f64::from_bits(product.to_bits() ^ sign));
     }
+
+    /// On a block of states: to multiply by 1 or -1 is exact.
+    #[inline(always)]
+    pub(super) fn execute_block<S: Scalar>(self, file: &mut R::File<S>) {
+        let sign = S::from_f64(if self.is_negative { -1.0 } else { 1.0 });
+        let product = self.b.read(file) * self.c.read(file);
+        self.to.write(file, self.a.read(file) + product * sign);
+    }
 }
 
 /// Sums of products, and then what is no such sum.
@@ -144,7 +152,7 @@ impl Compact {
     }
 }
 
-fn body<R: Copy>(code: &Code, number: impl Fn(u32) -> R) -> Body<R> {
+pub(super) fn body<R: Copy>(code: &Code, number: impl Fn(u32) -> R) -> Body<R> {
     let wave = |wave: &Wave<u32>| Wave { angle: number(wave.angle), sin: number(wave.sin), cos: number(wave.cos) };
     let look_up = |found: &LookUp<u32>| LookUp { table: found.table, to: found.to.map(&number), count: found.count };
     let (mut groups, mut sums) = (Vec::new(), Vec::new());

@@ -23,6 +23,25 @@ pub(super) struct Given<'a, S> {
     pub(super) tables: &'a [Table],
 }
 
+impl<'a, S: Scalar> Given<'a, S> {
+    /// Without a state: all else of it is zero.
+    pub(super) fn at_rest(inputs: &'a [Input<S>], tables: &'a [Table]) -> Self {
+        Given {
+            time: S::ZERO,
+            positions: &[],
+            speeds: &[],
+            accelerations: &[],
+            multipliers: &[],
+            generalized_speeds: &[],
+            parameters: &[],
+            activities: &[],
+            inputs,
+            prepared: &[],
+            tables,
+        }
+    }
+}
+
 /// What a program begins with: constants, and what it reads of the mechanism.
 pub(super) fn image<S: Scalar>(code: &Code, given: &Given<S>) -> Vec<S> {
     let constants = code.constants.iter().map(|constant| S::from_f64(*constant));
@@ -112,7 +131,7 @@ pub(super) fn refused<S: Scalar>(code: &Code, registers: &[S]) -> S::Mask {
 }
 
 #[inline(always)]
-fn step<S: Scalar, R: Register, const IS_BLOCK: bool>(
+pub(super) fn step<S: Scalar, R: Register, const IS_BLOCK: bool>(
     instruction: Instruction<R>,
     lists: Lists<R>,
     given: &Given<S>,

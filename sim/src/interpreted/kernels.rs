@@ -137,11 +137,8 @@ pub(super) fn given<'a, S: Scalar>(
         multipliers,
         // They stand in place of the speeds.
         generalized_speeds: speeds,
-        parameters: &[],
-        activities: &[],
-        inputs,
         prepared,
-        tables: programs.tables,
+        ..Given::at_rest(inputs, programs.tables)
     }
 }
 
