@@ -13,9 +13,6 @@ use std::ops::Range;
 /// How many states a block has.
 const STATES: usize = 64;
 
-/// How many numbers the widest vectors hold.
-const WIDTH: usize = 8;
-
 /// A number at each of them.
 type Block = Lanes<STATES>;
 
@@ -87,7 +84,6 @@ fn execute(body: &Body<u32>, given: &Given<Block>, registers: &mut [Block]) {
     }
 }
 
-/// As many lanes at once as the widest vectors hold, so that what is computed on the way stays in vector registers.
 #[inline(always)]
 fn sin_cos(Wave { angle, sin, cos }: Wave<u32>, registers: &mut [Block]) {
     let angle = registers[angle as usize];

@@ -155,12 +155,6 @@ pub(super) fn step<S: Scalar, R: Register, const IS_BLOCK: bool>(
         I::Atan2 { to, a, b } => (to, r(a).atan2(r(b))),
         I::Choose { to, a, b, c } => (to, r(a).choose(r(b), r(c))),
         I::Held { input, to, a } => (to, given.inputs[input as usize].or(r(a))),
-        I::Waves { place } if IS_BLOCK => {
-            for wave in &lists.waves[place as usize] {
-                side_by_side(&[*wave], file);
-            }
-            return;
-        }
         I::Waves { place } => return waves(&lists.waves[place as usize], file),
         I::LookUp { place, a } => return look_up(&lists.look_ups[place as usize], r(a), given.tables, file),
     };
