@@ -2,6 +2,7 @@
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
+mod against_oracle;
 mod mangled;
 
 use tests::same_bits::{compiled, differences, interpreted};
