@@ -5,6 +5,8 @@
 mod against_oracle;
 mod mangled;
 
+use sim::{At, DeclarationFile, Kernel};
+use std::path::Path;
 use tests::same_bits::{compiled, differences, interpreted};
 
 /// Where kernels are called; `figures -- files bits` takes a thousand places.
@@ -37,4 +39,24 @@ fn a_difference_is_found() {
     assert_eq!(found, ["quick-return: values"]);
     let other = compiled().into_iter().find(|model| model.description().name == "quick-return-ratio").unwrap();
     assert!(differences(&*model, &*other, 1, 0).contains(&"quick-return: dynamics".to_owned()));
+}
+
+/// A spring between a mass and what time moves 1e30 times as fast: the power is its force times the speed of the mass.
+#[test]
+fn power_beside_what_moves_much_faster() {
+    let text = "
+        pub Shaken;
+        coordinates { y [m]; }
+        parameters { m [kg] = 1; k [N/m] = 2; H [m] = 1e30; w [1/s] = 3; }
+        let road = H*sin(w*t);
+        bodies { mass: mass m at [0, y]; }
+        loads { spring k, rest 0 between road and y; }
+    ";
+    let model = DeclarationFile::of(Path::new("shaken.mech"), text.to_owned()).model(None).unwrap();
+    let at = At { time: 0.3, positions: &[0.1], speeds: &[0.7], accelerations: &[0.2], multipliers: &[] };
+    let mut power = 0.0;
+    model.call(Kernel::Power, at, &mut |_, row| power = row[0]);
+    let expected = 2.0 * (1e30 * (0.3f64 * 3.0).sin() - 0.1) * 0.7;
+    // A few roundings.
+    assert!((power - expected).abs() <= 1e-14 * expected, "{power:e} is not {expected:e}");
 }

@@ -10,8 +10,8 @@ use crate::symbolic::{Expr, Graph, Number};
 pub struct Energy {
     /// v' M v / 2.
     pub kinetic: Expr,
-    /// F' v + lambda' C_t + T_t' (M x'' - F): the power of the loads, and of the drives that explicit time
-    /// stands for. Depends on accelerations and multipliers only if time is explicit.
+    /// F' (v - T_t) + lambda' C_t + T_t' M x'': the power of the loads, F' v, and of the drives that explicit time
+    /// stands for, T_t' (M x'' - F). Depends on accelerations and multipliers only if time is explicit.
     pub power: Expr,
     /// The same by the forces along the coordinates, (T_q' F)' q', where time is not explicit.
     pub power_along_variables: Option<Expr>,
@@ -35,8 +35,14 @@ impl Energy {
                 let velocities = [row.motion.velocity, *product, tmt.rows[*other].motion.velocity];
                 twice_kinetic.push(graph.product(&velocities));
             }
-            power.push(graph.mul(row.force, row.motion.velocity));
-            power.push(drive_power(graph, variables, drifts, &tmt.rows, row));
+            let driven = total_time_derivative(graph, &row.motion, drifts);
+            // F v - F T_t, whose terms in T_t cancel here: as numbers they may be much larger than what they leave.
+            let by_speeds = graph.sub(row.motion.velocity, driven);
+            power.push(graph.mul(row.force, by_speeds));
+            if !graph.is_zero(driven) {
+                let inertia_force = inertia_force(graph, variables, &tmt.rows, row);
+                power.push(graph.mul(driven, inertia_force));
+            }
         }
         let is_driven = drifts.iter().chain(tmt.rows.iter().map(|row| &row.motion.time_derivative));
         let is_driven = is_driven.chain(&constraints.time_derivative).any(|by_time| !graph.is_zero(*by_time));
@@ -52,12 +58,8 @@ impl Energy {
     }
 }
 
-/// T_t (M x'' - F): the power of a drive that moves the row in time.
-fn drive_power(graph: &mut Graph, variables: &Variables, drifts: &[Expr], rows: &[TmtRow], row: &TmtRow) -> Expr {
-    let driven = total_time_derivative(graph, &row.motion, drifts);
-    if graph.is_zero(driven) {
-        return driven;
-    }
+/// M x'' of a row.
+fn inertia_force(graph: &mut Graph, variables: &Variables, rows: &[TmtRow], row: &TmtRow) -> Expr {
     let accelerations: Vec<Expr> = variables.accelerations.iter().map(|a| graph.variable(*a)).collect();
     let acceleration = |graph: &mut Graph, row: &TmtRow| {
         let moving = inner(graph, &row.motion.jacobian, &accelerations);
@@ -70,7 +72,5 @@ fn drive_power(graph: &mut Graph, variables: &Variables, drifts: &[Expr], rows: 
         let coupled = graph.mul(*product, coupled);
         inertia_force = graph.add(inertia_force, coupled);
     }
-    inertia_force = graph.add(inertia_force, row.gyroscopic);
-    let drive = graph.sub(inertia_force, row.force);
-    graph.mul(driven, drive)
+    graph.add(inertia_force, row.gyroscopic)
 }
