@@ -267,7 +267,7 @@ fn the_path_of_a_coupler_point_is_drawn() {
     let machine = models::FourBar::defaults();
     let found = run(machine, &declared_start(&machine), &Settings::new(2.0)).unwrap();
     let table = Table::of(&found.mechanism, &found.trajectory);
-    let figures = figures(&found, &table, &directory, Size::default());
+    let figures = figures(&found, &table, &directory, Size::default().into());
     assert!(figures.failures.is_empty(), "{:?}", figures.failures);
     let drawn = svg(&directory, "mechanism");
     assert!(drawn.contains(">four-bar in 6 positions<") && drawn.contains(">x [m]<"), "{drawn}");

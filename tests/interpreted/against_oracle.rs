@@ -3,7 +3,7 @@
 
 use codegen::dsl;
 use codegen::model::Unit;
-use codegen::oracle::{Comparison, Measured, Oracle, Solution, State, residual};
+use codegen::oracle::{Comparison, Measured, Oracle, Solution, State, Terms, residual};
 use sim::verify::{computed, observed};
 use sim::{Array, At, Bounded, Erased, Kernel, Model, OnHeap};
 use std::sync::Arc;
@@ -116,6 +116,9 @@ fn terms_agree(model: &Arc<dyn Model>, oracle: &Oracle, place: &Place) -> Result
     let (q, qd) = (vector(&place.positions), vector(&place.speeds));
     let mut comparison = Comparison::new(if description.dimension == 3 { PART_IN_SPACE } else { 0.0 });
     let refused = |why: codegen::oracle::OracleError| why.to_string();
+    if !is_in_domain(&oracle.terms(&at).map_err(refused)?) {
+        return Ok(None);
+    }
     let terms = comparison.enter(&computed(&mechanism, place.time, &q, &qd), oracle, &at).map_err(refused)?;
     let solved = solve(&**model, place).filter(|solved| solved.iter().all(|number| number.is_finite()));
     if let Some(solved) = &solved {
@@ -130,6 +133,14 @@ fn terms_agree(model: &Arc<dyn Model>, oracle: &Oracle, place: &Place) -> Result
     }
     within("", comparison.worst(), TERM)?;
     Ok(solved)
+}
+
+/// Whether all that the declaration says has a value: not asin(5), say, of which a kernel may need the sine alone.
+fn is_in_domain(terms: &Terms) -> bool {
+    let matrices = terms.mass_matrix.iter().chain(&terms.constraint_jacobian).flatten();
+    let rows = [&terms.applied_forces, &terms.convective, &terms.constraints, &terms.constraint_time_derivative];
+    let all = matrices.chain(rows.into_iter().flatten()).chain(&terms.constraint_convective);
+    all.chain([&terms.kinetic_energy]).all(|term| term.value.is_finite())
 }
 
 /// Accelerations and multipliers, unless a pivot is refused.
