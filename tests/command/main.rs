@@ -8,6 +8,7 @@ mod failing;
 mod files;
 mod provenance;
 mod run_files;
+mod watch;
 
 use serde_json::Value;
 use std::fs;

@@ -65,6 +65,12 @@ impl Browser {
 
     /// Sends a command and waits for its answer; events on the way are kept.
     pub(crate) fn call(&mut self, method: &str, parameters: Value) -> Value {
+        let answer = self.ask(method, parameters);
+        assert!(answer["error"].is_null(), "{method}: {answer}");
+        answer["result"].clone()
+    }
+
+    fn ask(&mut self, method: &str, parameters: Value) -> Value {
         self.last += 1;
         let mut message = json!({ "id": self.last, "method": method, "params": parameters });
         if let Some(session) = &self.session {
@@ -75,8 +81,7 @@ impl Browser {
             let Message::Text(text) = self.socket.read().unwrap() else { continue };
             let answer: Value = serde_json::from_str(&text).unwrap();
             if answer["id"] == self.last {
-                assert!(answer["error"].is_null(), "{method}: {answer}");
-                return answer["result"].clone();
+                return answer;
             }
             self.note(&answer);
         }
@@ -101,6 +106,13 @@ impl Browser {
             .call("Runtime.evaluate", json!({ "expression": expression, "awaitPromise": true, "returnByValue": true }));
         assert!(answer["exceptionDetails"].is_null(), "{expression}: {answer}");
         answer["result"]["value"].clone()
+    }
+
+    /// The same where the page may just be loaded anew: `None` then.
+    pub(crate) fn try_evaluate(&mut self, expression: &str) -> Option<Value> {
+        let answer = self.ask("Runtime.evaluate", json!({ "expression": expression, "returnByValue": true }));
+        let result = answer["result"].as_object().filter(|result| result.get("exceptionDetails").is_none());
+        result.map(|result| result["result"]["value"].clone())
     }
 
     /// Sets the size of the window and the reader's theme.

@@ -3,6 +3,7 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
 
 mod browser;
+mod watch;
 
 use browser::Browser;
 use serde_json::Value;

@@ -31,6 +31,20 @@ pub fn read_files(tokens: TokenStream, folder: &Path) -> Result<(TokenStream, Ve
     Ok((put_in(tokens, folder, &mut files)?, files))
 }
 
+/// The names of the files whose rows a declaration takes, without reading them.
+pub fn files_named(tokens: TokenStream) -> Vec<String> {
+    let (mut names, mut follows_from) = (Vec::new(), false);
+    for token in tokens {
+        match &token {
+            TokenTree::Literal(literal) if follows_from => names.extend(name(literal)),
+            TokenTree::Group(group) => names.extend(files_named(group.stream())),
+            _ => {}
+        }
+        follows_from = matches!(&token, TokenTree::Ident(word) if word == "from");
+    }
+    names
+}
+
 fn put_in(tokens: TokenStream, folder: &Path, files: &mut Vec<String>) -> Result<TokenStream> {
     let mut out: Vec<TokenTree> = Vec::new();
     for token in tokens {

@@ -16,7 +16,7 @@ pub mod version;
 mod vocabulary;
 
 pub use declarations::declarations;
-pub use file::{folder_of_tables, read_files};
+pub use file::{files_named, folder_of_tables, read_files};
 pub use hash::hash;
 pub use parse::{parse_head, parse_unit};
 pub use region::Region;

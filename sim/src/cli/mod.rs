@@ -34,7 +34,7 @@ use clap::{FromArgMatches, Parser};
 use codegen::nearest;
 use commands::{
     check, compare, evaluate, generate, info, kinematics, linearize, list, new, new_file, plot, poincare, run, statics,
-    verify,
+    verify, watch,
 };
 use files::run_file::RunFile;
 use sim_kernel::{Compiled, Description};
@@ -153,6 +153,7 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
         Command::Linearize(about) => by_size!(linearize::linearize_command, model(&about.start.model)?, about, voice),
         Command::Poincare(of) => stepping!(poincare::poincare_command, model(&of.start.model)?, of, voice),
         Command::Evaluate(of) => evaluate::evaluate(&*model(&of.model)?, of),
+        Command::Watch(arguments) => watch::watch(arguments, voice),
         Command::Check(arguments) => check::check(arguments, voice),
         Command::Plot(arguments) => plot::plot(arguments, voice),
         Command::Compare(arguments) => compare::compare(arguments, voice),

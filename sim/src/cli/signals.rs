@@ -23,6 +23,14 @@ static HAS_NUMBERS: AtomicBool = AtomicBool::new(false);
 /// Whether the user knows that they are being written, and that another signal loses them.
 static IS_WARNED: AtomicBool = AtomicBool::new(false);
 
+/// Whether what goes on is to be ended by a signal, and is done then.
+static ENDS_WELL: AtomicBool = AtomicBool::new(false);
+
+/// From here on a signal ends the program with status 0: nothing is being written.
+pub(super) fn end_well() {
+    ENDS_WELL.store(true, Ordering::SeqCst);
+}
+
 /// Handles SIGINT and SIGTERM from here on. (SIGHUP keeps its meaning: `nohup` works.)
 pub(super) fn listen() {
     #[cfg(unix)]
@@ -42,6 +50,9 @@ pub(super) fn interruptible<T>(work: impl FnOnce() -> T) -> T {
 /// The first signal ends a run, which has a moment to draw its pictures; another ends it as soon as its numbers are
 /// written, or, once the user is warned, at once. What is no run ends at once, keeping complete files.
 fn heard() {
+    if ENDS_WELL.load(Ordering::SeqCst) {
+        std::process::exit(0);
+    }
     if !HAS_NUMBERS.load(Ordering::SeqCst) || IS_WARNED.load(Ordering::SeqCst) {
         end();
     } else if !INTERRUPTED.swap(true, Ordering::SeqCst) {

@@ -9,7 +9,7 @@ use codegen::mistakes::Mistake;
 use proc_macro2::TokenStream;
 use std::fs::File;
 use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 /// The largest file that is read, in bytes.
@@ -126,6 +126,15 @@ impl DeclarationFile {
         let declared = self.declarations()?;
         let found: Vec<Mistake> = declared.iter().filter_map(|one| self.derive(one).err()).flatten().collect();
         if found.is_empty() { Ok(declared.into_iter().map(|one| kebab_case(&one.name)).collect()) } else { Err(found) }
+    }
+
+    /// The tables that its declarations name, in the folder where tables are read or below; elsewhere none is read.
+    pub fn tables(&self) -> Vec<PathBuf> {
+        let folder = folder_of_tables(&self.path);
+        let declared = dsl::declarations(&self.text).unwrap_or_default();
+        let paths = declared.into_iter().flat_map(dsl::files_named);
+        let is_below = |path: &PathBuf| path.components().all(|part| matches!(part, Component::Normal(_)));
+        paths.map(PathBuf::from).filter(is_below).map(|path| folder.join(path)).collect()
     }
 
     fn declarations(&self) -> Result<Vec<Declared>, Vec<Mistake>> {

@@ -6,6 +6,7 @@ mod kinematics;
 mod linearize;
 mod poincare;
 mod run;
+mod watch;
 
 use clap::{Args, Parser, Subcommand};
 use common::Size;
@@ -16,6 +17,7 @@ pub(super) use linearize::LinearizeArguments;
 pub(super) use poincare::PoincareArguments;
 pub(super) use run::RunArguments;
 use std::path::PathBuf;
+pub(super) use watch::WatchArguments;
 
 /// Runs mechanisms that were declared in the language, and shows their motion.
 #[derive(Parser)]
@@ -44,6 +46,8 @@ pub(super) enum Command {
     Info(InfoArguments),
     /// Runs a mechanism and writes its motion, a summary and figures.
     Run(Box<RunArguments>),
+    /// Shows a file's mechanism in the browser, and follows what is saved.
+    Watch(Box<WatchArguments>),
     /// Compares a mechanism's kernels, equations and runs with independent computations.
     Verify(VerifyArguments),
     /// Assembles the start and prints it, with degrees of freedom and redundant constraints.

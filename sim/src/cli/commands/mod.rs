@@ -16,3 +16,4 @@ pub(super) mod run;
 pub(super) mod statics;
 pub(super) mod steady;
 pub(super) mod verify;
+pub(super) mod watch;

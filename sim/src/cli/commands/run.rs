@@ -99,7 +99,7 @@ fn write(
 }
 
 /// Failures of the motion or its outputs.
-fn failures(outcome: &Outcome, table: &Table) -> Vec<String> {
+pub(super) fn failures(outcome: &Outcome, table: &Table) -> Vec<String> {
     let of_output = |(name, time): &(&str, f64)| {
         format!(
             "output `{name}` is not finite at t = {time} s: its expression leaves its domain there (division by zero, root or \

@@ -5,6 +5,7 @@
 
 mod data;
 mod html;
+mod live;
 mod page;
 mod rows;
 mod sweep;
@@ -20,6 +21,7 @@ use serde_json::Value;
 use sim_kernel::{Description, Mechanism};
 use std::path::Path;
 
+pub(crate) use live::{Live, waiting_page};
 pub(crate) use sweep::sweep_report;
 
 /// The contents of a report beside the run itself.
@@ -51,7 +53,26 @@ pub(crate) fn report_of(
     about: &About,
     path: &Path,
 ) -> Result<(), ShowError> {
-    let shown = Shown {
+    of_run(run, outcome, table, about).write(path)
+}
+
+/// The same as a page that is served, and follows what it shows.
+///
+/// # Errors
+/// If there is no sample.
+pub(crate) fn live_report(
+    run: &dyn Recorded,
+    outcome: &Outcome,
+    table: &Table,
+    about: &About,
+    live: &Live,
+) -> Result<String, ShowError> {
+    of_run(run, outcome, table, about).page(Some(live))
+}
+
+/// What the page of a run shows.
+fn of_run<'a>(run: &'a dyn Recorded, outcome: &'a Outcome, table: &'a Table, about: &'a About) -> Shown<'a> {
+    Shown {
         description: outcome.description,
         rows: run,
         table,
@@ -67,8 +88,7 @@ pub(crate) fn report_of(
         tables: tables::tables(outcome, about.summary),
         command: about.command,
         run_file: about.run_file,
-    };
-    shown.write(path)
+    }
 }
 
 /// The run in short.
@@ -129,10 +149,14 @@ struct Abscissa {
 }
 
 impl Shown<'_> {
-    fn write(&self, path: &Path) -> Result<(), ShowError> {
-        if self.times.is_empty() {
-            return Err(ShowError::empty("report", "the run has no sample"));
+    fn page(&self, live: Option<&Live>) -> Result<String, ShowError> {
+        match self.times.is_empty() {
+            true => Err(ShowError::empty("report", "the run has no sample")),
+            false => Ok(page::page(self, live)),
         }
-        whole_bytes(path, page::page(self).as_bytes()).map_err(|why| ShowError::write(path, why))
+    }
+
+    fn write(&self, path: &Path) -> Result<(), ShowError> {
+        whole_bytes(path, self.page(None)?.as_bytes()).map_err(|why| ShowError::write(path, why))
     }
 }

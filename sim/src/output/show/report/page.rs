@@ -3,6 +3,7 @@
 use super::Shown;
 use super::data::data;
 use super::html::escaped;
+use super::live::{self, Live};
 use crate::state::provenance::Provenance;
 use sim_kernel::Description;
 
@@ -22,17 +23,24 @@ const SCRIPT: [&str; 8] = [
     include_str!("../../../../assets/report/page.js"),
 ];
 
+/// The policy of a page from a file; one that is served has a stricter one in its head.
+const POLICY: &str = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; \
+    style-src 'unsafe-inline'; img-src data:\">\n";
+
 /// The size of typeset equations, in bytes, beyond which they are omitted.
 #[cfg(feature = "analysis")]
 const MOST_OF_EQUATIONS: usize = 300_000;
 
-/// The whole page.
-pub(super) fn page(shown: &Shown) -> String {
+/// The whole page; with what keeps it up to date if it is served.
+pub(super) fn page(shown: &Shown, live: Option<&Live>) -> String {
     let description = shown.description;
     fill(TEMPLATE, |slot| match slot {
         "title" => escaped(&spaced(description.type_name)),
         "docs" => with_code(&escaped(&description.docs.replace('\n', " "))),
         "style" => STYLE.concat(),
+        "policy" => live.map_or(POLICY, |_| "").to_owned(),
+        "nonce" => live.map_or(String::new(), Live::attribute),
+        "live" => live.map_or(String::new(), Live::part),
         "failure" => failure(shown),
         "facts" => facts(shown),
         "tables" => shown.tables.clone(),
@@ -45,9 +53,14 @@ pub(super) fn page(shown: &Shown) -> String {
         // So that no text of a declaration ends the script, or begins what a page reads otherwise.
         "data" => data(shown).to_string().replace('<', "\\u003c"),
         "uplot" => format!("/*!\n{UPLOT_LICENSE}*/\n{UPLOT}"),
-        "script" => format!("(() => {{\n\"use strict\";\n{}}})();", SCRIPT.concat()),
+        "script" => script(&SCRIPT.concat(), live.map_or("", |_| live::STATE)),
         other => other.to_owned(),
     })
+}
+
+/// Scripts in a scope of their own.
+fn script(parts: &str, more: &str) -> String {
+    format!("(() => {{\n\"use strict\";\n{parts}{more}}})();")
 }
 
 /// What made the page, of what, and which run it is; the command stands above.
