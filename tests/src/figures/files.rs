@@ -19,6 +19,7 @@ pub(super) const SUBJECTS: &[Subject] = &[
     ("blocks", blocks),
     ("run", a_run),
     ("first", first_results),
+    ("watch", watch),
 ];
 
 /// Where every kernel is called.
@@ -164,6 +165,15 @@ fn a_run(table: &mut Table) {
     let times = interleaved(15, &mut [&mut first, &mut second]);
     let ratio = times[1].as_secs_f64() / times[0].as_secs_f64();
     table.at_most("interpreted beside its own compiled loops", ratio, 6.0);
+}
+
+fn watch(table: &mut Table) {
+    table.heading("sim watch");
+    table.elsewhere(
+        "saved file to changed page in sim watch, in Chromium, in ms: median of 50 saves, at most 150",
+        "cargo test --release -p sim --test report saved_file -- --ignored --nocapture",
+    );
+    table.elsewhere("sim watch attacked: 403, 404 or closed, nothing read", "cargo test -p sim --test command watch");
 }
 
 /// From text to the accelerations at the declared start.
