@@ -90,7 +90,11 @@ impl Followed {
     /// What there is to do, if anything has changed.
     fn look(&mut self, path: &Path) -> Option<Job> {
         let stamp = stamp(path);
-        let tables_changed = self.tables.iter_mut().fold(false, |any, table| table.has_changed() || any);
+        // Each table is looked at: two that change together are one change.
+        let mut tables_changed = false;
+        for table in &mut self.tables {
+            tables_changed |= table.has_changed();
+        }
         if stamp == self.declaration && !is_fresh(stamp) && self.away_since.is_none() && !tables_changed {
             return None;
         }
