@@ -1,6 +1,7 @@
 //! The mechanism that a word of the command line names: one of the program's own, or one of a file.
 
-use crate::cli::{Entry, RunCommand, Stop, find};
+use crate::cli::Stop;
+use crate::cli::entry::{Entry, RunCommand, find};
 use crate::{Model, load};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -16,7 +17,10 @@ pub(super) struct Chosen {
 pub(super) fn chosen(mechanisms: &[Entry], word: &str) -> Result<Chosen, Stop> {
     match file(word) {
         Some((path, name)) => Ok(Chosen { model: load(path, name)?, run: None }),
-        None => find(mechanisms, word).map(|entry| Chosen { model: (entry.model)(), run: entry.run }),
+        None => {
+            let entry = find(mechanisms, word)?;
+            Ok(Chosen { model: entry.model()?, run: entry.run })
+        }
     }
 }
 

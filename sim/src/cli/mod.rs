@@ -15,20 +15,24 @@
 //! }
 //! ```
 
+mod answer;
 mod arguments;
 mod chosen;
 mod commands;
+mod entry;
 mod files;
 mod given;
 mod own;
 mod progress;
 mod quantity;
+mod said;
 mod settings;
 mod signals;
+mod simulated;
 mod sizes;
 
-use crate::{Model, erase};
-use arguments::{Arguments, Command, RunArguments, Voice};
+pub use answer::{Answer, Problem, Refusal, answer};
+use arguments::{Arguments, Command};
 use chosen::{Chosen, chosen};
 use clap::{FromArgMatches, Parser};
 use codegen::nearest;
@@ -36,37 +40,15 @@ use commands::{
     check, compare, evaluate, generate, info, kinematics, linearize, list, new, new_file, plot, poincare, run, statics,
     verify, watch,
 };
+pub use entry::{Entry, entry, entry_with_own_loops, text_entry};
 use files::run_file::RunFile;
-use sim_kernel::{Compiled, Description};
+pub use simulated::{Simulated, Stand, simulated};
 use sizes::{by_size, stepping};
 use std::ffi::OsString;
 use std::io::Write;
+use std::path::Path;
 use std::process::ExitCode;
-use std::sync::Arc;
-
-/// The command `run` of one mechanism.
-type RunCommand = fn(&RunArguments, Voice) -> Result<(), Stop>;
-
-/// A mechanism that the command line can run.
-#[derive(Clone, Copy)]
-pub struct Entry {
-    description: &'static Description,
-    model: fn() -> Arc<dyn Model>,
-    /// Its runs by step loops of its own, if it has them.
-    run: Option<RunCommand>,
-}
-
-/// Registers a mechanism with [`main`]. Commands are compiled once for all mechanisms: of this one only its kernels are.
-pub fn entry<M: Compiled>() -> Entry {
-    Entry { description: const { &M::DESCRIPTION }, model: || erase(M::defaults()), run: None }
-}
-
-/// The same with step loops compiled for this mechanism: `run` integrates several times as fast, to the same bits, and
-/// a build takes some seconds more. For long runs.
-pub fn entry_with_own_loops<M: Compiled>() -> Entry {
-    let run = |arguments: &RunArguments, voice: Voice| run::run_command(M::defaults(), arguments, voice);
-    Entry { run: Some(run), ..entry::<M>() }
-}
+use std::sync::{Mutex, PoisonError};
 
 /// Why a command failed.
 enum Stop {
@@ -89,8 +71,14 @@ impl<E: Into<anyhow::Error>> From<E> for Stop {
 /// Executes the command line and gives the exit status: 0 for success, 1 for a failed run, 2 for a wrong command line,
 /// 130 for an interrupted run.
 pub fn main(mechanisms: &[Entry]) -> ExitCode {
+    main_of(mechanisms, std::env::args_os().collect())
+}
+
+/// The same for a command line, the program's name first, that this process was not called with: of a program in another
+/// language.
+pub fn main_of(mechanisms: &[Entry], words: Vec<OsString>) -> ExitCode {
     signals::listen();
-    let words: Vec<OsString> = std::env::args_os().collect();
+    *WORDS.lock().unwrap_or_else(PoisonError::into_inner) = words.clone();
     let matches = own::command(mechanisms, &program()).get_matches_from(&words);
     let arguments = Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     match with_run_file(mechanisms, arguments, &words) {
@@ -137,7 +125,7 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
     let voice = arguments.voice;
     let model = |word: &str| Ok::<_, Stop>(chosen(mechanisms, word)?.model);
     match &arguments.command {
-        Command::List => list::list(mechanisms.iter().map(|entry| entry.description), voice),
+        Command::List => list::list(mechanisms, voice),
         Command::Info(info) => by_size!(info::info_command, model(&info.model)?, voice),
         Command::Run(run) => {
             let Chosen { model, run: own } = chosen(mechanisms, &run.model)?;
@@ -171,16 +159,18 @@ fn print(text: &str) -> Result<(), Stop> {
     }
 }
 
-/// The name of this program.
-fn program() -> String {
-    let name = std::env::args_os().next().map(std::path::PathBuf::from);
-    let name = name.as_ref().and_then(|path| path.file_stem()).map(|name| name.to_string_lossy().into_owned());
-    name.unwrap_or_else(|| "sim".to_owned())
+/// The command line, the program's name first.
+static WORDS: Mutex<Vec<OsString>> = Mutex::new(Vec::new());
+
+fn words() -> Vec<OsString> {
+    WORDS.lock().unwrap_or_else(PoisonError::into_inner).clone()
 }
 
-fn find<'a>(mechanisms: &'a [Entry], name: &str) -> Result<&'a Entry, Stop> {
-    let names = || mechanisms.iter().map(|entry| entry.description.name);
-    mechanisms.iter().find(|entry| entry.description.name == name).ok_or_else(|| unknown("model", name, names()))
+/// The name of this program.
+fn program() -> String {
+    let words = words();
+    let name = words.first().map(Path::new).and_then(Path::file_stem);
+    name.map_or_else(|| "sim".to_owned(), |name| name.to_string_lossy().into_owned())
 }
 
 /// The message for a name that is not known.

@@ -14,11 +14,11 @@ const THEIR_OWN: [&str; 8] = ["O2A", "alpha", "x6", "phi", "--input", "--event",
 /// The command line of a program with these mechanisms.
 pub(super) fn command(mechanisms: &[Entry], program: &str) -> Command {
     let command = Arguments::command().name("sim").bin_name(program.to_owned()).display_name(program.to_owned());
-    let has = |name: &str| mechanisms.iter().any(|entry| entry.description.name == name);
+    let has = |name: &str| mechanisms.iter().any(|entry| entry.name() == name);
     if THEIRS.into_iter().all(has) {
         return command;
     }
-    let model = mechanisms.first().map_or("MODEL", |entry| entry.description.name);
+    let model = mechanisms.first().map_or("MODEL", |entry| entry.name());
     let of_all = |text: &str| spoken(text, program, model, &format!("{program} run {model}"));
     let command = match command.get_after_help().map(ToString::to_string) {
         Some(text) => command.after_help(of_all(&text)),
@@ -35,7 +35,7 @@ pub(super) fn command(mechanisms: &[Entry], program: &str) -> Command {
 
 /// The same, with the names of all mechanisms in place of any.
 pub(super) fn with_names(mechanisms: &[Entry], program: &str) -> Command {
-    let names = || PossibleValuesParser::new(mechanisms.iter().map(|entry| entry.description.name));
+    let names = || PossibleValuesParser::new(mechanisms.iter().map(|entry| entry.name()));
     command(mechanisms, program).mut_subcommands(|sub| {
         let has_model = sub.get_arguments().any(|argument| argument.get_id() == "model");
         if has_model { sub.mut_arg("model", |model| model.value_parser(names())) } else { sub }

@@ -26,7 +26,7 @@ pub(in crate::cli) fn generate(arguments: &GenerateArguments, mechanisms: &[Entr
 
 /// The names of mechanisms for fish, for which clap_complete offers no values of positional arguments.
 fn fish_names(command: &Command, mechanisms: &[Entry], program: &str) -> String {
-    let names: Vec<&str> = mechanisms.iter().map(|entry| entry.description.name).collect();
+    let names: Vec<&str> = mechanisms.iter().map(|entry| entry.name()).collect();
     let takes_one = |sub: &&Command| sub.get_arguments().any(|argument| argument.get_id() == "model");
     let function = format!("__fish_{}_using_subcommand", program.replace('-', "_"));
     let line = |sub: &Command| {

@@ -2,7 +2,7 @@
 
 use crate::analysis::kinematics::{prescribed_coordinate, quotient};
 use crate::cli::arguments::{KinematicsArguments, Voice};
-use crate::cli::files::asked;
+use crate::cli::files::asked::command;
 use crate::cli::files::folder;
 use crate::cli::files::written::Files;
 use crate::cli::given::as_given;
@@ -11,12 +11,13 @@ use crate::cli::signals;
 use crate::cli::{Stop, unknown};
 use crate::output::show::{self, SWEEP_FIGURES};
 use crate::{
-    Driven, Extreme, Extremes, Failure, Kinematics, Mobility, Range, SpecialPosition, Sweep, Table, What,
+    Driven, Extreme, Extremes, Failure, Kinematics, Mobility, Range, SpecialPosition, Start, Sweep, Table, What,
     kinematics_until,
 };
 use serde_json::{Map, Value, json};
 use sim_kernel::{Array, Description, Mechanism, Quantity};
 use std::path::Path;
+use std::sync::atomic::AtomicBool;
 
 impl KinematicsArguments {
     pub(in crate::cli) fn model(&self) -> &str {
@@ -113,11 +114,7 @@ pub(in crate::cli) fn kinematics_command<M: Mechanism>(
     voice: Voice,
 ) -> Result<(), Stop> {
     let description = mechanism.description();
-    let (mechanism, start) = as_given(&mechanism, &arguments.set, &arguments.initial)?;
-    let now = |driven: Driven| driven.value(&mechanism, 0.0, &start.positions);
-    let speeds: Vec<Option<f64>> = start.speed_given.iter().zip(start.speeds.iter()).map(given).collect();
-    let prescribed = prescribed_coordinate(&mechanism, &start.positions);
-    let sweep = arguments.sweep(description, &now, &speeds, prescribed)?;
+    let (mechanism, start, sweep) = asked(&mechanism, arguments)?;
     let directory = arguments.out.clone();
     let directory = directory.unwrap_or_else(|| format!("out/{}-kinematics", description.name).into());
     let files = Files::new(description, &directory, &SWEEP_FIGURES)?;
@@ -128,6 +125,28 @@ pub(in crate::cli) fn kinematics_command<M: Mechanism>(
         report: &|table, command, path| show::sweep_report(&found, table, command, path),
     };
     tell(&Found::new(&found), &mut found.table(), (arguments, files), &pictures, voice)
+}
+
+/// The sweep as it is asked for.
+fn asked<M: Mechanism>(mechanism: &M, arguments: &KinematicsArguments) -> Result<(M, Start<M>, Sweep), Stop> {
+    let (mechanism, start) = as_given(mechanism, &arguments.set, &arguments.initial)?;
+    let now = |driven: Driven| driven.value(&mechanism, 0.0, &start.positions);
+    let speeds: Vec<Option<f64>> = start.speed_given.iter().zip(start.speeds.iter()).map(given).collect();
+    let prescribed = prescribed_coordinate(&mechanism, &start.positions);
+    let sweep = arguments.sweep(mechanism.description(), &now, &speeds, prescribed)?;
+    Ok((mechanism, start, sweep))
+}
+
+/// The sweep, and its summary.
+pub(in crate::cli) fn swept<M: Mechanism>(
+    mechanism: M,
+    arguments: &KinematicsArguments,
+    interrupted: &AtomicBool,
+) -> Result<(Kinematics<M>, Value), Stop> {
+    let (mechanism, start, sweep) = asked(&mechanism, arguments)?;
+    let found = kinematics_until(interrupted, mechanism, &start, &sweep)?;
+    let summary = summary(&Found::new(&found));
+    Ok((found, summary))
 }
 
 /// What draws a sweep.
@@ -191,7 +210,7 @@ fn tell(
     voice: Voice,
 ) -> Result<(), Stop> {
     let mut summary = summary(found);
-    let command = asked::command();
+    let command = command();
     Files::name_run(table, command.clone(), &mut [&mut summary]);
     files.add_table(table, &arguments.written);
     folder::tell("summary.json", summary.clone());

@@ -21,6 +21,23 @@ pub(in crate::cli) fn linearize_command<M: Mechanism>(
     arguments: &LinearizeArguments,
     voice: Voice,
 ) -> Result<(), Stop> {
+    linearized(mechanism, arguments, &|found| tell(found, arguments, voice))
+}
+
+/// The same as a value.
+pub(in crate::cli) fn linearized_summary<M: Mechanism>(
+    mechanism: M,
+    arguments: &LinearizeArguments,
+) -> Result<Value, Stop> {
+    linearized(mechanism, arguments, &|found| Ok(summary(found, &arguments.at)))
+}
+
+/// Linearises a mechanism, and tells what is found.
+fn linearized<M: Mechanism, T>(
+    mechanism: M,
+    arguments: &LinearizeArguments,
+    tell: &dyn Fn(&Found) -> Result<T, Stop>,
+) -> Result<T, Stop> {
     let description = mechanism.description();
     let (mechanism, start) = as_given(&mechanism, &arguments.start.set, &arguments.start.initial)?;
     let inputs = controls(description, &arguments.input)?;
@@ -42,7 +59,7 @@ pub(in crate::cli) fn linearize_command<M: Mechanism>(
         eigenvalues: &eigenvalues,
         modes: &modes,
     };
-    tell(&found, arguments, voice)
+    tell(&found)
 }
 
 /// The results, for a mechanism of any type.

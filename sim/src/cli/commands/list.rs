@@ -1,18 +1,20 @@
 //! `sim list`.
 
 use crate::cli::arguments::Voice;
-use crate::cli::{Stop, print};
+use crate::cli::{Entry, Stop, print};
 use serde_json::json;
 use sim_kernel::Description;
 
 /// Prints each mechanism with its size and the first line of its documentation.
-pub(in crate::cli) fn list(mechanisms: impl Iterator<Item = &'static Description>, voice: Voice) -> Result<(), Stop> {
+pub(in crate::cli) fn list(mechanisms: &[Entry], voice: Voice) -> Result<(), Stop> {
+    let models = mechanisms.iter().map(Entry::model).collect::<Result<Vec<_>, _>>()?;
+    let descriptions = models.iter().map(|model| model.description());
     if voice.json {
         let of = |d: &Description| json!({ "name": d.name, "coordinates": d.coordinates.len(), "constraints": d.constraints.len(), "docs": d.docs });
-        return print(&format!("{:#}\n", mechanisms.map(of).collect::<serde_json::Value>()));
+        return print(&format!("{:#}\n", descriptions.map(of).collect::<serde_json::Value>()));
     }
     let mut text = String::new();
-    for d in mechanisms {
+    for d in descriptions {
         let (coordinates, constraints) =
             (counted(d.coordinates.len(), "coordinate"), counted(d.constraints.len(), "constraint"));
         text += &format!("{:<20} {coordinates}, {constraints}\n", d.name);

@@ -1,7 +1,7 @@
 //! `sim poincare`.
 
 use crate::cli::arguments::{PoincareArguments, Voice};
-use crate::cli::files::asked;
+use crate::cli::files::asked::command;
 use crate::cli::files::folder;
 use crate::cli::files::written::Files;
 use crate::cli::given::as_given;
@@ -9,8 +9,8 @@ use crate::cli::progress;
 use crate::cli::settings::positive;
 use crate::cli::{Stop, unknown};
 use crate::output::show;
-use crate::{Failure, Method, Period, Sectioning, Settings, Table, What, poincare_while};
-use serde_json::json;
+use crate::{Failure, Method, Period, Sectioning, Settings, Start, Table, What, poincare_while};
+use serde_json::{Value, json};
 use sim_kernel::{Description, Mechanism};
 use std::path::Path;
 
@@ -21,7 +21,30 @@ pub(in crate::cli) fn poincare_command<M: Mechanism>(
     voice: Voice,
 ) -> Result<(), Stop> {
     let description = mechanism.description();
-    let (mechanism, start) = as_given(&mechanism, &arguments.start.set, &arguments.start.initial)?;
+    let Asked { mechanism, start, section, settings } = asked(&mechanism, arguments)?;
+    let directory = arguments.out.clone().unwrap_or_else(|| format!("out/{}-poincare", description.name).into());
+    let files = Files::new(description, &directory, &["mechanism"])?;
+    let found = progress::watched(settings.end, voice, |goes_on| {
+        poincare_while(mechanism, &start, &section, &settings, goes_on)
+    })?;
+    let mut table = Table::of(&found.mechanism, &found.trajectory);
+    let draw =
+        |table: &Table, directory: &Path| show::section_figures(&found, table, directory, arguments.written.figures());
+    let (period, failure) = (found.period, found.trajectory.failure.as_ref());
+    tell(description, &mut table, (period, failure), arguments, &draw, (files, voice))
+}
+
+/// The section as it is asked for.
+struct Asked<M: Mechanism> {
+    mechanism: M,
+    start: Start<M>,
+    section: Sectioning,
+    settings: Settings,
+}
+
+fn asked<M: Mechanism>(mechanism: &M, arguments: &PoincareArguments) -> Result<Asked<M>, Stop> {
+    let description = mechanism.description();
+    let (mechanism, start) = as_given(mechanism, &arguments.start.set, &arguments.start.initial)?;
     let events = || description.events.iter().map(|event| event.name);
     let event = events().position(|name| name == arguments.event);
     let event = event.ok_or_else(|| unknown("event", &arguments.event, events()))?;
@@ -31,15 +54,31 @@ pub(in crate::cli) fn poincare_command<M: Mechanism>(
     let section = Sectioning { event, crossing: arguments.direction.crossing(), count: arguments.count as usize };
     let end = positive("--t-end", &arguments.t_end)?;
     let settings = Settings::adaptive(Method::Dop853, end, arguments.rtol);
-    let directory = arguments.out.clone().unwrap_or_else(|| format!("out/{}-poincare", description.name).into());
-    let files = Files::new(description, &directory, &["mechanism"])?;
-    let found =
-        progress::watched(end, voice, |goes_on| poincare_while(mechanism, &start, &section, &settings, goes_on))?;
-    let mut table = Table::of(&found.mechanism, &found.trajectory);
-    let draw =
-        |table: &Table, directory: &Path| show::section_figures(&found, table, directory, arguments.written.figures());
-    let (period, failure) = (found.period, found.trajectory.failure.as_ref());
-    tell(description, &mut table, (period, failure), arguments, &draw, (files, voice))
+    Ok(Asked { mechanism, start, section, settings })
+}
+
+/// The states of the section, its summary, and what is wrong with it.
+pub(in crate::cli) struct Sectioned {
+    pub(in crate::cli) table: Table,
+    pub(in crate::cli) summary: Value,
+    pub(in crate::cli) failure: Option<Failure>,
+    pub(in crate::cli) problems: Vec<String>,
+}
+
+/// Takes a section of a motion for as long as `goes_on` says so.
+pub(in crate::cli) fn sectioned<M: Mechanism>(
+    mechanism: M,
+    arguments: &PoincareArguments,
+    goes_on: &mut dyn FnMut(f64) -> bool,
+) -> Result<Sectioned, Stop> {
+    let description = mechanism.description();
+    let Asked { mechanism, start, section, settings } = asked(&mechanism, arguments)?;
+    let found = poincare_while(mechanism, &start, &section, &settings, goes_on)?;
+    let table = Table::of(&found.mechanism, &found.trajectory);
+    let failure = found.trajectory.failure;
+    let summary = summary(description, arguments, table.times(), (found.period, failure.as_ref()));
+    let problems = problems(arguments, table.times(), failure.as_ref())?;
+    Ok(Sectioned { table, summary, failure, problems })
 }
 
 /// Writes and prints the results.
@@ -52,7 +91,26 @@ fn tell(
     (mut files, voice): (Files, Voice),
 ) -> Result<(), Stop> {
     let times = table.times().to_vec();
-    let mut said = json!({
+    let mut said = summary(description, arguments, &times, (period, failure));
+    Files::name_run(table, command(), &mut [&mut said]);
+    files.add_table(table, &arguments.written);
+    folder::tell("summary.json", said.clone());
+    if !arguments.written.no_figures && !times.is_empty() {
+        files.add_figures(arguments.written.figures(), |directory| draw(table, directory));
+    }
+    files.finish();
+    files.say(voice, said, &format!("{}{}", report(description, arguments, &times, period), files.line()))?;
+    let problems = problems(arguments, &times, failure)?;
+    files.check(problems, failure.is_some_and(|failure| failure.what == What::Interrupted))
+}
+
+fn summary(
+    description: &Description,
+    arguments: &PoincareArguments,
+    times: &[f64],
+    (period, failure): (Option<Period>, Option<&Failure>),
+) -> Value {
+    json!({
         "model": description.name,
         "event": arguments.event,
         "crossings": times.len(),
@@ -61,16 +119,12 @@ fn tell(
         "times": times,
         "failure": failure.map(ToString::to_string),
         "failure_code": failure.map(|failure| failure.what.code()),
-    });
-    Files::name_run(table, asked::command(), &mut [&mut said]);
-    files.add_table(table, &arguments.written);
-    folder::tell("summary.json", said.clone());
-    if !arguments.written.no_figures && !times.is_empty() {
-        files.add_figures(arguments.written.figures(), |directory| draw(table, directory));
-    }
-    files.finish();
-    files.say(voice, said, &format!("{}{}", report(description, arguments, &times, period), files.line()))?;
-    let problems = match failure {
+    })
+}
+
+/// A failure of the motion, or that there is no state.
+fn problems(arguments: &PoincareArguments, times: &[f64], failure: Option<&Failure>) -> Result<Vec<String>, Stop> {
+    Ok(match failure {
         Some(failure) => vec![failure.to_string()],
         None if times.is_empty() => vec![format!(
             "event `{}` has not happened in {} s{}. Give a longer --t-end, or another event",
@@ -79,8 +133,7 @@ fn tell(
             if arguments.direction.crossing().is_some() { " in this direction" } else { "" }
         )],
         None => Vec::new(),
-    };
-    files.check(problems, failure.is_some_and(|failure| failure.what == What::Interrupted))
+    })
 }
 
 fn report(description: &Description, arguments: &PoincareArguments, times: &[f64], period: Option<Period>) -> String {

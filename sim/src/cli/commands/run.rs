@@ -12,7 +12,7 @@ use crate::output::happening::impulses;
 use crate::output::outcome::{Outcome, Recorded};
 use crate::output::show::{self, About};
 use crate::output::write::summary_of;
-use crate::{Start, Stepping, Table, What, assemble, mobility, run_while, write_json};
+use crate::{Settings, Start, Stepping, Table, What, assemble, mobility, run_while, write_json};
 use serde_json::{Value, json};
 use sim_kernel::Mechanism;
 use std::path::PathBuf;
@@ -26,16 +26,29 @@ pub(in crate::cli) fn run_command<M: Mechanism>(
 ) -> Result<(), Stop> {
     let description = mechanism.description();
     let clock = Instant::now();
-    let (mechanism, start) = as_given(&mechanism, &arguments.set, &arguments.initial)?;
-    let mechanism = held_at(&mechanism, &arguments.input)?;
-    let settings = arguments.settings.settings(description)?;
-    let mut reproduction = Reproduction::new(&mechanism, &start, &settings, arguments);
+    let Asked { mechanism, start, settings, mut reproduction } = asked(&mechanism, arguments)?;
     let directory = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(description.name));
     let files = Files::new(description, &directory, &["mechanism"])?;
     warn_of_redundancy(&mechanism, &start, voice);
     let found = progress::watched(settings.end, voice, |goes_on| run_while(mechanism, &start, &settings, goes_on))?;
     let mut table = Table::of(&found.mechanism, &found.trajectory);
     told(&found, &mut table, arguments, (&mut reproduction, files, clock), voice)
+}
+
+/// A run as it is asked for.
+pub(in crate::cli) struct Asked<M: Mechanism> {
+    pub(in crate::cli) mechanism: M,
+    pub(in crate::cli) start: Start<M>,
+    pub(in crate::cli) settings: Settings,
+    pub(in crate::cli) reproduction: Reproduction,
+}
+
+pub(in crate::cli) fn asked<M: Mechanism>(mechanism: &M, arguments: &RunArguments) -> Result<Asked<M>, Stop> {
+    let (mechanism, start) = as_given(mechanism, &arguments.set, &arguments.initial)?;
+    let mechanism = held_at(&mechanism, &arguments.input)?;
+    let settings = arguments.settings.settings(mechanism.description())?;
+    let reproduction = Reproduction::new(&mechanism, &start, &settings, arguments);
+    Ok(Asked { mechanism, start, settings, reproduction })
 }
 
 /// Writes the results, prints a short table, and reports failures.
@@ -99,7 +112,7 @@ fn write(
 }
 
 /// Failures of the motion or its outputs.
-pub(super) fn failures(outcome: &Outcome, table: &Table) -> Vec<String> {
+pub(in crate::cli) fn failures(outcome: &Outcome, table: &Table) -> Vec<String> {
     let of_output = |(name, time): &(&str, f64)| {
         format!(
             "output `{name}` is not finite at t = {time} s: its expression leaves its domain there (division by zero, root or \

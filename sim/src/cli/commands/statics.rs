@@ -1,10 +1,11 @@
 //! `sim assemble` and `sim equilibrium`.
 
+use crate::cli::Stop;
 use crate::cli::arguments::{AssembleArguments, StartArguments, Voice};
 use crate::cli::commands::list::counted;
 use crate::cli::given::as_given;
 use crate::cli::quantity::fixed;
-use crate::cli::{Stop, print};
+use crate::cli::said::Said;
 use crate::output::outcome::list;
 use crate::{Branches, Loop, Mobility, assemble, branches, check_masses, equilibrium, mobility, residuals};
 use nalgebra::Complex;
@@ -18,44 +19,40 @@ pub(in crate::cli) fn assemble_command<M: Mechanism>(
     arguments: &AssembleArguments,
     voice: Voice,
 ) -> Result<(), Stop> {
+    assembled(mechanism, arguments)?.tell(voice)
+}
+
+/// The assembled start, or all configurations.
+pub(in crate::cli) fn assembled<M: Mechanism>(mechanism: M, arguments: &AssembleArguments) -> Result<Said, Stop> {
     let description = mechanism.description();
     let (mechanism, start) = as_given(&mechanism, &arguments.start.set, &arguments.start.initial)?;
     if arguments.branches {
         let Branches { loops, open, positions } = branches(&mechanism, &start);
-        return say_branches(description, &loops, &open, &positions.iter().map(list).collect::<Vec<_>>(), voice);
+        return of_branches(description, &loops, &open, &positions.iter().map(list).collect::<Vec<_>>());
     }
     let state = assemble(&mechanism, &start)?;
     check_masses(&mechanism, state.time, &state.positions)?;
     let found = mobility(&mechanism, state.time, &state.positions);
     let numbers = (state.positions.as_ref(), state.speeds.as_ref());
-    say_assembled(description, &found, numbers, residuals(&mechanism, &state), voice)
+    of_start(description, &found, numbers, residuals(&mechanism, &state))
 }
 
-fn say_assembled(
+fn of_start(
     description: &Description,
     found: &Mobility,
     (positions, speeds): (&[f64], &[f64]),
     (position, velocity): (f64, f64),
-    voice: Voice,
-) -> Result<(), Stop> {
-    if voice.quiet {
-        return Ok(());
-    }
-    if voice.json {
-        let coordinates = named(description.coordinates.iter().map(|c| &c.position), positions);
-        let speeds = named(description.coordinates.iter().map(|c| &c.speed), speeds);
-        let said = json!({
-            "model": description.name,
-            "degrees_of_freedom": found.degrees_of_freedom,
-            "configuration_freedom": found.configuration_freedom,
-            "redundant_constraints": found.dependent,
-            "singular_constraints": found.singular,
-            "coordinates": coordinates,
-            "speeds": speeds,
-            "residuals": { "position": position, "velocity": velocity },
-        });
-        return print(&format!("{said:#}\n"));
-    }
+) -> Result<Said, Stop> {
+    let json = json!({
+        "model": description.name,
+        "degrees_of_freedom": found.degrees_of_freedom,
+        "configuration_freedom": found.configuration_freedom,
+        "redundant_constraints": found.dependent,
+        "singular_constraints": found.singular,
+        "coordinates": named(description.coordinates.iter().map(|c| &c.position), positions),
+        "speeds": named(description.coordinates.iter().map(|c| &c.speed), speeds),
+        "residuals": { "position": position, "velocity": velocity },
+    });
     let mut out = String::new();
     let freedom = crate::cli::commands::info::freedom(found);
     let coordinates = counted(positions.len(), "coordinate");
@@ -76,32 +73,21 @@ fn say_assembled(
         writeln!(out, "{:<12} {position:>20} {:<10} {speed:>20} {}", c.position.name, c.position.unit, c.speed.unit)?;
     }
     writeln!(out, "constraints  open by at most {position:.1e} (positions), {velocity:.1e} (velocities)")?;
-    print(&out)
+    Ok(Said { json, text: out })
 }
 
-/// Prints how the loops close, and the configurations.
-fn say_branches(
-    description: &Description,
-    loops: &[Loop],
-    open: &[&str],
-    branches: &[Vec<f64>],
-    voice: Voice,
-) -> Result<(), Stop> {
+/// How the loops close, and the configurations.
+fn of_branches(description: &Description, loops: &[Loop], open: &[&str], branches: &[Vec<f64>]) -> Result<Said, Stop> {
     let positions = || description.coordinates.iter().map(|c| &c.position);
     let coordinates = |q: &Vec<f64>| named(positions(), q);
-    if voice.quiet {
-        return Ok(());
-    }
-    if voice.json {
-        let of = |l: &Loop| json!({ "form": l.form.to_string(), "constraints": l.constraints, "coordinates": l.coordinates });
-        let said = json!({
-            "model": description.name,
-            "loops": loops.iter().map(of).collect::<Vec<_>>(),
-            "not_in_closed_form": open,
-            "branches": branches.iter().map(coordinates).collect::<Vec<_>>(),
-        });
-        return print(&format!("{said:#}\n"));
-    }
+    let of =
+        |l: &Loop| json!({ "form": l.form.to_string(), "constraints": l.constraints, "coordinates": l.coordinates });
+    let json = json!({
+        "model": description.name,
+        "loops": loops.iter().map(of).collect::<Vec<_>>(),
+        "not_in_closed_form": open,
+        "branches": branches.iter().map(coordinates).collect::<Vec<_>>(),
+    });
     let mut out = String::new();
     for Loop { constraints, coordinates, form } in loops {
         let (constraints, coordinates) = (constraints.join(", "), coordinates.join(", "));
@@ -118,7 +104,7 @@ fn say_branches(
             positions().zip(q.iter()).map(|(c, q)| format!("{} = {} {}", c.name, fixed(q / c.factor, 12), c.unit));
         writeln!(out, "branch {:<5} {}", k + 1, values.collect::<Vec<_>>().join(", "))?;
     }
-    print(&out)
+    Ok(Said { json, text: out })
 }
 
 /// Prints an equilibrium, its reactions and the eigenvalues of small motions.
@@ -127,33 +113,31 @@ pub(in crate::cli) fn equilibrium_command<M: Mechanism>(
     arguments: &StartArguments,
     voice: Voice,
 ) -> Result<(), Stop> {
+    balanced(mechanism, arguments)?.tell(voice)
+}
+
+/// The equilibrium near the start.
+pub(in crate::cli) fn balanced<M: Mechanism>(mechanism: M, arguments: &StartArguments) -> Result<Said, Stop> {
     let description = mechanism.description();
     let (mechanism, start) = as_given(&mechanism, &arguments.set, &arguments.initial)?;
     let found = equilibrium(&mechanism, &start)?;
     let (positions, multipliers) = (found.state.positions.as_ref(), found.multipliers.as_ref());
-    say_equilibrium(description, positions, multipliers, &found.eigenvalues, voice)
+    of_equilibrium(description, positions, multipliers, &found.eigenvalues)
 }
 
-fn say_equilibrium(
+fn of_equilibrium(
     description: &Description,
     positions: &[f64],
     multipliers: &[f64],
     eigenvalues: &[Complex<f64>],
-    voice: Voice,
-) -> Result<(), Stop> {
-    if voice.quiet {
-        return Ok(());
-    }
-    if voice.json {
-        let eigenvalues = eigenvalues.iter().map(|value| json!([value.re, value.im]));
-        let said = json!({
-            "model": description.name,
-            "coordinates": named(description.coordinates.iter().map(|c| &c.position), positions),
-            "multipliers": named(description.constraints.iter(), multipliers),
-            "eigenvalues": eigenvalues.collect::<Vec<_>>(),
-        });
-        return print(&format!("{said:#}\n"));
-    }
+) -> Result<Said, Stop> {
+    let values = eigenvalues.iter().map(|value| json!([value.re, value.im]));
+    let json = json!({
+        "model": description.name,
+        "coordinates": named(description.coordinates.iter().map(|c| &c.position), positions),
+        "multipliers": named(description.constraints.iter(), multipliers),
+        "eigenvalues": values.collect::<Vec<_>>(),
+    });
     let mut out = String::new();
     for (c, q) in description.coordinates.iter().zip(positions) {
         writeln!(out, "{:<20} {:>20} {}", c.position.name, fixed(q / c.position.factor, 12), c.position.unit)?;
@@ -164,7 +148,7 @@ fn say_equilibrium(
     for value in eigenvalues {
         writeln!(out, "{:<20} {:>20} {:+.12} i 1/s", "eigenvalue", fixed(value.re, 12), value.im + 0.0)?;
     }
-    print(&out)
+    Ok(Said { json, text: out })
 }
 
 /// Values by name, in their units.

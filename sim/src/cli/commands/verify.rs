@@ -1,11 +1,12 @@
 //! `sim verify`.
 
 use crate::analysis::verify::{Check, verify};
+use crate::cli::Stop;
 use crate::cli::arguments::{VerifyArguments, Voice};
 use crate::cli::given::as_given;
+use crate::cli::said::Said;
 use crate::cli::settings::positive;
-use crate::cli::{Stop, print};
-use serde_json::json;
+use serde_json::{Value, json};
 use sim_kernel::Mechanism;
 
 /// Prints one row for each check; fails if one does.
@@ -14,31 +15,32 @@ pub(in crate::cli) fn verify_command<M: Mechanism>(
     arguments: &VerifyArguments,
     voice: Voice,
 ) -> Result<(), Stop> {
+    let (said, failing) = verified(mechanism, arguments)?;
+    said.tell(voice)?;
+    failing.map_or(Ok(()), |failing| Err(Stop::Failed(anyhow::Error::msg(failing))))
+}
+
+/// All checks, and which of them fail.
+pub(in crate::cli) fn verified<M: Mechanism>(
+    mechanism: M,
+    arguments: &VerifyArguments,
+) -> Result<(Said, Option<String>), Stop> {
     let description = mechanism.description();
     let (mechanism, start) = as_given(&mechanism, &arguments.set, &arguments.initial)?;
     let checks = verify(mechanism, &start, positive("--t-end", &arguments.t_end)?)?;
-    if !voice.quiet {
-        print(&if voice.json { as_json(&checks) } else { as_text(description.name, &checks) })?;
-    }
     let failing: Vec<&str> = checks.iter().filter(|check| !Check::passes(check)).map(|check| check.name).collect();
-    match failing.is_empty() {
-        true => Ok(()),
-        false => Err(Stop::Failed(anyhow::anyhow!(
-            "{} of {} checks fail: {}",
-            failing.len(),
-            checks.len(),
-            failing.join(", ")
-        ))),
-    }
+    let failing = (!failing.is_empty())
+        .then(|| format!("{} of {} checks fail: {}", failing.len(), checks.len(), failing.join(", ")));
+    Ok((Said { json: as_json(&checks), text: as_text(description.name, &checks) }, failing))
 }
 
-fn as_json(checks: &[Check]) -> String {
+fn as_json(checks: &[Check]) -> Value {
     let row = |check: &Check| {
         json!({
             "name": check.name, "figure": check.figure, "bound": check.bound, "passes": check.passes(), "what": check.meaning,
         })
     };
-    format!("{:#}\n", checks.iter().map(row).collect::<serde_json::Value>())
+    checks.iter().map(row).collect()
 }
 
 fn as_text(name: &str, checks: &[Check]) -> String {

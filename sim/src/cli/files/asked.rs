@@ -1,16 +1,17 @@
 //! The command as it was asked for.
 
-use crate::cli::program;
+use crate::cli::{program, words};
 use std::ffi::OsString;
 use std::path::Path;
 
 /// The user's own words, but for those that say where to write and how much to tell: the same files come of it. Folders are named
 /// by their last part, as curves of them are.
 pub(in crate::cli) fn command() -> String {
-    of_words(&program(), std::env::args_os().skip(1))
+    of_words(&program(), words().into_iter().skip(1))
 }
 
-fn of_words(program: &str, words: impl Iterator<Item = OsString>) -> String {
+/// The same of other words.
+pub(in crate::cli) fn of_words(program: &str, words: impl Iterator<Item = OsString>) -> String {
     let mut command = program.to_owned();
     let mut is_place = false;
     for word in words {

@@ -49,7 +49,7 @@ pub use length::Length;
 pub use parts::Shapes;
 pub use report::{About, report};
 #[cfg(feature = "cli")]
-pub(crate) use report::{Live, live_report, report_of, sweep_report, waiting_page};
+pub(crate) use report::{Live, live_report, report_of, report_text, sweep_report, sweep_report_text, waiting_page};
 pub use section::section_figures;
 #[cfg(feature = "cli")]
 pub(crate) use sweep::SWEEP_FIGURES;

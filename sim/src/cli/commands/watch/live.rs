@@ -5,10 +5,9 @@ use super::files::{Changes, Job};
 use super::server::secret;
 use crate::cli::Stop;
 use crate::cli::arguments::RunArguments;
-use crate::cli::commands::run::failures;
+use crate::cli::commands::run::{Asked, asked, failures};
 use crate::cli::files::reproduction::Reproduction;
 use crate::cli::files::written::Files;
-use crate::cli::given::{as_given, held_at};
 use crate::cli::sizes::stepping;
 use crate::output::outcome::Recorded;
 use crate::output::show::{About, Live, live_report, waiting_page};
@@ -93,10 +92,7 @@ fn made(
 
 /// Runs a mechanism as `run` does, and draws its report.
 fn ran<M: Mechanism>(mechanism: M, arguments: &RunArguments, live: &Live, goes_on: &GoesOn<'_>) -> Result<Drawn, Stop> {
-    let (mechanism, start) = as_given(&mechanism, &arguments.set, &arguments.initial)?;
-    let mechanism = held_at(&mechanism, &arguments.input)?;
-    let settings = arguments.settings.settings(mechanism.description())?;
-    let mut reproduction = Reproduction::new(&mechanism, &start, &settings, arguments);
+    let Asked { mechanism, start, settings, mut reproduction } = asked(&mechanism, arguments)?;
     let found = run_while(mechanism, &start, &settings, &mut |_| goes_on())?;
     let table = Table::of(&found.mechanism, &found.trajectory);
     reported(&found, table, &mut reproduction, live)

@@ -22,7 +22,7 @@ use sim_kernel::{Description, Mechanism};
 use std::path::Path;
 
 pub(crate) use live::{Live, waiting_page};
-pub(crate) use sweep::sweep_report;
+pub(crate) use sweep::{sweep_report, sweep_report_text};
 
 /// The contents of a report beside the run itself.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +53,20 @@ pub(crate) fn report_of(
     about: &About,
     path: &Path,
 ) -> Result<(), ShowError> {
-    of_run(run, outcome, table, about).write(path)
+    write_page(&report_text(run, outcome, table, about)?, path)
+}
+
+/// The same as a text.
+///
+/// # Errors
+/// If there is no sample.
+pub(crate) fn report_text(
+    run: &dyn Recorded,
+    outcome: &Outcome,
+    table: &Table,
+    about: &About,
+) -> Result<String, ShowError> {
+    of_run(run, outcome, table, about).page(None)
 }
 
 /// The same as a page that is served, and follows what it shows.
@@ -155,8 +168,8 @@ impl Shown<'_> {
             false => Ok(page::page(self, live)),
         }
     }
+}
 
-    fn write(&self, path: &Path) -> Result<(), ShowError> {
-        whole_bytes(path, self.page(None)?.as_bytes()).map_err(|why| ShowError::write(path, why))
-    }
+fn write_page(page: &str, path: &Path) -> Result<(), ShowError> {
+    whole_bytes(path, page.as_bytes()).map_err(|why| ShowError::write(path, why))
 }

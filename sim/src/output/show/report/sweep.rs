@@ -3,7 +3,7 @@
 use super::data::Group;
 use super::html::{escaped, number, table as html_table, unit};
 use super::tables::{constraints, outputs, pair, parameters};
-use super::{Abscissa, Fact, Shown};
+use super::{Abscissa, Fact, Shown, write_page};
 use crate::output::outcome::list;
 use crate::output::show::ShowError;
 use crate::output::show::figures::label;
@@ -24,6 +24,18 @@ pub(crate) fn sweep_report<M: Mechanism>(
     command: &str,
     path: &Path,
 ) -> Result<(), ShowError> {
+    write_page(&sweep_report_text(found, table, command)?, path)
+}
+
+/// The same as a text.
+///
+/// # Errors
+/// If there is no sample.
+pub(crate) fn sweep_report_text<M: Mechanism>(
+    found: &Kinematics<M>,
+    table: &Table,
+    command: &str,
+) -> Result<String, ShowError> {
     let description = found.mechanism.description();
     let sweep = &found.sweep;
     let driven = sweep.driven.quantity(description);
@@ -72,7 +84,7 @@ pub(crate) fn sweep_report<M: Mechanism>(
         command,
         run_file: None,
     };
-    shown.write(path)
+    shown.page(None)
 }
 
 /// The sweep in short.

@@ -1,0 +1,151 @@
+//! Simulations of mechanisms of any size, for programs in other languages.
+
+use crate::cli::Stop;
+use crate::cli::answer::{Refusal, parsed};
+use crate::cli::arguments::{Command, RunArguments};
+use crate::cli::commands::run::{Asked, asked};
+use crate::cli::sizes::{Large, deep, stepping};
+use crate::output::outcome::list;
+use crate::{Erased, Failure, Model, Simulation, Storage};
+use sim_kernel::{Description, Input, Mechanism};
+use std::sync::Arc;
+
+/// A [`Simulation`] without the type of its mechanism. All numbers are in SI units.
+pub trait Simulated: Send {
+    /// Names and units.
+    fn description(&self) -> &'static Description;
+    /// Time, positions and speeds.
+    fn state(&self) -> Stand;
+    /// The same with accelerations and multipliers.
+    ///
+    /// # Errors
+    /// As [`Simulation::sample`].
+    fn sample(&mut self) -> Result<Stand, Refusal>;
+    /// As [`Simulation::step`].
+    ///
+    /// # Errors
+    /// As it.
+    fn step(&mut self) -> Result<bool, Refusal>;
+    /// As [`Simulation::advance_to`].
+    ///
+    /// # Errors
+    /// As it.
+    fn advance_to(&mut self, time: f64) -> Result<(), Refusal>;
+    /// Whether the motion has ended.
+    fn has_ended(&self) -> bool;
+    /// Parameters, as they are now.
+    fn parameters(&self) -> Vec<f64>;
+    /// As [`Simulation::set_input`].
+    ///
+    /// # Errors
+    /// As it.
+    fn set_input(&mut self, name: &str, input: Input) -> Result<(), Refusal>;
+    /// As [`Simulation::set_parameter`].
+    ///
+    /// # Errors
+    /// As it.
+    fn set_parameter(&mut self, name: &str, value: f64) -> Result<(), Refusal>;
+    /// The names and times of past events.
+    fn events(&self) -> Vec<(&'static str, f64)>;
+    /// As [`Simulation::save`].
+    fn save(&self) -> Vec<u8>;
+    /// As [`Simulation::restore`].
+    ///
+    /// # Errors
+    /// If it refuses the bytes.
+    fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal>;
+}
+
+/// A state of a simulation, in SI units.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stand {
+    /// t.
+    pub time: f64,
+    /// q.
+    pub positions: Vec<f64>,
+    /// q'.
+    pub speeds: Vec<f64>,
+    /// q'', in a sample.
+    pub accelerations: Vec<f64>,
+    /// lambda, in a sample.
+    pub multipliers: Vec<f64>,
+}
+
+/// A simulation as `run` would run it, from the words of its command line without the program's name.
+///
+/// # Errors
+/// [`Refusal`].
+pub fn simulated(model: Arc<dyn Model>, words: &[String]) -> Result<Box<dyn Simulated>, Refusal> {
+    let begin = || match parsed(words)? {
+        Command::Run(arguments) => stepping!(begun, model, &arguments),
+        _ => Err(Stop::Usage("a simulation is asked for as a run is".to_owned())),
+    };
+    begin().map_err(Refusal::from)
+}
+
+fn begun<S: Storage>(mechanism: Erased<S>, arguments: &RunArguments) -> Result<Box<dyn Simulated>, Stop>
+where
+    Simulation<Erased<S>>: Send + 'static,
+    Erased<S>: Mechanism,
+{
+    let Asked { mechanism, start, settings, .. } = asked(&mechanism, arguments)?;
+    Ok(Box::new(Simulation::new(mechanism, &start, &settings)?))
+}
+
+/// On a stack that has room for the vectors of large mechanisms.
+fn with_room<S: Storage, T: Send>(work: impl FnOnce() -> Result<T, Failure> + Send) -> Result<T, Refusal> {
+    match S::MOST < Large::MOST {
+        true => work().map_err(Refusal::Failure),
+        false => deep(|| Ok(work()?)).map_err(Refusal::from),
+    }
+}
+
+impl<S: Storage> Simulated for Simulation<Erased<S>>
+where
+    Simulation<Erased<S>>: Send,
+    Erased<S>: Mechanism,
+{
+    fn description(&self) -> &'static Description {
+        self.mechanism().description()
+    }
+    fn state(&self) -> Stand {
+        let state = Simulation::state(self);
+        let (positions, speeds) = (list(&state.positions), list(&state.speeds));
+        Stand { time: state.time, positions, speeds, ..Stand::default() }
+    }
+    fn sample(&mut self) -> Result<Stand, Refusal> {
+        let simulation: &mut Self = self;
+        with_room::<S, _>(move || {
+            let sample = Simulation::sample(simulation)?;
+            let (accelerations, multipliers) = (list(&sample.accelerations), list(&sample.multipliers));
+            Ok(Stand { accelerations, multipliers, ..Simulated::state(simulation) })
+        })
+    }
+    fn step(&mut self) -> Result<bool, Refusal> {
+        with_room::<S, _>(|| Simulation::step(self))
+    }
+    fn advance_to(&mut self, time: f64) -> Result<(), Refusal> {
+        with_room::<S, _>(|| Simulation::advance_to(self, time))
+    }
+    fn has_ended(&self) -> bool {
+        Simulation::has_ended(self)
+    }
+    fn parameters(&self) -> Vec<f64> {
+        list(&self.mechanism().parameters())
+    }
+    fn set_input(&mut self, name: &str, input: Input) -> Result<(), Refusal> {
+        with_room::<S, _>(|| Simulation::set_input(self, name, input))
+    }
+    fn set_parameter(&mut self, name: &str, value: f64) -> Result<(), Refusal> {
+        with_room::<S, _>(|| Simulation::set_parameter(self, name, value))
+    }
+    fn events(&self) -> Vec<(&'static str, f64)> {
+        Simulation::events(self).iter().map(|found| (found.name, found.state.time)).collect()
+    }
+    fn save(&self) -> Vec<u8> {
+        Simulation::save(self)
+    }
+    fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
+        Simulation::restore(self, bytes).map_err(|why| Refusal::Usage(why.to_string()))
+    }
+}
