@@ -10,6 +10,7 @@ use crate::cli::commands::statics::{assembled, balanced};
 use crate::cli::commands::verify::verified;
 use crate::cli::files::asked::of_words;
 use crate::cli::files::written::Files;
+use crate::cli::given::{hold, set};
 use crate::cli::sizes::{by_size, deep, stepping};
 use crate::output::outcome::Recorded;
 use crate::output::show::{About, ShowError, report_text, sweep_report_text};
@@ -113,6 +114,17 @@ fn answered(model: Arc<dyn Model>, words: &[String], interrupted: &AtomicBool) -
             Err(Stop::Usage(format!("`{}` has no results that stay in memory", words.first().map_or("", |word| word))))
         }
     }
+}
+
+/// A model with parameters and inputs, each `NAME=VALUE` as on the command line.
+///
+/// # Errors
+/// [`Refusal::Usage`] of names and values that are none.
+pub fn with_values(model: &dyn Model, parameters: &[String], inputs: &[String]) -> Result<Arc<dyn Model>, Refusal> {
+    let mut values = model.values();
+    set(&mut values.parameters, model.description(), parameters)?;
+    hold(&mut values.inputs, model.description(), inputs)?;
+    Ok(model.with_values(&values))
 }
 
 /// The command of these words.

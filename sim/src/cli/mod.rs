@@ -31,7 +31,7 @@ mod signals;
 mod simulated;
 mod sizes;
 
-pub use answer::{Answer, Problem, Refusal, answer};
+pub use answer::{Answer, Problem, Refusal, answer, with_values};
 use arguments::{Arguments, Command};
 use chosen::{Chosen, chosen};
 use clap::{FromArgMatches, Parser};
@@ -42,7 +42,7 @@ use commands::{
 };
 pub use entry::{Entry, entry, entry_with_own_loops, text_entry};
 use files::run_file::RunFile;
-pub use simulated::{Simulated, Stand, simulated};
+pub use simulated::{GoesOn, Simulated, Stand, simulated};
 use sizes::{by_size, stepping};
 use std::ffi::OsString;
 use std::io::Write;
@@ -71,30 +71,30 @@ impl<E: Into<anyhow::Error>> From<E> for Stop {
 /// Executes the command line and gives the exit status: 0 for success, 1 for a failed run, 2 for a wrong command line,
 /// 130 for an interrupted run.
 pub fn main(mechanisms: &[Entry]) -> ExitCode {
-    main_of(mechanisms, std::env::args_os().collect())
+    ExitCode::from(main_of(mechanisms, std::env::args_os().collect()))
 }
 
 /// The same for a command line, the program's name first, that this process was not called with: of a program in another
 /// language.
-pub fn main_of(mechanisms: &[Entry], words: Vec<OsString>) -> ExitCode {
+pub fn main_of(mechanisms: &[Entry], words: Vec<OsString>) -> u8 {
     signals::listen();
     *WORDS.lock().unwrap_or_else(PoisonError::into_inner) = words.clone();
     let matches = own::command(mechanisms, &program()).get_matches_from(&words);
     let arguments = Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     match with_run_file(mechanisms, arguments, &words) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => 0,
         Err(Stop::Usage(message)) => {
             eprintln!("error: {message}");
-            ExitCode::from(2)
+            2
         }
         Err(Stop::Failed(error)) => {
             eprintln!("error: {error:#}");
-            ExitCode::from(1)
+            1
         }
-        Err(Stop::Told) => ExitCode::from(1),
+        Err(Stop::Told) => 1,
         Err(Stop::Interrupted(error)) => {
             eprintln!("{error:#}");
-            ExitCode::from(130)
+            130
         }
     }
 }

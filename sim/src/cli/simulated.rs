@@ -1,19 +1,18 @@
 //! Simulations of mechanisms of any size, for programs in other languages.
 
-use crate::cli::Stop;
 use crate::cli::answer::{Refusal, parsed};
 use crate::cli::arguments::{Command, RunArguments};
 use crate::cli::commands::run::{Asked, asked};
+use crate::cli::quantity::parse_quantity;
 use crate::cli::sizes::{Large, deep, stepping};
+use crate::cli::{Stop, unknown};
 use crate::output::outcome::list;
 use crate::{Erased, Failure, Model, Simulation, Storage};
-use sim_kernel::{Description, Input, Mechanism};
+use sim_kernel::{Input, Mechanism, Quantity};
 use std::sync::Arc;
 
 /// A [`Simulation`] without the type of its mechanism. All numbers are in SI units.
 pub trait Simulated: Send {
-    /// Names and units.
-    fn description(&self) -> &'static Description;
     /// Time, positions and speeds.
     fn state(&self) -> Stand;
     /// The same with accelerations and multipliers.
@@ -26,25 +25,23 @@ pub trait Simulated: Send {
     /// # Errors
     /// As it.
     fn step(&mut self) -> Result<bool, Refusal>;
-    /// As [`Simulation::advance_to`].
+    /// As [`Simulation::advance_while`].
     ///
     /// # Errors
     /// As it.
-    fn advance_to(&mut self, time: f64) -> Result<(), Refusal>;
+    fn advance_to(&mut self, time: f64, goes_on: GoesOn) -> Result<(), Refusal>;
     /// Whether the motion has ended.
     fn has_ended(&self) -> bool;
-    /// Parameters, as they are now.
-    fn parameters(&self) -> Vec<f64>;
-    /// As [`Simulation::set_input`].
+    /// Holds an input at a value, which is written as on the command line, or gives it back its declared value.
     ///
     /// # Errors
-    /// As it.
-    fn set_input(&mut self, name: &str, input: Input) -> Result<(), Refusal>;
-    /// As [`Simulation::set_parameter`].
+    /// If there is no such input, or the value is none.
+    fn set_input(&mut self, name: &str, value: Option<&str>) -> Result<(), Refusal>;
+    /// Sets a parameter to a value, which is written as on the command line.
     ///
     /// # Errors
-    /// As it.
-    fn set_parameter(&mut self, name: &str, value: f64) -> Result<(), Refusal>;
+    /// If there is no such parameter, the value is none, or the mechanism no longer closes.
+    fn set_parameter(&mut self, name: &str, value: &str) -> Result<(), Refusal>;
     /// The names and times of past events.
     fn events(&self) -> Vec<(&'static str, f64)>;
     /// As [`Simulation::save`].
@@ -55,6 +52,9 @@ pub trait Simulated: Send {
     /// If it refuses the bytes.
     fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal>;
 }
+
+/// Whether work goes on.
+pub type GoesOn<'a> = &'a mut (dyn FnMut() -> bool + Send);
 
 /// A state of a simulation, in SI units.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -92,6 +92,13 @@ where
     Ok(Box::new(Simulation::new(mechanism, &start, &settings)?))
 }
 
+/// The unit of the quantity of this name.
+fn unit_of(kind: &str, name: &str, among: &[Quantity]) -> Result<&'static str, Stop> {
+    let found = among.iter().find(|quantity| quantity.name == name);
+    let found = found.ok_or_else(|| unknown(kind, name, among.iter().map(|quantity| quantity.name)))?;
+    Ok(found.unit)
+}
+
 /// On a stack that has room for the vectors of large mechanisms.
 fn with_room<S: Storage, T: Send>(work: impl FnOnce() -> Result<T, Failure> + Send) -> Result<T, Refusal> {
     match S::MOST < Large::MOST {
@@ -105,9 +112,6 @@ where
     Simulation<Erased<S>>: Send,
     Erased<S>: Mechanism,
 {
-    fn description(&self) -> &'static Description {
-        self.mechanism().description()
-    }
     fn state(&self) -> Stand {
         let state = Simulation::state(self);
         let (positions, speeds) = (list(&state.positions), list(&state.speeds));
@@ -124,19 +128,21 @@ where
     fn step(&mut self) -> Result<bool, Refusal> {
         with_room::<S, _>(|| Simulation::step(self))
     }
-    fn advance_to(&mut self, time: f64) -> Result<(), Refusal> {
-        with_room::<S, _>(|| Simulation::advance_to(self, time))
+    fn advance_to(&mut self, time: f64, goes_on: GoesOn) -> Result<(), Refusal> {
+        with_room::<S, _>(|| self.advance_while(time, goes_on))
     }
     fn has_ended(&self) -> bool {
         Simulation::has_ended(self)
     }
-    fn parameters(&self) -> Vec<f64> {
-        list(&self.mechanism().parameters())
-    }
-    fn set_input(&mut self, name: &str, input: Input) -> Result<(), Refusal> {
+    fn set_input(&mut self, name: &str, value: Option<&str>) -> Result<(), Refusal> {
+        let unit = unit_of("input", name, self.mechanism().description().inputs)?;
+        let held = value.map(|text| parse_quantity(name, text, unit)).transpose()?;
+        let input = held.map_or(Input::Declared, Input::Held);
         with_room::<S, _>(|| Simulation::set_input(self, name, input))
     }
-    fn set_parameter(&mut self, name: &str, value: f64) -> Result<(), Refusal> {
+    fn set_parameter(&mut self, name: &str, value: &str) -> Result<(), Refusal> {
+        let unit = unit_of("parameter", name, self.mechanism().description().parameters)?;
+        let value = parse_quantity(name, value, unit)?;
         with_room::<S, _>(|| Simulation::set_parameter(self, name, value))
     }
     fn events(&self) -> Vec<(&'static str, f64)> {

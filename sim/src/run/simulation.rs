@@ -173,9 +173,17 @@ impl<M: Mechanism> Simulation<M> {
     /// # Errors
     /// As [`step`](Simulation::step), and [`What::NotFinite`] if the time is not finite.
     pub fn advance_to(&mut self, time: f64) -> Result<(), Failure> {
+        self.advance_while(time, &mut || true)
+    }
+
+    /// The same for as long as `goes_on` says so, which is asked before each step.
+    ///
+    /// # Errors
+    /// As [`advance_to`](Simulation::advance_to).
+    pub fn advance_while(&mut self, time: f64, goes_on: &mut dyn FnMut() -> bool) -> Result<(), Failure> {
         let time = self.check_time(time)?;
         self.check_sound()?;
-        while self.state.time < time && self.advance(time, &mut ())? {}
+        while self.state.time < time && goes_on() && self.advance(time, &mut ())? {}
         Ok(())
     }
 

@@ -4,16 +4,14 @@ mod columns;
 mod table;
 
 use crate::cli::arguments::EvaluateArguments;
-use crate::cli::given::{hold, set};
-use crate::cli::{Stop, print, unknown};
+use crate::cli::{Stop, print, unknown, with_values};
 use crate::{Kernel, Model};
 use columns::{Column, columns};
-use std::sync::Arc;
 use table::Table;
 
 /// Prints a kernel's results, a line for each state.
 pub(in crate::cli) fn evaluate(model: &dyn Model, arguments: &EvaluateArguments) -> Result<(), Stop> {
-    let model = as_given(model, arguments)?;
+    let model = with_values(model, &arguments.set, &arguments.input)?;
     let name = arguments.kernel.as_str();
     let names = || Kernel::ALL.iter().map(|kernel| kernel.name());
     let kernel = Kernel::ALL.iter().copied().find(|kernel| kernel.name() == name);
@@ -48,12 +46,4 @@ pub(in crate::cli) fn evaluate(model: &dyn Model, arguments: &EvaluateArguments)
 fn line(time: &str, cells: impl Iterator<Item = String>, refused: &str) -> String {
     let cells: Vec<String> = [time.to_owned()].into_iter().chain(cells).chain([refused.to_owned()]).collect();
     cells.join(",") + "\n"
-}
-
-/// With the user's parameters and inputs.
-fn as_given(model: &dyn Model, arguments: &EvaluateArguments) -> Result<Arc<dyn Model>, Stop> {
-    let mut values = model.values();
-    set(&mut values.parameters, model.description(), &arguments.set)?;
-    hold(&mut values.inputs, model.description(), &arguments.input)?;
-    Ok(model.with_values(&values))
 }

@@ -1,0 +1,10 @@
+"""The command ``sim``, with the shipped mechanisms."""
+
+import sys
+
+from ._linkwright import main as _main
+
+
+def main() -> int:
+    """Execute the command line of this process, and give its exit status."""
+    return _main(["sim", *sys.argv[1:]])

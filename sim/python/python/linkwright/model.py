@@ -1,0 +1,264 @@
+"""A mechanism, and everything that can be asked of it."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any, Iterable, Mapping
+
+from . import _linkwright
+from .errors import ArgumentError
+from .results import Linearization, Motion, checked
+from .simulation import Simulation
+from .values import Value, assignments, options, repeated
+
+Values = Mapping[str, Value]
+
+
+def load(source: str | os.PathLike[str], name: str | None = None) -> "Model":
+    """Read a declaration and derive its equations of motion.
+
+    Args:
+        source: a file that ends in ``.mech`` or ``.rs`` (or ``FILE:Name``), the text of a declaration, or the name of a
+            shipped model: see ``linkwright.shipped()``.
+        name: which mechanism, where there are several: ``FourBar`` or ``four-bar``.
+
+    Raises:
+        DeclarationError: with all mistakes, each at its place.
+        ReadError: if the file cannot be read.
+        ArgumentError: if no mechanism, or more than one, is meant.
+    """
+    if isinstance(source, str):
+        if "{" in source or "\n" in source:
+            return Model(_linkwright.from_text(source, "declaration.mech", name))
+        path, colon, inside = source.rpartition(":")
+        if colon and name is None and path.endswith((".mech", ".rs")):
+            return Model(_linkwright.read(path, inside))
+        is_file = source.endswith((".mech", ".rs")) or os.sep in source or "/" in source
+        if not is_file:
+            return Model(_linkwright.read(None, source))
+    return Model(_linkwright.read(os.fspath(source), name))
+
+
+def _restored(declaration: str, source: str, parameters: list[float], inputs: list[float | None]) -> "Model":
+    model = _linkwright.from_text(declaration, source, None)
+    return Model(model.restored(parameters, inputs))
+
+
+class Model(_linkwright.Model):
+    """A mechanism with its parameters and inputs. It never changes, and may be used by several threads at once.
+
+    Values that are given by name, such as ``parameters={"a": 0.2}``, are in the declared unit or say theirs:
+    ``"200 mm"``. Columns of results are in declared units. The kernels take and give arrays in SI units, of one state,
+    q of shape (n,), or of many, q of shape (states, n) with t one number or (states,); results of many have an axis of
+    states in front.
+    """
+
+    @property
+    def coordinate_names(self) -> list[str]:
+        """The names of q."""
+        return [name for name, *_ in self.quantities("coordinates")]
+
+    @property
+    def constraint_names(self) -> list[str]:
+        """The names of the constraints, whose multipliers are ``lambda_NAME``."""
+        return [name for name, *_ in self.quantities("constraints")]
+
+    @property
+    def output_names(self) -> list[str]:
+        """The names of the outputs."""
+        return [name for name, *_ in self.quantities("outputs")]
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """Parameters by name, in declared units."""
+        named = self.quantities("parameters")
+        return {name: value / factor for (name, _, factor, _), value in zip(named, self.parameter_values())}
+
+    @property
+    def inputs(self) -> dict[str, float | None]:
+        """Inputs by name, in declared units; None where the declared value holds."""
+        named = zip(self.quantities("inputs"), self.input_values())
+        return {name: None if value is None else value / factor for (name, _, factor, _), value in named}
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The declared unit of every quantity."""
+        kinds = ("coordinates", "speeds", "parameters", "inputs", "constraints", "outputs")
+        return {name: unit for kind in kinds for name, unit, *_ in self.quantities(kind)}
+
+    def with_values(self, parameters: Values | None = None, inputs: Values | None = None) -> "Model":
+        """The same mechanism with other parameters, and inputs held at values."""
+        return Model(self.set(assignments(parameters), assignments(inputs)))
+
+    def run(
+        self,
+        t_end: Value | None = None,
+        *,
+        parameters: Values | None = None,
+        initial: Values | None = None,
+        inputs: Values | None = None,
+        method: str | None = None,
+        rtol: float | None = None,
+        atol: float | None = None,
+        steps: int | None = None,
+        step: Value | None = None,
+        projection: str | None = None,
+        rows: int | str | None = None,
+        until: str | None = None,
+    ) -> Motion:
+        """Integrate the motion. What is not given is as the declaration's block ``run`` says, or as of ``sim run``.
+
+        Args:
+            t_end: end, in seconds.
+            parameters, initial, inputs: values by name; ``initial`` of coordinates and speeds: ``{"alpha_dot": "75 rpm"}``.
+            method: euler, heun, rk3, rk4, dopri5, radau5, dop853.
+            rtol, atol: tolerances of a method that chooses its steps.
+            steps, step: equal steps, by number or size.
+            projection: projection, mass-projection, partitioning, baumgarte=RATE, none.
+            rows: so many intervals between rows, or ``"steps"``.
+            until: an event that ends the run, ``"period"`` or ``"period:3"``.
+
+        Raises:
+            MotionError: with ``result``, what was computed until then.
+        """
+        settings = options(
+            t_end=t_end, method=method, rtol=rtol, atol=atol, steps=steps, step=step, projection=projection, rows=rows,
+            until=until,
+        )
+        return self._motion("run", settings + repeated("input", inputs), parameters, initial)
+
+    def assemble(self, *, parameters: Values | None = None, initial: Values | None = None) -> dict[str, Any]:
+        """Close the loops at the start: coordinates and speeds with units, degrees of freedom, redundant constraints."""
+        return self._summary("assemble", [], parameters, initial)
+
+    def branches(self, *, parameters: Values | None = None, initial: Values | None = None) -> dict[str, Any]:
+        """All configurations with the given coordinates of the start: elbow up and elbow down."""
+        return self._summary("assemble", ["--branches"], parameters, initial)
+
+    def equilibrium(self, *, parameters: Values | None = None, initial: Values | None = None) -> dict[str, Any]:
+        """Find the equilibrium near the start: coordinates, multipliers, and eigenvalues of small motions."""
+        return self._summary("equilibrium", [], parameters, initial)
+
+    def linearize(
+        self,
+        at: Value = "equilibrium",
+        *,
+        inputs: Iterable[str] = (),
+        parameters: Values | None = None,
+        initial: Values | None = None,
+    ) -> Linearization:
+        """Linearise about an equilibrium, the start (``"initial"``) or the state at a time.
+
+        Args:
+            at: ``"equilibrium"``, ``"initial"``, or a time in seconds.
+            inputs: names of inputs or parameters, for B and D; all inputs unless given.
+        """
+        words = options(at=at) + [f"--input={name}" for name in inputs]
+        return Linearization(self._answer("linearize", words, parameters, initial))
+
+    def kinematics(
+        self,
+        drive: str | None = None,
+        *,
+        start: Value | None = None,
+        to: Value | None = None,
+        speed: Value | None = None,
+        steps: int | None = None,
+        hold: Iterable[str] = (),
+        parameters: Values | None = None,
+        initial: Values | None = None,
+    ) -> Motion:
+        """Drive a coordinate or an output through a range, without integration.
+
+        Args:
+            drive: what is driven; the first given coordinate unless said.
+            start, to: the range, in the declared unit or with one; a turn unless given.
+            speed: of what is driven.
+            steps: number of positions.
+            hold: other coordinates that stay, ``"phi"`` or ``"phi=30deg"``.
+        """
+        words = options(drive=drive, to=to, speed=speed, steps=steps) + [f"--hold={name}" for name in hold]
+        words += [] if start is None else [word.replace("--start", "--from", 1) for word in options(start=start)]
+        return self._motion("kinematics", words, parameters, initial)
+
+    def poincare(
+        self,
+        event: str,
+        *,
+        direction: str | None = None,
+        count: int | None = None,
+        t_end: Value | None = None,
+        rtol: float | None = None,
+        parameters: Values | None = None,
+        initial: Values | None = None,
+    ) -> Motion:
+        """The states of a motion each time an event happens, and its period in ``summary``.
+
+        Args:
+            event: which event.
+            direction: rising, falling or both.
+            count: so many states.
+        """
+        words = options(event=event, direction=direction, count=count, t_end=t_end, rtol=rtol)
+        return self._motion("poincare", words, parameters, initial)
+
+    def verify(
+        self, t_end: Value | None = None, *, parameters: Values | None = None, initial: Values | None = None
+    ) -> list[dict[str, Any]]:
+        """Compare kernels, equations and runs with independent computations: name, figure, bound and verdict of each.
+
+        Raises:
+            ResultError: if a check fails; its ``result`` has all of them.
+        """
+        answer = self._answer("verify", options(t_end=t_end), parameters, initial)
+        return checked(answer, json.loads(answer.summary))
+
+    def simulation(
+        self,
+        t_end: Value | None = None,
+        *,
+        parameters: Values | None = None,
+        initial: Values | None = None,
+        inputs: Values | None = None,
+        method: str | None = None,
+        rtol: float | None = None,
+        atol: float | None = None,
+        steps: int | None = None,
+        step: Value | None = None,
+        projection: str | None = None,
+        until: str | None = None,
+    ) -> Simulation:
+        """A motion that you advance yourself; arguments are those of ``run``."""
+        settings = options(
+            t_end=t_end, method=method, rtol=rtol, atol=atol, steps=steps, step=step, projection=projection, until=until
+        )
+        given = repeated("set", parameters) + repeated("initial", initial) + repeated("input", inputs)
+        return Simulation(self.simulated(["run", self.source, *settings, *given]))
+
+    def equations(self, notation: str = "text") -> str:
+        """The equations of motion as ``"text"``, ``"latex"`` or ``"mathml"``."""
+        heading = {"latex": "\\subsection*{{{}}}\n", "mathml": "<h2>{}</h2>\n"}.get(notation, "# {}\n\n")
+        return "\n".join(heading.format(title) + text for title, text in self.equation_groups(notation))
+
+    def _answer(
+        self, command: str, words: list[str], parameters: Values | None, initial: Values | None
+    ) -> _linkwright.Answer:
+        given = repeated("set", parameters) + repeated("initial", initial)
+        return self.answer([command, self.source, *words, *given])
+
+    def _summary(
+        self, command: str, words: list[str], parameters: Values | None, initial: Values | None
+    ) -> dict[str, Any]:
+        return json.loads(self._answer(command, words, parameters, initial).summary)
+
+    def _motion(self, command: str, words: list[str], parameters: Values | None, initial: Values | None) -> Motion:
+        answer = self._answer(command, words, parameters, initial)
+        return checked(answer, Motion(answer))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (self.declaration, self.source, self.parameter_values(), self.input_values())
+
+    def __repr__(self) -> str:
+        n, m = len(self.coordinate_names), len(self.constraint_names)
+        return f"<model {self.name}: {n} coordinates, {m} constraints>"

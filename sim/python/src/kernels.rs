@@ -1,0 +1,267 @@
+//! Kernels on arrays: of one state, or of many, one a row.
+
+use crate::errors::{argument, kernel as refused_by};
+use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::{PySlice, PyTuple};
+use sim::{At, Description, Kernel, Model, Results, States};
+
+/// Below so many states Python's lock is kept.
+const FEW: usize = 32;
+
+/// The arguments of a kernel: t, and of each level an array or none.
+pub(crate) struct Given<'a, 'py> {
+    pub(crate) time: &'a Bound<'py, PyAny>,
+    /// q, q', q'', lambda.
+    pub(crate) levels: [Option<&'a Bound<'py, PyAny>>; 4],
+}
+
+/// The names of the levels.
+const NAMES: [&str; 4] = ["q", "qd", "qdd", "multipliers"];
+
+/// Numbers that lie one after the other.
+enum Numbers<'py> {
+    Array(PyReadonlyArrayDyn<'py, f64>),
+    None,
+}
+
+impl<'py> Numbers<'py> {
+    /// An array of numbers, or what NumPy makes one of.
+    fn of(value: Option<&Bound<'py, PyAny>>) -> PyResult<Numbers<'py>> {
+        let Some(value) = value else { return Ok(Numbers::None) };
+        if let Ok(array) = value.cast::<PyArrayDyn<f64>>()
+            && array.is_c_contiguous()
+        {
+            return Ok(Numbers::Array(array.readonly()));
+        }
+        let numpy = value.py().import("numpy")?;
+        let array = numpy.call_method1("ascontiguousarray", (value, numpy.getattr("float64")?))?;
+        // What has no axis is given one by NumPy here.
+        let array = if value.getattr("ndim").and_then(|axes| axes.extract::<usize>()).is_ok_and(|axes| axes == 0) {
+            array.call_method1("reshape", (PyTuple::empty(value.py()),))?
+        } else {
+            array
+        };
+        Ok(Numbers::Array(array.cast_into::<PyArrayDyn<f64>>()?.readonly()))
+    }
+
+    fn shape(&self) -> &[usize] {
+        match self {
+            Numbers::Array(array) => array.shape(),
+            Numbers::None => &[],
+        }
+    }
+
+    fn slice(&self) -> PyResult<&[f64]> {
+        match self {
+            Numbers::Array(array) => Ok(array.as_slice()?),
+            Numbers::None => Ok(&[]),
+        }
+    }
+}
+
+/// A kernel's results at one state, or at many: arrays in a tuple if there are several.
+pub(crate) fn call<'py>(
+    py: Python<'py>,
+    model: &dyn Model,
+    kernel: Kernel,
+    given: Given<'_, 'py>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let description = model.description();
+    let n = description.coordinates.len();
+    let widths = [n, n, n, description.constraints.len()];
+    let levels = [
+        Numbers::of(given.levels[0])?,
+        Numbers::of(given.levels[1])?,
+        Numbers::of(given.levels[2])?,
+        Numbers::of(given.levels[3])?,
+    ];
+    let mut count = None;
+    for ((level, width), name) in levels.iter().zip(widths).zip(NAMES) {
+        match level {
+            Numbers::None => {}
+            Numbers::Array(_) => agree(py, &mut count, level.shape(), width, name)?,
+        }
+    }
+    let [positions, speeds, accelerations, multipliers] =
+        [levels[0].slice()?, levels[1].slice()?, levels[2].slice()?, levels[3].slice()?];
+    match count.flatten() {
+        None => {
+            let time = given.time.extract().map_err(|_| argument(py, "t: one number is needed for one state"))?;
+            of_one(py, model, kernel, At { time, positions, speeds, accelerations, multipliers })
+        }
+        Some(states) => {
+            let times = times(py, given.time, states)?;
+            of_many(py, model, kernel, States { times: &times, positions, speeds, accelerations, multipliers })
+        }
+    }
+}
+
+/// All arrays are of one state, or of the same number of states.
+fn agree(py: Python<'_>, count: &mut Option<Option<usize>>, shape: &[usize], width: usize, name: &str) -> PyResult<()> {
+    let states = match shape {
+        [length] if *length == width => None,
+        [states, length] if *length == width => Some(*states),
+        _ => {
+            let shape: Vec<String> = shape.iter().map(ToString::to_string).collect();
+            let shape = shape.join(", ");
+            return Err(argument(
+                py,
+                &format!("{name}: an array of shape ({width},) or (states, {width}) is needed, not ({shape})"),
+            ));
+        }
+    };
+    match *count {
+        Some(before) if before != states => {
+            let told =
+                |states: Option<usize>| states.map_or("one state".to_owned(), |states| format!("{states} states"));
+            Err(argument(
+                py,
+                &format!("{name}: numbers of {}, where those before are of {}", told(states), told(before)),
+            ))
+        }
+        _ => {
+            *count = Some(states);
+            Ok(())
+        }
+    }
+}
+
+/// The time of each state: one for all, or one each.
+fn times(py: Python<'_>, given: &Bound<'_, PyAny>, states: usize) -> PyResult<Vec<f64>> {
+    if let Ok(time) = given.extract::<f64>() {
+        return Ok(vec![time; states]);
+    }
+    let numbers = Numbers::of(Some(given))?;
+    match numbers.shape() {
+        [length] if *length == states => Ok(numbers.slice()?.to_vec()),
+        _ => Err(argument(py, &format!("t: a number, or {states} of them, is needed"))),
+    }
+}
+
+/// The rows of a result are those of matrices of so many rows; those beyond are not told.
+fn parts(kernel: Kernel, description: &Description) -> Vec<usize> {
+    let (n, m) = (description.coordinates.len(), description.constraints.len());
+    match kernel {
+        Kernel::MassMatrix => vec![n],
+        Kernel::ConstraintJacobian => vec![m],
+        Kernel::ConstraintLinearization => vec![1, 1, m],
+        Kernel::SparseLinearization => vec![1, 1, 1],
+        Kernel::Dynamics => vec![1, 1],
+        Kernel::DynamicsJacobian => vec![n, n, m, m],
+        Kernel::DynamicsSensitivity => vec![n, m],
+        _ => vec![1],
+    }
+}
+
+fn is_matrix(kernel: Kernel, part: usize) -> bool {
+    match kernel {
+        Kernel::MassMatrix | Kernel::ConstraintJacobian | Kernel::DynamicsJacobian | Kernel::DynamicsSensitivity => {
+            true
+        }
+        Kernel::ConstraintLinearization => part == 2,
+        _ => false,
+    }
+}
+
+fn is_number(kernel: Kernel) -> bool {
+    matches!(kernel, Kernel::KineticEnergy | Kernel::Power)
+}
+
+/// What a result of so many columns has, if it has no row.
+fn columns(kernel: Kernel, description: &Description) -> usize {
+    match kernel {
+        Kernel::DynamicsSensitivity => description.parameters.len(),
+        _ => description.coordinates.len(),
+    }
+}
+
+fn of_one<'py>(py: Python<'py>, model: &dyn Model, kernel: Kernel, at: At<f64>) -> PyResult<Bound<'py, PyAny>> {
+    let description = model.description();
+    let (mut numbers, mut rows) = (Vec::with_capacity(64), Vec::with_capacity(8));
+    let is_refused = model.call(kernel, at, &mut |_, row| {
+        numbers.extend_from_slice(row);
+        rows.push(row.len());
+    });
+    let refused = if is_refused { vec![0] } else { Vec::new() };
+    check(py, kernel, &numbers, numbers.len(), &refused)?;
+    if is_number(kernel) {
+        return Ok(numbers.first().copied().unwrap_or(0.0).into_pyobject(py)?.into_any());
+    }
+    let (mut from, mut row) = (0, 0);
+    let mut arrays = Vec::with_capacity(4);
+    for (part, count) in parts(kernel, description).into_iter().enumerate() {
+        let length: usize = rows[row.min(rows.len())..(row + count).min(rows.len())].iter().sum();
+        let array = PyArray1::from_slice(py, &numbers[from..from + length]);
+        arrays.push(if is_matrix(kernel, part) {
+            let columns = if count == 0 { columns(kernel, description) } else { length / count };
+            array.reshape([count, columns])?.into_any()
+        } else {
+            array.into_any()
+        });
+        (from, row) = (from + length, row + count);
+    }
+    together(py, arrays)
+}
+
+fn of_many<'py>(py: Python<'py>, model: &dyn Model, kernel: Kernel, states: States) -> PyResult<Bound<'py, PyAny>> {
+    let description = model.description();
+    let count = states.times.len();
+    let Results { rows, numbers, refused } =
+        if count < FEW { model.call_each(kernel, &states) } else { py.detach(|| model.call_each(kernel, &states)) };
+    let width: usize = rows.iter().sum();
+    check(py, kernel, &numbers, width, &refused)?;
+    let all = PyArray1::from_vec(py, numbers).reshape([count, width])?;
+    let (mut from, mut row) = (0, 0);
+    let mut arrays = Vec::with_capacity(4);
+    for (part, of_part) in parts(kernel, description).into_iter().enumerate() {
+        let length: usize = rows[row.min(rows.len())..(row + of_part).min(rows.len())].iter().sum();
+        let every = PySlice::full(py);
+        let view = if is_number(kernel) {
+            all.get_item((every, 0))?
+        } else {
+            let (begin, end) = (from as isize, (from + length) as isize);
+            all.get_item((every, PySlice::new(py, begin, end, 1)))?
+        };
+        arrays.push(if is_matrix(kernel, part) {
+            let columns = if of_part == 0 { columns(kernel, description) } else { length / of_part };
+            view.call_method1("reshape", (count, of_part, columns))?
+        } else {
+            view
+        });
+        (from, row) = (from + length, row + of_part);
+    }
+    together(py, arrays)
+}
+
+fn together<'py>(py: Python<'py>, mut arrays: Vec<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
+    match arrays.len() {
+        1 => Ok(arrays.swap_remove(0)),
+        _ => Ok(PyTuple::new(py, arrays)?.into_any()),
+    }
+}
+
+/// Every number is one.
+fn check(py: Python<'_>, kernel: Kernel, numbers: &[f64], width: usize, refused: &[usize]) -> PyResult<()> {
+    let name = kernel.name();
+    if let Some(first) = refused.first() {
+        let count = refused.len();
+        let message = format!(
+            "`{name}` meets a singular matrix in {count} of the states, first in state {first} (counted from 0): a position is \
+             singular, constraints are redundant, or masses are 0 there"
+        );
+        return Err(refused_by(py, "E-SINGULAR", &message, refused));
+    }
+    // No branch, so that it is made for many numbers at once.
+    let is_undefined = numbers.iter().fold(false, |any, number| any | !number.is_finite());
+    if !is_undefined {
+        return Ok(());
+    }
+    let at = numbers.chunks(width.max(1)).position(|of_state| of_state.iter().any(|number| !number.is_finite()));
+    let first = at.unwrap_or(0);
+    let message = format!(
+        "`{name}` is not finite in state {first} (counted from 0): a number that is given is not finite, or an expression leaves \
+         its domain there (division by zero, root or logarithm of a negative number)"
+    );
+    Err(refused_by(py, "E-NOT-FINITE", &message, &[first]))
+}

@@ -1,0 +1,92 @@
+"""Everything else that can be asked of a mechanism."""
+
+import math
+
+import numpy as np
+import pytest
+
+import linkwright
+
+
+def test_a_linearization_is_the_closed_form(oscillator):
+    found = oscillator.linearize(inputs=["F"])
+    np.testing.assert_allclose(found.A, [[0, 1], [-4, 0]], atol=1e-12)
+    np.testing.assert_allclose(found.B, [[0], [0.5]], atol=1e-12)
+    np.testing.assert_allclose(found.C, [[2, 0]], atol=1e-12)
+    assert found.D.shape == (1, 1) and found.states == ["x", "x_dot"] and found.steady
+    assert found.modes[0].frequency == pytest.approx(2 / (2 * math.pi), rel=1e-12)
+    assert sorted(found.eigenvalues.imag) == pytest.approx([-2, 2])
+
+
+def test_equilibria_and_starts(oscillator):
+    rest = oscillator.equilibrium(parameters={"k": "16 N/m"})
+    assert rest["coordinates"]["x"] == {"value": pytest.approx(0, abs=1e-9), "unit": "mm"}
+    start = oscillator.assemble(initial={"x": "2 cm"})
+    assert start["coordinates"]["x"]["value"] == pytest.approx(20) and start["degrees_of_freedom"] == 1
+    assert len(linkwright.load("four-bar").branches()["branches"]) == 2
+
+
+def test_kinematics(quick_return):
+    sweep = quick_return.kinematics("alpha", start=0, to="360 deg", speed="75 rpm", steps=36)
+    assert len(sweep.t) >= 37 and sweep.summary["cycle"]
+    assert sweep.summary["outputs"]["x6"]["time_ratio"]["ratio"] > 1
+    assert "<canvas" in sweep.report()
+
+
+def test_sections():
+    found = linkwright.load("pendulum").poincare("bottom", direction="rising", count=3, t_end=20)
+    agm = (1, math.cos(math.pi / 4))
+    for _ in range(6):
+        agm = (sum(agm) / 2, math.sqrt(agm[0] * agm[1]))
+    period = 2 * math.pi / math.sqrt(9.81) / agm[0]
+    assert found.summary["period"]["seconds"] == pytest.approx(period, rel=1e-8)
+    assert np.diff(found.t) == pytest.approx([period, period], rel=1e-8)
+
+
+def test_checks(oscillator):
+    checks = oscillator.verify(t_end=0.5)
+    assert checks and all(check["passes"] for check in checks)
+
+
+def test_texts(quick_return):
+    assert "\\begin{align*}" in quick_return.equations("latex")
+    assert "<math" in quick_return.equations("mathml")
+    assert quick_return.equations().startswith("# ")
+    assert "pub struct QuickReturn" in quick_return.generate_rust()
+    with pytest.raises(linkwright.ArgumentError, match="known: text, latex, mathml"):
+        quick_return.equations("html")
+
+
+def test_mistakes_have_places(tmp_path):
+    text = "pub A;\ncoordinates { x [m]; }\nparameters { m [kg] = 1; }\nbodies { b: mass n at [x, 0]; }\n"
+    with pytest.raises(linkwright.DeclarationError) as raised:
+        linkwright.load(text)
+    [mistake] = raised.value.mistakes
+    assert (mistake.line, mistake.column, mistake.code) == (4, 18, "E-MEANING") and "`n`" in mistake.message
+    assert raised.value.place == "declaration.mech:4:18" and "bodies" in str(raised.value)
+    file = tmp_path / "a.mech"
+    file.write_text(text.replace("mass n", "mass m"))
+    assert linkwright.load(file).name == linkwright.load(f"{file}:A").name == "a"
+    with pytest.raises(linkwright.ReadError, match="cannot read"):
+        linkwright.load("nowhere/b.mech")
+    with pytest.raises(linkwright.ArgumentError, match="did you mean `four-bar`"):
+        linkwright.load("four-bars2")
+
+
+@pytest.mark.parametrize(
+    "given, says",
+    [
+        ({"parameters": {"q": 1}}, "no parameter is called `q`"),
+        ({"parameters": {"m": "2 m"}}, "is a unit of dimension"),
+        ({"parameters": {"m": True}}, "a number is needed"),
+        ({"parameters": {"m": float("nan")}}, "is not finite"),
+        ({"method": "rk5"}, "no method is called `rk5`"),
+        ({"t_end": -1}, "above 0"),
+        ({"steps": 0, "method": "rk4"}, "above 0"),
+        ({"until": "period"}, "no event is called `period`"),
+        ({"rtol": 1}, "--rtol"),
+    ],
+)
+def test_arguments_are_checked(oscillator, given, says):
+    with pytest.raises(linkwright.ArgumentError, match=says):
+        oscillator.run(**given)

@@ -1,0 +1,78 @@
+"""Motions against closed forms, and against the command line."""
+
+import csv
+import io
+import math
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import linkwright
+
+
+def test_a_motion_is_the_closed_form(oscillator):
+    run = oscillator.run(t_end=3, rows=300, rtol=1e-12)
+    omega = math.sqrt(8 / 2)
+    assert run.units["x"] == "mm" and run.units["twice"] == "m"
+    # Ten times the tolerance, along 300 rows.
+    np.testing.assert_allclose(run["x"], 100 * np.cos(omega * run.t), rtol=0, atol=1e-8)
+    np.testing.assert_allclose(run["twice"], 0.2 * np.cos(omega * run.t), rtol=0, atol=1e-11)
+    assert run.t[-1] == 3 and len(run.t) == 301
+    first = next(event for event in run.events if event["name"] == "middle")
+    assert first["time"] == pytest.approx(math.pi / 2 / omega, abs=1e-10)
+
+
+def test_values_have_units(oscillator):
+    a = oscillator.run("500 ms", parameters={"m": "2000 g"}, initial={"x": "0.1 m"}, inputs={"F": 1})
+    b = oscillator.run(0.5, parameters={"m": 2}, initial={"x": 100}, inputs={"F": "1000 mN"})
+    assert np.array_equal(a["x"], b["x"]) and a["x"][-1] != oscillator.run(0.5)["x"][-1]
+    held = oscillator.with_values({"m": 3}, {"F": 1})
+    assert held.parameters["m"] == 3 and held.inputs == {"F": 1.0}
+    assert np.array_equal(held.run(1)["x"], oscillator.run(1, parameters={"m": 3}, inputs={"F": 1})["x"])
+
+
+def test_columns_are_those_of_the_command(quick_return, tmp_path):
+    command = [sys.executable, "-m", "linkwright.command", "run", "quick-return", "--t-end=0.2", "--no-figures",
+               "--no-report", "--quiet", f"--out={tmp_path}"]
+    subprocess.run(command, check=True)
+    rows = list(csv.reader(io.StringIO((tmp_path / "trajectory.csv").read_text())))
+    run = quick_return.run(t_end=0.2)
+    assert rows[0] == [f"{name} [{run.units[name]}]" for name in run]
+    table = np.array(rows[1:], dtype=float)
+    for column, name in enumerate(run):
+        assert np.array_equal(table[:, column], run[name]), name
+
+
+@pytest.mark.parametrize("name", linkwright.shipped())
+def test_every_shipped_model_runs(name):
+    model = linkwright.load(name)
+    run = model.run(t_end="1 ms", rows=2)
+    assert model.name == name and run.t[-1] == 1e-3
+    assert all(np.isfinite(values).all() for values in run.values())
+
+
+def test_what_was_computed_is_kept():
+    text = "pub Root; coordinates { x [m]; } parameters { m [kg] = 1; } bodies { b: mass m at [x, 0]; }\n" \
+           "loads { force [-sqrt(x*1 [1/m])*1 [N], 0] at [x, 0]; } initial { x = 1; dot(x) = -2; }"
+    with pytest.raises(linkwright.MotionError) as raised:
+        linkwright.load(text).run(t_end=5)
+    error = raised.value
+    assert error.code.startswith("E-") and error.result is not None
+    assert 0 < error.result.t[-1] < 5 and error.time == pytest.approx(error.result.t[-1], abs=0.1)
+    assert error.place == f"t = {error.time!r} s"
+
+
+def test_frames(oscillator):
+    run = oscillator.run(1, rows=10)
+    pandas = pytest.importorskip("pandas")
+    frame = run.to_pandas()
+    assert isinstance(frame, pandas.DataFrame) and list(frame) == list(run) and frame.attrs["units"]["x"] == "mm"
+    page = run.report()
+    assert page.startswith("<!doctype html>") or page.startswith("<!DOCTYPE html>")
+    shown = run._repr_html_()
+    assert shown.startswith('<iframe sandbox="allow-scripts" srcdoc="') and "<script" not in shown
+    with pytest.raises(KeyError, match="no column is called"):
+        run["y"]
+    assert list(run.values())[0].flags.owndata or run.t.base is not None

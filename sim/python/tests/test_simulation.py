@@ -1,0 +1,45 @@
+"""Simulations that their owner advances."""
+
+import math
+
+import pytest
+
+import linkwright
+
+
+def test_a_push_by_the_owner(oscillator):
+    simulation = oscillator.simulation(t_end=10, rtol=1e-12)
+    simulation.advance_to(math.pi / 4)
+    assert simulation.positions[0] == pytest.approx(0.1 * math.cos(math.pi / 2), abs=1e-10)
+    assert simulation.events == [("middle", pytest.approx(math.pi / 4, abs=1e-9))] or simulation.events == []
+    simulation.set_input("F", "0.8 N")
+    # From x = 0 with speed -0.2 m/s about the new middle at 0.1 m, for half a turn.
+    simulation.advance_to(math.pi / 4 + math.pi / 2)
+    assert simulation.positions[0] == pytest.approx(0.2, abs=1e-9)
+    assert simulation.accelerations[0] == pytest.approx((0.8 - 8 * 0.2) / 2, abs=1e-8)
+    assert simulation.multipliers.shape == (0,) and not simulation.has_ended
+
+
+def test_saved_simulations_continue_with_the_same_bits(quick_return):
+    first = quick_return.simulation(t_end=1)
+    first.advance_to(0.3)
+    saved = first.save()
+    first.advance_to(0.6)
+    second = quick_return.simulation(t_end=1)
+    second.restore(saved)
+    second.advance_to(0.6)
+    assert (first.positions == second.positions).all() and first.time == second.time == 0.6
+    with pytest.raises(linkwright.ArgumentError, match="damaged"):
+        second.restore(saved[:-3])
+    while second.step():
+        pass
+    assert second.has_ended and second.time == 1
+
+
+def test_parameters_change_on_the_way(quick_return):
+    simulation = quick_return.simulation(t_end=1)
+    simulation.advance_to(0.1)
+    simulation.set_parameter("O2A", "151 mm")
+    assert abs(quick_return.with_values({"O2A": "151 mm"}).constraints(simulation.time, simulation.positions)).max() < 1e-12
+    with pytest.raises(linkwright.ArgumentError, match="no parameter is called `O2B`"):
+        simulation.set_parameter("O2B", 1)
