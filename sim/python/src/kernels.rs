@@ -21,6 +21,8 @@ const NAMES: [&str; 4] = ["q", "qd", "qdd", "multipliers"];
 
 /// Numbers that lie one after the other.
 enum Numbers<'py> {
+    /// Along one axis. Those of a state are few, and copying them is cheaper than having them lent.
+    Row(Vec<f64>),
     Array(PyReadonlyArrayDyn<'py, f64>),
     None,
 }
@@ -32,7 +34,7 @@ impl<'py> Numbers<'py> {
         if let Ok(array) = value.cast::<PyArrayDyn<f64>>()
             && array.is_c_contiguous()
         {
-            return Ok(Numbers::Array(array.readonly()));
+            return Numbers::in_array(array);
         }
         let numpy = value.py().import("numpy")?;
         let array = numpy.call_method1("ascontiguousarray", (value, numpy.getattr("float64")?))?;
@@ -42,18 +44,32 @@ impl<'py> Numbers<'py> {
         } else {
             array
         };
-        Ok(Numbers::Array(array.cast_into::<PyArrayDyn<f64>>()?.readonly()))
+        Numbers::in_array(array.cast::<PyArrayDyn<f64>>()?)
     }
 
-    fn shape(&self) -> &[usize] {
+    fn in_array(array: &Bound<'py, PyArrayDyn<f64>>) -> PyResult<Numbers<'py>> {
+        match array.ndim() {
+            1 => Ok(Numbers::Row(array.to_vec()?)),
+            _ => Ok(Numbers::Array(array.readonly())),
+        }
+    }
+
+    /// Of one state, or of many in rows of a width.
+    fn count(&self, width: usize) -> Result<Option<usize>, String> {
         match self {
-            Numbers::Array(array) => array.shape(),
-            Numbers::None => &[],
+            Numbers::None => Ok(None),
+            Numbers::Row(numbers) if numbers.len() == width => Ok(None),
+            Numbers::Row(numbers) => Err(format!("{},", numbers.len())),
+            Numbers::Array(array) => match array.shape() {
+                [states, length] if *length == width => Ok(Some(*states)),
+                shape => Err(shape.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")),
+            },
         }
     }
 
     fn slice(&self) -> PyResult<&[f64]> {
         match self {
+            Numbers::Row(numbers) => Ok(numbers),
             Numbers::Array(array) => Ok(array.as_slice()?),
             Numbers::None => Ok(&[]),
         }
@@ -78,13 +94,18 @@ pub(crate) fn call<'py>(
     ];
     let mut count = None;
     for ((level, width), name) in levels.iter().zip(widths).zip(NAMES) {
-        match level {
-            Numbers::None => {}
-            Numbers::Array(_) => agree(py, &mut count, level.shape(), width, name)?,
+        if !matches!(level, Numbers::None) {
+            agree(py, &mut count, level.count(width), width, name)?;
         }
     }
-    let [positions, speeds, accelerations, multipliers] =
-        [levels[0].slice()?, levels[1].slice()?, levels[2].slice()?, levels[3].slice()?];
+    let slices = [levels[0].slice()?, levels[1].slice()?, levels[2].slice()?, levels[3].slice()?];
+    for ((numbers, width), name) in slices.iter().zip(widths).zip(NAMES) {
+        if has_undefined(numbers) {
+            let at = numbers.iter().position(|number| !number.is_finite()).unwrap_or(0) / width.max(1);
+            return Err(argument(py, &format!("{name}: a number of state {at} (counted from 0) is not finite")));
+        }
+    }
+    let [positions, speeds, accelerations, multipliers] = slices;
     match count.flatten() {
         None => {
             let time = given.time.extract().map_err(|_| argument(py, "t: one number is needed for one state"))?;
@@ -98,19 +119,16 @@ pub(crate) fn call<'py>(
 }
 
 /// All arrays are of one state, or of the same number of states.
-fn agree(py: Python<'_>, count: &mut Option<Option<usize>>, shape: &[usize], width: usize, name: &str) -> PyResult<()> {
-    let states = match shape {
-        [length] if *length == width => None,
-        [states, length] if *length == width => Some(*states),
-        _ => {
-            let shape: Vec<String> = shape.iter().map(ToString::to_string).collect();
-            let shape = shape.join(", ");
-            return Err(argument(
-                py,
-                &format!("{name}: an array of shape ({width},) or (states, {width}) is needed, not ({shape})"),
-            ));
-        }
-    };
+fn agree(
+    py: Python<'_>,
+    count: &mut Option<Option<usize>>,
+    found: Result<Option<usize>, String>,
+    width: usize,
+    name: &str,
+) -> PyResult<()> {
+    let states = found.map_err(|shape| {
+        argument(py, &format!("{name}: an array of shape ({width},) or (states, {width}) is needed, not ({shape})"))
+    })?;
     match *count {
         Some(before) if before != states => {
             let told =
@@ -132,9 +150,8 @@ fn times(py: Python<'_>, given: &Bound<'_, PyAny>, states: usize) -> PyResult<Ve
     if let Ok(time) = given.extract::<f64>() {
         return Ok(vec![time; states]);
     }
-    let numbers = Numbers::of(Some(given))?;
-    match numbers.shape() {
-        [length] if *length == states => Ok(numbers.slice()?.to_vec()),
+    match Numbers::of(Some(given))? {
+        Numbers::Row(times) if times.len() == states => Ok(times),
         _ => Err(argument(py, &format!("t: a number, or {states} of them, is needed"))),
     }
 }
@@ -209,6 +226,7 @@ fn of_many<'py>(py: Python<'py>, model: &dyn Model, kernel: Kernel, states: Stat
     let count = states.times.len();
     let Results { rows, numbers, refused } =
         if count < FEW { model.call_each(kernel, &states) } else { py.detach(|| model.call_each(kernel, &states)) };
+    let rows = if count == 0 { rows_of(model, kernel) } else { rows };
     let width: usize = rows.iter().sum();
     check(py, kernel, &numbers, width, &refused)?;
     let all = PyArray1::from_vec(py, numbers).reshape([count, width])?;
@@ -234,11 +252,26 @@ fn of_many<'py>(py: Python<'py>, model: &dyn Model, kernel: Kernel, states: Stat
     together(py, arrays)
 }
 
+/// The lengths of the rows of a result, whatever the state.
+fn rows_of(model: &dyn Model, kernel: Kernel) -> Vec<usize> {
+    let mut rows = Vec::new();
+    let [q, qd] = model.initial();
+    let lambda = vec![0.0; model.description().constraints.len()];
+    let at = At { time: 0.0, positions: &q, speeds: &qd, accelerations: &qd, multipliers: &lambda };
+    model.call(kernel, at, &mut |_, row| rows.push(row.len()));
+    rows
+}
+
 fn together<'py>(py: Python<'py>, mut arrays: Vec<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
     match arrays.len() {
         1 => Ok(arrays.swap_remove(0)),
         _ => Ok(PyTuple::new(py, arrays)?.into_any()),
     }
+}
+
+/// Whether one of them is not finite. Without a branch, so that it is made for many numbers at once.
+fn has_undefined(numbers: &[f64]) -> bool {
+    numbers.iter().fold(false, |any, number| any | !number.is_finite())
 }
 
 /// Every number is one.
@@ -252,16 +285,13 @@ fn check(py: Python<'_>, kernel: Kernel, numbers: &[f64], width: usize, refused:
         );
         return Err(refused_by(py, "E-SINGULAR", &message, refused));
     }
-    // No branch, so that it is made for many numbers at once.
-    let is_undefined = numbers.iter().fold(false, |any, number| any | !number.is_finite());
-    if !is_undefined {
+    if !has_undefined(numbers) {
         return Ok(());
     }
     let at = numbers.chunks(width.max(1)).position(|of_state| of_state.iter().any(|number| !number.is_finite()));
     let first = at.unwrap_or(0);
     let message = format!(
-        "`{name}` is not finite in state {first} (counted from 0): a number that is given is not finite, or an expression leaves \
-         its domain there (division by zero, root or logarithm of a negative number)"
+        "`{name}` is not finite in state {first} (counted from 0): an expression leaves its domain there (division by zero, root or logarithm of a negative number)"
     );
     Err(refused_by(py, "E-NOT-FINITE", &message, &[first]))
 }

@@ -69,7 +69,7 @@ def test_mistakes_have_places(tmp_path):
     assert linkwright.load(file).name == linkwright.load(f"{file}:A").name == "a"
     with pytest.raises(linkwright.ReadError, match="cannot read"):
         linkwright.load("nowhere/b.mech")
-    with pytest.raises(linkwright.ArgumentError, match="did you mean `four-bar`"):
+    with pytest.raises(linkwright.ArgumentError, match="did you mean `four-bars`"):
         linkwright.load("four-bars2")
 
 

@@ -107,11 +107,15 @@ def test_refusals_say_what_is_needed(quick_return):
         quick_return.dynamics(0, [q, q], qd)
     with pytest.raises(linkwright.ArgumentError, match="t: a number, or 2 of them"):
         quick_return.dynamics([0, 1, 2], [q, q], [qd, qd])
-    with pytest.raises(linkwright.MotionError, match="not finite") as raised:
+    with pytest.raises(linkwright.ArgumentError, match="q: a number of state 1"):
         quick_return.dynamics(0, [q, q * np.nan], [qd, qd])
-    assert raised.value.states == [1] and raised.value.code == "E-NOT-FINITE"
     with pytest.raises((TypeError, ValueError)):
         quick_return.dynamics(0, "text", qd)
+    root = linkwright.load("pub Root; coordinates { x [m]; } parameters { m [kg] = 1; a [m] = 1; }\n"
+                           "bodies { b: mass m at [x, 0]; } outputs { root = sqrt(x/a); }")
+    with pytest.raises(linkwright.MotionError, match="not finite in state 1") as raised:
+        root.outputs(0, [[1], [-1]], [[0], [0]], [[0], [0]], np.zeros((2, 0)))
+    assert raised.value.states == [1] and raised.value.code == "E-NOT-FINITE"
     linkage = linkwright.load(
         "pub Rod; coordinates { x [m]; y [m]; } parameters { m [kg] = 1; } bodies { b: mass m at [x, y]; }\n"
         "constraints { length: x^2 + y^2 = 1 [m^2]; } initial { x = 1; }"

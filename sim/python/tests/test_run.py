@@ -34,7 +34,7 @@ def test_values_have_units(oscillator):
 
 
 def test_columns_are_those_of_the_command(quick_return, tmp_path):
-    command = [sys.executable, "-m", "linkwright.command", "run", "quick-return", "--t-end=0.2", "--no-figures",
+    command = [sys.executable, "-m", "linkwright", "run", "quick-return", "--t-end=0.2", "--no-figures",
                "--no-report", "--quiet", f"--out={tmp_path}"]
     subprocess.run(command, check=True)
     rows = list(csv.reader(io.StringIO((tmp_path / "trajectory.csv").read_text())))
