@@ -4,7 +4,7 @@ use crate::errors::{argument, kernel as refused_by};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PySlice, PyTuple};
-use sim::{At, Description, Kernel, Model, Results, States};
+use sim::{At, Description, Found, Kernel, Model, Results, States};
 
 /// Below so many states Python's lock is kept.
 const FEW: usize = 32;
@@ -76,10 +76,13 @@ impl<'py> Numbers<'py> {
     }
 }
 
+/// A kernel at one state; whether it is refused.
+type Once<'a> = dyn Fn(At<f64>, Found<f64>) -> bool + 'a;
+
 /// A kernel's results at one state, or at many: arrays in a tuple if there are several.
 pub(crate) fn call<'py>(
     py: Python<'py>,
-    model: &dyn Model,
+    (model, once): (&dyn Model, &Once),
     kernel: Kernel,
     given: Given<'_, 'py>,
 ) -> PyResult<Bound<'py, PyAny>> {
@@ -109,7 +112,7 @@ pub(crate) fn call<'py>(
     match count.flatten() {
         None => {
             let time = given.time.extract().map_err(|_| argument(py, "t: one number is needed for one state"))?;
-            of_one(py, model, kernel, At { time, positions, speeds, accelerations, multipliers })
+            of_one(py, (model.description(), once), kernel, At { time, positions, speeds, accelerations, multipliers })
         }
         Some(states) => {
             let times = times(py, given.time, states)?;
@@ -193,10 +196,14 @@ fn columns(kernel: Kernel, description: &Description) -> usize {
     }
 }
 
-fn of_one<'py>(py: Python<'py>, model: &dyn Model, kernel: Kernel, at: At<f64>) -> PyResult<Bound<'py, PyAny>> {
-    let description = model.description();
+fn of_one<'py>(
+    py: Python<'py>,
+    (description, once): (&Description, &Once),
+    kernel: Kernel,
+    at: At<f64>,
+) -> PyResult<Bound<'py, PyAny>> {
     let (mut numbers, mut rows) = (Vec::with_capacity(64), Vec::with_capacity(8));
-    let is_refused = model.call(kernel, at, &mut |_, row| {
+    let is_refused = once(at, &mut |_, row| {
         numbers.extend_from_slice(row);
         rows.push(row.len());
     });

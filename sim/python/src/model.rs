@@ -11,14 +11,16 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use sim::cli::{answer, simulated, with_values};
 use sim::sim_kernel::Quantity;
-use sim::{DeclarationFile, Input, Kernel};
+use sim::{At, DeclarationFile, Found, Input, Kernel, Prepared};
 use std::path::PathBuf;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A mechanism with its values. The package adds commands to it.
 #[pyclass(frozen, subclass, module = "linkwright._linkwright")]
 pub(crate) struct Model {
     model: Arc<dyn sim::Model>,
+    /// With all that parameters determine computed, once it is needed.
+    prepared: OnceLock<Box<dyn Prepared>>,
     /// What the command line calls it: a file, or a name.
     source: String,
 }
@@ -28,7 +30,7 @@ pub(crate) struct Model {
 pub(crate) fn from_text(py: Python<'_>, text: String, path: PathBuf, name: Option<String>) -> PyResult<Model> {
     let found = py.detach(|| DeclarationFile::of(&path, text).model(name.as_deref()));
     let source = path.to_string_lossy().into_owned();
-    found.map(|model| Model { model, source }).map_err(|why| load(py, &why))
+    found.map(|model| Model::new(model, source)).map_err(|why| load(py, &why))
 }
 
 /// The model of a file, or a shipped one of this name.
@@ -43,7 +45,7 @@ pub(crate) fn read(py: Python<'_>, path: Option<PathBuf>, name: Option<String>) 
         (None, None) => return Err(argument(py, "a file or a name is needed")),
     };
     let source = path.map(|path| path.to_string_lossy().into_owned()).or(name).unwrap_or_default();
-    found.map(|model| Model { model, source }).map_err(|why| load(py, &why))
+    found.map(|model| Model::new(model, source)).map_err(|why| load(py, &why))
 }
 
 fn unknown(name: &str) -> String {
@@ -53,9 +55,21 @@ fn unknown(name: &str) -> String {
 }
 
 impl Model {
+    fn new(model: Arc<dyn sim::Model>, source: String) -> Model {
+        Model { model, prepared: OnceLock::new(), source }
+    }
+
     /// Another model in place of this one.
     fn with(&self, model: Arc<dyn sim::Model>) -> Model {
-        Model { model, source: self.source.clone() }
+        Model::new(model, self.source.clone())
+    }
+
+    /// A kernel at one state.
+    fn call_once(&self, kernel: Kernel, at: At<f64>, found: Found<f64>) -> bool {
+        match kernel {
+            Kernel::Dynamics => self.prepared.get_or_init(|| self.model.prepare()).call(kernel, at, found),
+            _ => self.model.call(kernel, at, found),
+        }
     }
 }
 
@@ -70,7 +84,8 @@ macro_rules! kernels {
                 t: &Bound<'py, PyAny>,
                 $($level: &Bound<'py, PyAny>,)*
             ) -> PyResult<Bound<'py, PyAny>> {
-                call(py, &*self.model, Kernel::$kernel, Given { time: t, levels: levels([$($level),*]) })
+                let once = &|at: At<f64>, found: Found<f64>| self.call_once(Kernel::$kernel, at, found);
+                call(py, (&*self.model, once), Kernel::$kernel, Given { time: t, levels: levels([$($level),*]) })
             })*
         }
     };
@@ -122,7 +137,7 @@ fn named<'a>(quantities: impl Iterator<Item = &'a Quantity>) -> Vec<Named> {
 impl Model {
     /// Another of the same mechanism: so a class of the package is made of it.
     #[new]
-    fn new(other: &Model) -> Model {
+    fn of(other: &Model) -> Model {
         other.with(other.model.clone())
     }
 
