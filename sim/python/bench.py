@@ -1,8 +1,7 @@
-"""What a call from Python costs over the kernel.
+"""What calls from Python cost.
 
-A call of an array of states is timed against calls of one, and both against the kernel alone, which `sim` times in Rust:
-`figures -- files` prints those. Here the cost of the call is what is left when nothing is computed: an oscillator's
-dynamics take a few nanoseconds. Minimum of many repetitions, as machines are shared.
+The first figure is the cost of a call itself, as the kernel of a single mass takes a few nanoseconds. Minimum of many
+repetitions, as machines are shared.
 """
 
 import timeit
@@ -11,33 +10,29 @@ import numpy as np
 
 import linkwright
 
-TRIVIAL = "pub Mass; coordinates { x [m]; } parameters { m [kg] = 1; } bodies { b: mass m at [x, 0]; }"
+MASS = "pub Mass; coordinates { x [m]; } parameters { m [kg] = 1; } bodies { b: mass m at [x, 0]; }"
 STATES = 10_000
 
 
-def seconds(call, number):
-    return min(timeit.repeat(call, number=number, repeat=15)) / number
+def nanoseconds(call, number):
+    return 1e9 * min(timeit.repeat(call, number=number, repeat=15)) / number
 
 
-def one(name, model):
+def one(model):
     q, qd = model.initial()
-    return name, 1e9 * seconds(lambda: model.dynamics(0.0, q, qd), 5000), "ns a call"
+    return nanoseconds(lambda: model.dynamics(0.0, q, qd), 5000)
 
 
-def many(name, model):
+def many(model):
     q, qd = (np.tile(numbers, (STATES, 1)) for numbers in model.initial())
-    return name, 1e9 / STATES * seconds(lambda: model.dynamics(0.0, q, qd), 20), "ns a state"
+    return nanoseconds(lambda: model.dynamics(0.0, q, qd), 20) / STATES
 
 
 def main():
-    trivial, quick_return = linkwright.load(TRIVIAL), linkwright.load("quick-return")
-    for name, figure, unit in [
-        (*one("one state, hardly a kernel (bound 1000)", trivial),),
-        (*one("one state of quick-return", quick_return),),
-        (*many("10,000 states, hardly a kernel", trivial),),
-        (*many("10,000 states of quick-return (bound 30)", quick_return),),
-    ]:
-        print(f"{name:<48} {figure:9.1f} {unit}")
+    mass, quick_return = linkwright.load(MASS), linkwright.load("quick-return")
+    print(f"dynamics of one mass, in ns a call: {one(mass):.0f}")
+    print(f"dynamics of quick-return, in ns a call: {one(quick_return):.0f}")
+    print(f"dynamics of quick-return at {STATES} states, in ns a state: {many(quick_return):.1f}")
 
 
 if __name__ == "__main__":

@@ -136,6 +136,13 @@ fn mistakes_are_shown_under_their_line() {
         &BOB.replace("mass m at", "mass mm at")[mistake["bytes"]["start"].as_u64().unwrap() as usize..][..2],
         "mm"
     );
+    fs::write(folder.join("twice.mech"), BOB.replace("l [m] = 1;", "l [m] = 1; l [m] = 2;")).unwrap();
+    let said = stderr(&within(&folder, &["check", "twice.mech"]));
+    assert!(said.contains("\nnote: the first definition of `l` is here\n --> twice.mech:7:14\n"), "{said}");
+    let told: Value = serde_json::from_str(&stdout(&within(&folder, &["check", "twice.mech", "--json"]))).unwrap();
+    let related = &told["mistakes"][0]["related"][0];
+    assert_eq!(related["message"], "the first definition of `l` is here");
+    assert_eq!(related["range"]["start"], serde_json::json!({ "line": 6, "character": 13 }));
     fs::write(folder.join("open.mech"), "pub Bob; coordinates { x [m];").unwrap();
     let said = stderr(&within(&folder, &["check", "open.mech"]));
     assert!(

@@ -5,7 +5,7 @@ use crate::against_oracle::{Derivatives, compare};
 use sim::DeclarationFile;
 use std::path::Path;
 use std::time::{Duration, Instant};
-use tests::{Random, shipped};
+use tests::{Random, peak_memory, shipped};
 
 /// `LINKWRIGHT_FUZZ=200` makes two hundred times as many, by `LINKWRIGHT_SEED=N` from another one on.
 const CASES: usize = 500;
@@ -108,7 +108,9 @@ fn mangled_files_are_refused_or_understood() {
         }
         slowest = slowest.max(clock.elapsed());
     }
-    println!("{cases} files, {accepted} accepted, the slowest took {slowest:?}; {derivatives:?}");
+    println!("{cases} files, {accepted} accepted; {derivatives:?}");
+    println!("the slowest file, in s: {:.3}", slowest.as_secs_f64());
+    println!("the most memory, in MB: {:.1}", peak_memory().unwrap_or(0) as f64 / 1e6);
     assert!(accepted > cases / 20);
     // Where a difference quotient spans a kink, or the equations are nearly singular, two of them differ.
     assert!(derivatives.compared > 2 * derivatives.undecided, "{derivatives:?}");

@@ -71,6 +71,13 @@ impl Random {
     }
 }
 
+/// The most memory that this process has had so far, in bytes, where the system tells.
+pub fn peak_memory() -> Option<usize> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    Some(1024 * line.trim().trim_end_matches(" kB").parse::<usize>().ok()?)
+}
+
 /// The shortest of several runs of `f`, after one that is not counted.
 pub fn shortest(runs: usize, mut f: impl FnMut()) -> Duration {
     f();

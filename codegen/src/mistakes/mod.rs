@@ -2,7 +2,7 @@
 
 mod shown;
 
-pub use shown::{Mistake, Position};
+pub use shown::{Mistake, Position, Related};
 
 use std::collections::HashSet;
 

@@ -14,6 +14,19 @@ pub struct Mistake {
     pub start: Position,
     /// Where it ends.
     pub end: Position,
+    /// Other places that belong to it: the first definition of a name that is defined twice.
+    pub related: Vec<Related>,
+}
+
+/// A place that belongs to a mistake elsewhere.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Related {
+    /// What stands there.
+    pub message: String,
+    /// Where it starts.
+    pub start: Position,
+    /// Where it ends.
+    pub end: Position,
 }
 
 /// A place in a text, all numbers from 0.
@@ -32,12 +45,15 @@ pub struct Position {
 impl Mistake {
     /// All mistakes of a kind in a text, in order of their places.
     pub fn all(text: &str, code: &'static str, mistakes: syn::Error) -> Vec<Mistake> {
-        let mistake = |mistake: syn::Error| {
-            let span = mistake.span();
+        let mut all: Vec<Mistake> = Vec::new();
+        for mistake in mistakes {
+            let (span, message) = (mistake.span(), mistake.to_string());
             let [start, end] = [span.start(), span.end()].map(|at| Position::of(text, at.line.max(1) - 1, at.column));
-            Mistake { code, message: mistake.to_string(), start, end }
-        };
-        let mut all: Vec<Mistake> = mistakes.into_iter().map(mistake).collect();
+            match all.last_mut() {
+                Some(of) if tells_of_a_place(&message) => of.related.push(Related { message, start, end }),
+                _ => all.push(Mistake { code, message, start, end, related: Vec::new() }),
+            }
+        }
         all.sort_by_key(|mistake| mistake.start.byte);
         all
     }
@@ -48,26 +64,41 @@ impl Mistake {
         Some(after.split_once('`')?.0)
     }
 
-    /// The message, the place, the line with the words in question underlined, and what else the message says.
+    /// The message, the place, the line with the words in question underlined, and what else the message says; then every
+    /// related place.
     pub fn shown(&self, file: &str, text: &str) -> String {
-        let (message, more) = self.message.split_once('\n').unwrap_or((&self.message, ""));
-        let Position { line, column, .. } = self.start;
-        let words = text.lines().nth(line).unwrap_or_default();
-        let number = (line + 1).to_string();
-        let margin = " ".repeat(number.len());
-        let length = words.chars().count();
-        let end = if self.end.line == line { self.end.column } else { length };
-        let underline = "^".repeat(end.min(length.max(column + 1)).saturating_sub(column).max(1));
-        // Tabs stay tabs, so that the mark stands under the word.
-        let indent: String = words.chars().take(column).map(|c| if c == '\t' { c } else { ' ' }).collect();
-        let mut out = format!("{message}\n{margin}--> {file}:{number}:{}\n{margin} |\n", column + 1);
-        out += &format!("{number} | {words}\n{margin} | {indent}{underline}");
-        more.lines().for_each(|line| {
-            // Writing to a string does not fail.
-            let _ = write!(out, "\n{margin} = {}", line.trim_start());
-        });
+        let mut out = shown(&self.message, [self.start, self.end], file, text);
+        for Related { message, start, end } in &self.related {
+            out += "\nnote: ";
+            out += &shown(message, [*start, *end], file, text);
+        }
         out
     }
+}
+
+/// Whether a message says what stands at a place, `.. is here`, and so belongs to the mistake before it.
+fn tells_of_a_place(message: &str) -> bool {
+    message.split([';', ':', ',', '\n']).next().is_some_and(|clause| clause.ends_with(" here"))
+}
+
+fn shown(message: &str, [start, end]: [Position; 2], file: &str, text: &str) -> String {
+    let (message, more) = message.split_once('\n').unwrap_or((message, ""));
+    let Position { line, column, .. } = start;
+    let words = text.lines().nth(line).unwrap_or_default();
+    let number = (line + 1).to_string();
+    let margin = " ".repeat(number.len());
+    let length = words.chars().count();
+    let end = if end.line == line { end.column } else { length };
+    let underline = "^".repeat(end.min(length.max(column + 1)).saturating_sub(column).max(1));
+    // Tabs stay tabs, so that the mark stands under the word.
+    let indent: String = words.chars().take(column).map(|c| if c == '\t' { c } else { ' ' }).collect();
+    let mut out = format!("{message}\n{margin}--> {file}:{number}:{}\n{margin} |\n", column + 1);
+    out += &format!("{number} | {words}\n{margin} | {indent}{underline}");
+    more.lines().for_each(|line| {
+        // Writing to a string does not fail.
+        let _ = write!(out, "\n{margin} = {}", line.trim_start());
+    });
+    out
 }
 
 impl Position {
@@ -86,8 +117,8 @@ mod tests {
     fn words_are_underlined_where_they_stand() {
         let text = "pub Bob;\ncoordinates { \u{1d70b} [rad]; }\n\tbodies { ball: mas m; }\n";
         let at = |line, column| Position::of(text, line, column);
-        let mistake =
-            Mistake { code: "E-FORM", message: "no word\n  known: mass".into(), start: at(2, 15), end: at(2, 18) };
+        let (message, related) = ("no word\n  known: mass".into(), Vec::new());
+        let mistake = Mistake { code: "E-FORM", message, start: at(2, 15), end: at(2, 18), related };
         let shown =
             "no word\n --> bob.mech:3:16\n  |\n3 | \tbodies { ball: mas m; }\n  | \t              ^^^\n  = known: mass";
         assert_eq!(mistake.shown("bob.mech", text), shown);

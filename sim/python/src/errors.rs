@@ -1,5 +1,6 @@
 //! Errors as exceptions of the package, with code, message and place.
 
+use codegen::mistakes::Related;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use sim::cli::{Problem, Refusal};
@@ -75,6 +76,8 @@ pub(crate) fn load(py: Python<'_>, error: &LoadError) -> PyErr {
                     details.set_item("end_column", mistake.end.column + 1)?;
                     details.set_item("suggestion", mistake.suggestion())?;
                     details.set_item("words", text.lines().nth(mistake.start.line))?;
+                    let place = |of: &Related| (of.message.clone(), of.start.line + 1, of.start.column + 1);
+                    details.set_item("related", mistake.related.iter().map(place).collect::<Vec<_>>())?;
                     Ok(details)
                 })
                 .collect();

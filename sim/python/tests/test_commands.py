@@ -64,6 +64,9 @@ def test_mistakes_have_places(tmp_path):
     [mistake] = raised.value.mistakes
     assert (mistake.line, mistake.column, mistake.code) == (4, 18, "E-MEANING") and "`n`" in mistake.message
     assert raised.value.place == "declaration.mech:4:18" and "bodies" in str(raised.value)
+    with pytest.raises(linkwright.DeclarationError) as raised:
+        linkwright.load(text.replace("m [kg] = 1;", "m [kg] = 1; m [kg] = 2;").replace("mass n", "mass m"))
+    assert raised.value.mistakes[0].related == [("the first definition of `m` is here", 3, 14)]
     file = tmp_path / "a.mech"
     file.write_text(text.replace("mass n", "mass m"))
     assert linkwright.load(file).name == linkwright.load(f"{file}:A").name == "a"

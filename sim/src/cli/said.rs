@@ -20,3 +20,8 @@ impl Said {
         }
     }
 }
+
+/// `1 step`, `2 steps`.
+pub(super) fn counted(n: usize, what: &str) -> String {
+    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
+}

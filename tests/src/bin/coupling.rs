@@ -6,7 +6,7 @@
 
 use sim::{Compiled, FixedArray, Measures, State, project};
 use std::hint::black_box;
-use tests::interleaved;
+use tests::{interleaved, peak_memory};
 
 /// The kernels, whose names are documented where they are declared.
 #[allow(unreachable_pub)]
@@ -17,7 +17,7 @@ mod chains {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     if let Some(bodies) = std::env::args().nth(1) {
         let code = codegen::generate_text(&uncoupled(bodies.parse()?), "sim_kernel")?;
-        println!("{} {}", peak_memory()?, code.len());
+        println!("{} {}", peak_memory().ok_or("no peak of memory")?, code.len());
         return Ok(());
     }
     // Dense matrices of 300 coordinates and 200 constraints, which measures are found from, take much of a stack.
@@ -37,13 +37,6 @@ fn uncoupled(bodies: usize) -> String {
         repeat i in 1..={bodies} {{ bodies {{ b_[i]: free, mass m, inertia J; }} }}
         loads {{ gravity [0, -g]; }}"
     )
-}
-
-/// The most memory that this process has had so far, in bytes.
-fn peak_memory() -> Result<usize, Box<dyn std::error::Error>> {
-    let status = std::fs::read_to_string("/proc/self/status")?;
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:")).ok_or("no peak of memory")?;
-    Ok(1024 * line.trim().trim_end_matches(" kB").parse::<usize>()?)
 }
 
 /// So far is a step off the constraints at its end, beside what coordinates are measured by: at a tolerance of 1e-9.

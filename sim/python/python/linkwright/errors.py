@@ -61,6 +61,8 @@ class Mistake:
     suggestion: str | None
     #: The line.
     words: str | None
+    #: Other places that belong to it: what stands there, line and column.
+    related: list[tuple[str, int, int]]
 
 
 class DeclarationError(LinkwrightError):

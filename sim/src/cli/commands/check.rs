@@ -3,7 +3,7 @@
 use crate::cli::arguments::{CheckArguments, Voice};
 use crate::cli::{Stop, print};
 use crate::{DeclarationFile, LoadError};
-use codegen::mistakes::{Mistake, Position};
+use codegen::mistakes::{Mistake, Position, Related};
 use serde_json::{Value, json};
 
 /// Shows the mistakes of a file.
@@ -33,12 +33,15 @@ pub(in crate::cli) fn check(arguments: &CheckArguments, voice: Voice) -> Result<
 /// For editors: ranges as the Language Server Protocol has them, and in bytes.
 fn as_json(mistake: &Mistake) -> Value {
     let place = |at: Position| json!({ "line": at.line, "character": at.column_utf16 });
+    let range = |start, end| json!({ "start": place(start), "end": place(end) });
+    let bytes = |start: Position, end: Position| json!({ "start": start.byte, "end": end.byte });
+    let related = |Related { message, start, end }: &Related| json!({ "message": message, "range": range(*start, *end), "bytes": bytes(*start, *end) });
     json!({
         "code": mistake.code,
         "message": mistake.message,
         "suggestion": mistake.suggestion(),
-        "range": { "start": place(mistake.start), "end": place(mistake.end) },
-        "bytes": { "start": mistake.start.byte, "end": mistake.end.byte },
-        "related": [],
+        "range": range(mistake.start, mistake.end),
+        "bytes": bytes(mistake.start, mistake.end),
+        "related": mistake.related.iter().map(related).collect::<Vec<_>>(),
     })
 }

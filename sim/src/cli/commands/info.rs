@@ -1,7 +1,7 @@
 //! `sim info`.
 
 use crate::cli::arguments::Voice;
-use crate::cli::commands::list::counted;
+use crate::cli::said::counted;
 use crate::cli::settings::SettingsArguments;
 use crate::cli::{Stop, print};
 use crate::output::happening::happening;

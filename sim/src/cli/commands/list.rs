@@ -1,6 +1,7 @@
 //! `sim list`.
 
 use crate::cli::arguments::Voice;
+use crate::cli::said::counted;
 use crate::cli::{Entry, Stop, print};
 use serde_json::json;
 use sim_kernel::Description;
@@ -23,9 +24,4 @@ pub(in crate::cli) fn list(mechanisms: &[Entry], voice: Voice) -> Result<(), Sto
         }
     }
     print(&text)
-}
-
-/// `1 step`, `2 steps`.
-pub(in crate::cli) fn counted(n: usize, what: &str) -> String {
-    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
 }

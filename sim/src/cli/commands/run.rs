@@ -2,12 +2,12 @@
 
 use crate::cli::Stop;
 use crate::cli::arguments::{RunArguments, Voice};
-use crate::cli::commands::list::counted;
 use crate::cli::files::folder;
 use crate::cli::files::reproduction::Reproduction;
 use crate::cli::files::written::Files;
 use crate::cli::given::{as_given, held_at};
 use crate::cli::progress;
+use crate::cli::said::counted;
 use crate::output::happening::impulses;
 use crate::output::outcome::{Outcome, Recorded};
 use crate::output::show::{self, About};

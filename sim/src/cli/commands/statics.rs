@@ -2,10 +2,10 @@
 
 use crate::cli::Stop;
 use crate::cli::arguments::{AssembleArguments, StartArguments, Voice};
-use crate::cli::commands::list::counted;
 use crate::cli::given::as_given;
 use crate::cli::quantity::fixed;
 use crate::cli::said::Said;
+use crate::cli::said::counted;
 use crate::output::outcome::list;
 use crate::{Branches, Loop, Mobility, assemble, branches, check_masses, equilibrium, mobility, residuals};
 use nalgebra::Complex;

@@ -13,7 +13,7 @@ use crate::output::outcome::Recorded;
 use crate::output::show::{About, Live, live_report, waiting_page};
 use crate::output::write::summary_of;
 use crate::{DeclarationFile, LoadError, Table, What, run_while};
-use codegen::mistakes::Mistake;
+use codegen::mistakes::{Mistake, Position};
 use serde_json::{Value, json};
 use sim_kernel::Mechanism;
 use std::path::Path;
@@ -66,7 +66,7 @@ impl Wrong {
                 let file = path.file_name().unwrap_or_default().to_string_lossy();
                 let title =
                     if mistakes.len() == 1 { "1 mistake".to_owned() } else { format!("{} mistakes", mistakes.len()) };
-                let shown = mistakes.iter().map(|mistake| shown(&file, text, mistake)).collect();
+                let shown = mistakes.iter().flat_map(|mistake| shown(&file, text, mistake)).collect();
                 notice(&format!("{title} in {file}; what is shown below is from before."), shown)
             }
             Wrong::Declared(other) => notice(&other.to_string(), Vec::new()),
@@ -121,16 +121,23 @@ fn notice(title: &str, mistakes: Vec<Value>) -> Value {
     json!({ "title": title, "mistakes": mistakes })
 }
 
-/// A mistake with its line, in which the words that are meant stand apart.
-fn shown(file: &str, text: &str, mistake: &Mistake) -> Value {
-    let line = text.lines().nth(mistake.start.line).unwrap_or_default();
+/// A mistake and what is told of other places that belong to it, each with its line.
+fn shown(file: &str, text: &str, mistake: &Mistake) -> Vec<Value> {
+    let Mistake { code, message, start, end, related } = mistake;
+    let notes = related.iter().map(|of| quoted(file, text, ("note", &of.message), [of.start, of.end]));
+    [quoted(file, text, (code, message), [*start, *end])].into_iter().chain(notes).collect()
+}
+
+/// A line in which the words that are meant stand apart, and what is said of them.
+fn quoted(file: &str, text: &str, (code, message): (&str, &str), [start, end]: [Position; 2]) -> Value {
+    let line = text.lines().nth(start.line).unwrap_or_default();
     let place = |column: usize| line.char_indices().nth(column).map_or(line.len(), |(at, _)| at);
-    let from = place(mistake.start.column);
-    let to = if mistake.end.line > mistake.start.line { line.len() } else { place(mistake.end.column).max(from) };
+    let from = place(start.column);
+    let to = if end.line > start.line { line.len() } else { place(end.column).max(from) };
     json!({
-        "code": mistake.code,
-        "message": mistake.message,
-        "place": format!("{file}:{}:{}", mistake.start.line + 1, mistake.start.column + 1),
+        "code": code,
+        "message": message,
+        "place": format!("{file}:{}:{}", start.line + 1, start.column + 1),
         "line": { "before": &line[..from], "words": &line[from..to], "after": &line[to..] },
     })
 }
@@ -145,7 +152,7 @@ mod tests {
                     bodies { b: mass m at [x, 0]; }\n/* \u{1d400} */ outputs { o = y; }\n";
         let file = DeclarationFile::of(Path::new("some/a.mech"), text.to_owned());
         let Err(LoadError::Mistakes { text, mistakes, .. }) = file.model(None) else { panic!("accepted") };
-        let shown = shown("a.mech", &text, &mistakes[0]);
+        let [shown] = &shown("a.mech", &text, &mistakes[0])[..] else { panic!("one place") };
         assert_eq!(shown["line"], json!({ "before": "/* \u{1d400} */ outputs { o = ", "words": "y", "after": "; }" }));
         assert_eq!(shown["place"], "a.mech:5:23");
     }

@@ -1,0 +1,76 @@
+//! Figures that tests and scripts print, each as `NAME: NUMBER`.
+
+use crate::figures::Table;
+use std::io;
+use std::path::Path;
+use std::process::Command;
+use std::time::Instant;
+
+/// A line that is printed, and the most that it may say.
+type Bounded = (&'static str, f64);
+
+pub(super) fn runs(table: &mut Table) {
+    let of_runs = "test --release --quiet -p tests --test results -- --ignored interpreted";
+    passes(table, "shipped mechanisms, interpreted, run to the same bits", of_runs);
+}
+
+pub(super) fn watch(table: &mut Table) {
+    table.heading("sim watch");
+    let in_chromium = "test --release --quiet -p sim --test report -- --ignored --nocapture saved_file_to_changed_page";
+    tell(table, Command::new("cargo").args(in_chromium.split(' ')), &[("saved file to changed page, in ms", 150.0)]);
+    let attacked = "test --release --quiet -p sim --test command watch";
+    passes(table, "hostile requests get 403, 404 or a closed connection", attacked);
+}
+
+pub(super) fn mangled(table: &mut Table) {
+    table.heading("100,000 mangled files");
+    let clock = Instant::now();
+    let mangled = "test --release --quiet -p tests --test interpreted -- --nocapture mangled";
+    let lines = [("the slowest file, in s", 1.0), ("the most memory, in MB", 500.0)];
+    tell(table, Command::new("cargo").args(mangled.split(' ')).env("LINKWRIGHT_FUZZ", "200"), &lines);
+    table.at_most("minutes", clock.elapsed().as_secs_f64() / 60.0, 20.0);
+}
+
+pub(super) fn python(table: &mut Table) {
+    table.heading("The Python package");
+    let lines = [
+        ("the wheel, in MB", 10.0),
+        ("dynamics of one mass, in ns a call", 1000.0),
+        ("dynamics of quick-return at 10000 states, in ns a state", 30.0),
+    ];
+    tell(table, &mut Command::new(".ci/python"), &lines);
+}
+
+/// A line on tests that `cargo` runs and that print no figure.
+fn passes(table: &mut Table, what: &str, arguments: &str) {
+    match output(Command::new("cargo").args(arguments.split(' '))) {
+        Ok(_) => table.line(what, "passed", "passed", true),
+        Err(why) => table.line(what, why, "passed", false),
+    }
+}
+
+/// A line for each figure that a command prints, run in the workspace's folder.
+fn tell(table: &mut Table, command: &mut Command, lines: &[Bounded]) {
+    let printed = output(command);
+    for (name, bound) in lines {
+        let after = |line: &str| line.split_once(&format!("{name}: "))?.1.split(' ').next()?.parse::<f64>().ok();
+        match &printed {
+            Ok(text) => match text.lines().find_map(after) {
+                Some(value) => table.at_most(name, value, *bound),
+                None => table.line(name, "not printed", format!("at most {bound}"), false),
+            },
+            Err(why) => table.line(name, why, format!("at most {bound}"), false),
+        }
+    }
+}
+
+/// What a command prints if it succeeds.
+fn output(command: &mut Command) -> io::Result<String> {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let output = command.current_dir(workspace).output()?;
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    match output.status.success() {
+        true => Ok(text(&output.stdout)),
+        false => Err(io::Error::other(format!("failed\n{}{}", text(&output.stdout), text(&output.stderr)))),
+    }
+}
