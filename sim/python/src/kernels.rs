@@ -1,6 +1,7 @@
 //! Kernels on arrays: of one state, or of many, one a row.
 
 use crate::errors::{argument, kernel as refused_by};
+use crate::shapes::{Shape, parts};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PySlice, PyTuple};
@@ -159,43 +160,6 @@ fn times(py: Python<'_>, given: &Bound<'_, PyAny>, states: usize) -> PyResult<Ve
     }
 }
 
-/// The rows of a result are those of matrices of so many rows; those beyond are not told.
-fn parts(kernel: Kernel, description: &Description) -> Vec<usize> {
-    let (n, m) = (description.coordinates.len(), description.constraints.len());
-    match kernel {
-        Kernel::MassMatrix => vec![n],
-        Kernel::ConstraintJacobian => vec![m],
-        Kernel::ConstraintLinearization => vec![1, 1, m],
-        Kernel::SparseLinearization => vec![1, 1, 1],
-        Kernel::Dynamics => vec![1, 1],
-        Kernel::DynamicsJacobian => vec![n, n, m, m],
-        Kernel::DynamicsSensitivity => vec![n, m],
-        _ => vec![1],
-    }
-}
-
-fn is_matrix(kernel: Kernel, part: usize) -> bool {
-    match kernel {
-        Kernel::MassMatrix | Kernel::ConstraintJacobian | Kernel::DynamicsJacobian | Kernel::DynamicsSensitivity => {
-            true
-        }
-        Kernel::ConstraintLinearization => part == 2,
-        _ => false,
-    }
-}
-
-fn is_number(kernel: Kernel) -> bool {
-    matches!(kernel, Kernel::KineticEnergy | Kernel::Power)
-}
-
-/// What a result of so many columns has, if it has no row.
-fn columns(kernel: Kernel, description: &Description) -> usize {
-    match kernel {
-        Kernel::DynamicsSensitivity => description.parameters.len(),
-        _ => description.coordinates.len(),
-    }
-}
-
 fn of_one<'py>(
     py: Python<'py>,
     (description, once): (&Description, &Once),
@@ -209,23 +173,15 @@ fn of_one<'py>(
     });
     let refused = if is_refused { vec![0] } else { Vec::new() };
     check(py, kernel, &numbers, numbers.len(), &refused)?;
-    if is_number(kernel) {
-        return Ok(numbers.first().copied().unwrap_or(0.0).into_pyobject(py)?.into_any());
-    }
-    let (mut from, mut row) = (0, 0);
-    let mut arrays = Vec::with_capacity(4);
-    for (part, count) in parts(kernel, description).into_iter().enumerate() {
-        let length: usize = rows[row.min(rows.len())..(row + count).min(rows.len())].iter().sum();
-        let array = PyArray1::from_slice(py, &numbers[from..from + length]);
-        arrays.push(if is_matrix(kernel, part) {
-            let columns = if count == 0 { columns(kernel, description) } else { length / count };
-            array.reshape([count, columns])?.into_any()
-        } else {
-            array.into_any()
-        });
-        (from, row) = (from + length, row + count);
-    }
-    together(py, arrays)
+    let arrays = parts(kernel, description, &rows).into_iter().map(|part| {
+        let numbers = &numbers[part.numbers];
+        Ok(match part.shape {
+            Shape::Number => numbers.first().copied().unwrap_or(0.0).into_pyobject(py)?.into_any(),
+            Shape::Vector => PyArray1::from_slice(py, numbers).into_any(),
+            Shape::Matrix(rows, columns) => PyArray1::from_slice(py, numbers).reshape([rows, columns])?.into_any(),
+        })
+    });
+    together(py, arrays.collect::<PyResult<_>>()?)
 }
 
 fn of_many<'py>(py: Python<'py>, model: &dyn Model, kernel: Kernel, states: States) -> PyResult<Bound<'py, PyAny>> {
@@ -237,26 +193,16 @@ fn of_many<'py>(py: Python<'py>, model: &dyn Model, kernel: Kernel, states: Stat
     let width: usize = rows.iter().sum();
     check(py, kernel, &numbers, width, &refused)?;
     let all = PyArray1::from_vec(py, numbers).reshape([count, width])?;
-    let (mut from, mut row) = (0, 0);
-    let mut arrays = Vec::with_capacity(4);
-    for (part, of_part) in parts(kernel, description).into_iter().enumerate() {
-        let length: usize = rows[row.min(rows.len())..(row + of_part).min(rows.len())].iter().sum();
-        let every = PySlice::full(py);
-        let view = if is_number(kernel) {
-            all.get_item((every, 0))?
-        } else {
-            let (begin, end) = (from as isize, (from + length) as isize);
-            all.get_item((every, PySlice::new(py, begin, end, 1)))?
-        };
-        arrays.push(if is_matrix(kernel, part) {
-            let columns = if of_part == 0 { columns(kernel, description) } else { length / of_part };
-            view.call_method1("reshape", (count, of_part, columns))?
-        } else {
-            view
-        });
-        (from, row) = (from + length, row + of_part);
-    }
-    together(py, arrays)
+    let arrays = parts(kernel, description, &rows).into_iter().map(|part| {
+        let of_part = |columns: Bound<'py, PyAny>| all.get_item((PySlice::full(py), columns));
+        let slice = || PySlice::new(py, part.numbers.start as isize, part.numbers.end as isize, 1).into_any();
+        match part.shape {
+            Shape::Number => of_part(0_i32.into_pyobject(py)?.into_any()),
+            Shape::Vector => of_part(slice()),
+            Shape::Matrix(rows, columns) => of_part(slice())?.call_method1("reshape", (count, rows, columns)),
+        }
+    });
+    together(py, arrays.collect::<PyResult<_>>()?)
 }
 
 /// The lengths of the rows of a result, whatever the state.

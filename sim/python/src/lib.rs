@@ -5,6 +5,7 @@ mod errors;
 mod interrupt;
 mod kernels;
 mod model;
+mod shapes;
 mod shipped;
 mod simulation;
 

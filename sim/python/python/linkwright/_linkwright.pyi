@@ -1,14 +1,17 @@
 """The compiled part. Use the classes of the package instead."""
 
-from typing import Any, Optional, Sequence, Union
+from typing import Optional, Sequence, Union, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from typing_extensions import disjoint_base
 
 from .errors import LinkwrightError
 
-Array = NDArray[np.float64]
-Times = Union[float, ArrayLike]
+__all__ = ["Answer", "Model", "Simulation", "from_text", "main", "read", "shipped"]
+
+_Array = NDArray[np.float64]
+_Times = Union[float, ArrayLike]
 
 def shipped() -> list[str]:
     """The names of the shipped models."""
@@ -19,14 +22,16 @@ def main(words: Sequence[str]) -> int:
 def from_text(text: str, path: str, name: Optional[str]) -> Model: ...
 def read(path: Optional[str], name: Optional[str]) -> Model: ...
 
+@final
 class Answer:
     @property
     def summary(self) -> str: ...
     @property
     def problem(self) -> Optional[LinkwrightError]: ...
-    def columns(self) -> list[tuple[str, str, Array]]: ...
+    def columns(self) -> list[tuple[str, str, _Array]]: ...
     def report(self) -> Optional[str]: ...
 
+@final
 class Simulation:
     @property
     def time(self) -> float: ...
@@ -34,8 +39,8 @@ class Simulation:
     def has_ended(self) -> bool: ...
     @property
     def events(self) -> list[tuple[str, float]]: ...
-    def state(self) -> tuple[Array, Array]: ...
-    def sample(self) -> tuple[Array, Array]: ...
+    def state(self) -> tuple[_Array, _Array]: ...
+    def sample(self) -> tuple[_Array, _Array]: ...
     def step(self) -> bool: ...
     def advance_to(self, time: float) -> None: ...
     def set_parameter(self, name: str, value: str) -> None: ...
@@ -43,6 +48,7 @@ class Simulation:
     def save(self) -> bytes: ...
     def restore(self, saved: bytes) -> None: ...
 
+@disjoint_base
 class Model:
     """Kernels at one state, q of shape (n,), or at many, (states, n); all in SI units."""
 
@@ -71,55 +77,65 @@ class Model:
         """Parameters in SI units."""
     def input_values(self) -> list[Optional[float]]:
         """Values of the inputs that are held, in SI units."""
-    def initial(self) -> tuple[Array, Array]:
+    def initial(self) -> tuple[_Array, _Array]:
         """The declared start, not yet assembled: q and q', each (n,)."""
-    def mass_matrix(self, t: Times, q: ArrayLike) -> Array:
+    def mass_matrix(self, t: _Times, q: ArrayLike) -> _Array:
         """M, (n, n)."""
-    def constraints(self, t: Times, q: ArrayLike) -> Array:
+    def constraints(self, t: _Times, q: ArrayLike) -> _Array:
         """C, (m,)."""
-    def constraint_magnitudes(self, t: Times, q: ArrayLike) -> Array:
+    def constraint_magnitudes(self, t: _Times, q: ArrayLike) -> _Array:
         """The magnitudes of the terms of C, (m,)."""
-    def constraint_jacobian(self, t: Times, q: ArrayLike) -> Array:
+    def constraint_jacobian(self, t: _Times, q: ArrayLike) -> _Array:
         """C_q, (m, n)."""
-    def constraint_time_derivative(self, t: Times, q: ArrayLike) -> Array:
+    def constraint_time_derivative(self, t: _Times, q: ArrayLike) -> _Array:
         """C_t, (m,)."""
-    def constraint_linearization(self, t: Times, q: ArrayLike) -> tuple[Array, Array, Array]:
+    def constraint_linearization(self, t: _Times, q: ArrayLike) -> tuple[_Array, _Array, _Array]:
         """C (m,), C_t (m,) and C_q (m, n)."""
-    def sparse_linearization(self, t: Times, q: ArrayLike) -> tuple[Array, Array, Array]:
+    def sparse_linearization(self, t: _Times, q: ArrayLike) -> tuple[_Array, _Array, _Array]:
         """C (m,), C_t (m,) and the entries of C_q that are not zero everywhere."""
-    def drawing(self, t: Times, q: ArrayLike) -> Array:
+    def drawing(self, t: _Times, q: ArrayLike) -> _Array:
         """The numbers of the drawing."""
-    def convective_forces(self, t: Times, q: ArrayLike, qd: ArrayLike) -> Array:
+    def convective_forces(self, t: _Times, q: ArrayLike, qd: ArrayLike) -> _Array:
         """Convective inertia forces, (n,)."""
-    def generalized_forces(self, t: Times, q: ArrayLike, qd: ArrayLike) -> Array:
+    def generalized_forces(self, t: _Times, q: ArrayLike, qd: ArrayLike) -> _Array:
         """Q, (n,)."""
-    def constraint_convective(self, t: Times, q: ArrayLike, qd: ArrayLike) -> Array:
+    def constraint_convective(self, t: _Times, q: ArrayLike, qd: ArrayLike) -> _Array:
         """Convective terms of C'', (m,)."""
-    def kinetic_energy(self, t: Times, q: ArrayLike, qd: ArrayLike) -> Union[float, Array]:
+    def kinetic_energy(self, t: _Times, q: ArrayLike, qd: ArrayLike) -> Union[float, _Array]:
         """In joules."""
-    def dynamics(self, t: Times, q: ArrayLike, qd: ArrayLike) -> tuple[Array, Array]:
+    def dynamics(self, t: _Times, q: ArrayLike, qd: ArrayLike) -> tuple[_Array, _Array]:
         """q'' (n,) and lambda (m,)."""
-    def dynamics_jacobian(self, t: Times, q: ArrayLike, qd: ArrayLike) -> tuple[Array, Array, Array, Array]:
+    def dynamics_jacobian(self, t: _Times, q: ArrayLike, qd: ArrayLike) -> tuple[_Array, _Array, _Array, _Array]:
         """d q''/dq (n, n), d q''/dq' (n, n), d lambda/dq (m, n), d lambda/dq' (m, n)."""
-    def dynamics_sensitivity(self, t: Times, q: ArrayLike, qd: ArrayLike) -> tuple[Array, Array]:
+    def dynamics_sensitivity(self, t: _Times, q: ArrayLike, qd: ArrayLike) -> tuple[_Array, _Array]:
         """d q''/dp (n, p) and d lambda/dp (m, p) by the parameters p."""
-    def velocity_variables(self, t: Times, q: ArrayLike, qd: ArrayLike) -> Array:
+    def velocity_variables(self, t: _Times, q: ArrayLike, qd: ArrayLike) -> _Array:
         """Generalised speeds of q', (n,)."""
-    def velocities(self, t: Times, q: ArrayLike, qd: ArrayLike) -> Array:
+    def velocities(self, t: _Times, q: ArrayLike, qd: ArrayLike) -> _Array:
         """q' of generalised speeds, (n,)."""
-    def event_values(self, t: Times, q: ArrayLike, qd: ArrayLike) -> Array:
+    def event_values(self, t: _Times, q: ArrayLike, qd: ArrayLike) -> _Array:
         """The values that actions of events need."""
-    def inverse_dynamics(self, t: Times, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike) -> Array:
+    def inverse_dynamics(self, t: _Times, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike) -> _Array:
         """The generalised forces that give these accelerations, (n,)."""
-    def output_rates(self, t: Times, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike) -> Array:
+    def output_rates(self, t: _Times, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike) -> _Array:
         """The rates of outputs that have one."""
     def power(
-        self, t: Times, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, multipliers: ArrayLike
-    ) -> Union[float, Array]:
+        self, t: _Times, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, multipliers: ArrayLike
+    ) -> Union[float, _Array]:
         """The power of loads and drives, in watts."""
-    def events(self, t: Times, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, multipliers: ArrayLike) -> Array:
+    def events(self, t: _Times, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, multipliers: ArrayLike) -> _Array:
         """The conditions of the events."""
-    def outputs(self, t: Times, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, multipliers: ArrayLike) -> Array:
+    def outputs(self, t: _Times, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, multipliers: ArrayLike) -> _Array:
         """The outputs, in SI units."""
+    def set(self, parameters: Sequence[str], inputs: Sequence[str]) -> Model:
+        """The same with other values, each as ``NAME=VALUE``."""
+    def restored(self, parameters: Sequence[float], inputs: Sequence[Optional[float]]) -> Model:
+        """The same with values in SI units, as many as there are."""
+    def answer(self, words: Sequence[str]) -> Answer:
+        """Execute a command line on this mechanism."""
+    def simulated(self, words: Sequence[str]) -> Simulation:
+        """A motion with the settings of a command line ``run``."""
+    def equation_groups(self, notation: str) -> list[tuple[str, str]]:
+        """The equations of motion: headings and texts."""
     def generate_rust(self) -> str:
         """The kernels as Rust."""

@@ -212,7 +212,8 @@ class Model(_linkwright.Model):
             ResultError: if a check fails; its ``result`` has all of them.
         """
         answer = self._answer("verify", options(t_end=t_end), parameters, initial)
-        return checked(answer, json.loads(answer.summary))
+        checks: list[dict[str, Any]] = json.loads(answer.summary)
+        return checked(answer, checks)
 
     def simulation(
         self,
@@ -250,7 +251,8 @@ class Model(_linkwright.Model):
     def _summary(
         self, command: str, words: list[str], parameters: Values | None, initial: Values | None
     ) -> dict[str, Any]:
-        return json.loads(self._answer(command, words, parameters, initial).summary)
+        summary: dict[str, Any] = json.loads(self._answer(command, words, parameters, initial).summary)
+        return summary
 
     def _motion(self, command: str, words: list[str], parameters: Values | None, initial: Values | None) -> Motion:
         answer = self._answer(command, words, parameters, initial)

@@ -6,7 +6,7 @@ import html
 import json
 import os
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, Iterator, Mapping, TypeVar
 
 import numpy as np
 
@@ -15,6 +15,8 @@ from .errors import ArgumentError, MotionError, ResultError
 
 if TYPE_CHECKING:
     import pandas
+
+_Result = TypeVar("_Result")
 
 #: Of the frame that shows a report in a notebook, in pixels.
 _HEIGHT = 760
@@ -48,7 +50,8 @@ class Motion(Mapping[str, np.ndarray]):
     @property
     def events(self) -> list[dict[str, Any]]:
         """The events of a run, in order of time."""
-        return self.summary.get("events", [])
+        events: list[dict[str, Any]] = self.summary.get("events", [])
+        return events
 
     def __getitem__(self, name: str) -> np.ndarray:
         try:
@@ -156,7 +159,7 @@ def _mode(said: dict[str, Any]) -> Mode:
     return Mode(complex(*said["eigenvalue"]), said["frequency_hz"], said["damping_ratio"], shape)
 
 
-def checked(answer: Answer, result: Any) -> Any:
+def checked(answer: Answer, result: _Result) -> _Result:
     """The result; or, if something is wrong with it, an exception that has it."""
     problem = answer.problem
     if problem is None:
