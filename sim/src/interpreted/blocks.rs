@@ -1,9 +1,9 @@
-//! A program at many states: each instruction is read once for a block of them, and done by the widest vector
-//! instructions that the processor has.
+//! A program at many states: each instruction is read once for a block of them, and done by vector
+//! instructions.
 
 use super::compact::{Body, body};
 use super::execute::{Given, refused, step};
-use crate::numerics::vectors::{Vectors, Work};
+use crate::numerics::vectors::Work;
 use crate::{Results, States};
 use codegen::emit::bytecode::{Code, Instruction, Wave};
 use codegen::kernel_id::Argument;
@@ -27,13 +27,6 @@ pub(super) struct OfMany<'a> {
     /// The rows of the results, in their order.
     pub(super) rows: &'a [Range<usize>],
     pub(super) states: &'a States<'a>,
-}
-
-impl OfMany<'_> {
-    /// The results at all states.
-    pub(super) fn results(self) -> Results {
-        Vectors::widest().run(self)
-    }
 }
 
 impl Work for OfMany<'_> {

@@ -5,6 +5,7 @@ use super::programs::Programs;
 use super::registers::Number;
 use crate::model::At;
 use crate::model::erased::{Found, Kernel, Results, States, Values};
+use crate::numerics::vectors::Vectors;
 use codegen::kernel_id::{KernelId, Receiver};
 use sim_kernel::Scalar;
 
@@ -113,11 +114,11 @@ impl<'a, S: Number> Kernels<'a, S> {
 
 impl Kernels<'_, f64> {
     /// A kernel's results at many states, if it has a program.
-    pub(super) fn call_each(self, kernel: Kernel, states: &States) -> Option<Results> {
+    pub(super) fn call_each(self, vectors: Vectors, kernel: Kernel, states: &States) -> Option<Results> {
         let id = program(kernel)?;
         let (prepared, programs) = (self.prepared_for(id), self.programs);
         let kernels = Kernels { programs, values: self.values };
-        programs.call_each(id, &kernels.given(&prepared, At::moving(0.0, &[], &[])), states)
+        programs.call_each((vectors, id), &kernels.given(&prepared, At::moving(0.0, &[], &[])), states)
     }
 }
 

@@ -4,6 +4,7 @@ use super::kernels::{Kernels, given, program};
 use super::programs::Programs;
 use crate::model::At;
 use crate::model::erased::{Found, Kernel, Model, Prepared, Results, States, Values, one_by_one};
+use crate::numerics::vectors::Vectors;
 use codegen::Derived;
 use codegen::kernel_id::KernelId;
 use sim_kernel::{Description, Dual, Input};
@@ -69,9 +70,9 @@ impl Model for Interpreted {
             _ => self.kernels().call(kernel, at, found),
         }
     }
-    fn call_each(&self, kernel: Kernel, states: &States) -> Results {
+    fn call_each_with(&self, vectors: Vectors, kernel: Kernel, states: &States) -> Results {
         let is_one = states.times.len() < 2;
-        let of_many = if is_one { None } else { self.kernels().call_each(kernel, states) };
+        let of_many = if is_one { None } else { self.kernels().call_each(vectors, kernel, states) };
         of_many.unwrap_or_else(|| one_by_one(self, kernel, states))
     }
     fn call_on_duals(&self, values: &Values<Dual>, kernel: Kernel, at: At<Dual>, found: Found<Dual>) -> bool {

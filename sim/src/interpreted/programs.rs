@@ -6,6 +6,7 @@ use super::execute::{Given, image, refused};
 use super::leaked::{Kept, kept};
 use super::registers::{Number, with_registers};
 use crate::model::erased::{Found, Results, States};
+use crate::numerics::vectors::Vectors;
 use codegen::Derived;
 use codegen::emit::bytecode::{Code, codes};
 use codegen::kernel_id::KernelId;
@@ -79,10 +80,22 @@ impl Programs {
     }
 
     /// A kernel's results at many states; none of a kernel that there is not.
-    pub(super) fn call_each(&self, kernel: KernelId, given: &Given<f64>, states: &States) -> Option<Results> {
+    pub(super) fn call_each(
+        &self,
+        (vectors, kernel): (Vectors, KernelId),
+        given: &Given<f64>,
+        states: &States,
+    ) -> Option<Results> {
         let OneProgram { code, .. } = self.programs[kernel as usize].as_ref()?;
         let (image, rows) = (image(code, given), rows(code).cloned().collect::<Vec<_>>());
-        Some(OfMany { code, image: &image, inputs: given.inputs, tables: given.tables, rows: &rows, states }.results())
+        Some(vectors.run(OfMany {
+            code,
+            image: &image,
+            inputs: given.inputs,
+            tables: given.tables,
+            rows: &rows,
+            states,
+        }))
     }
 
     /// All results of a kernel, one after the other.

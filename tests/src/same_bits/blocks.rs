@@ -3,7 +3,7 @@
 use super::draws::{Place, random_values};
 use super::{Answer, bits, plain};
 use crate::Random;
-use sim::{Kernel, Model, Results, States};
+use sim::{Kernel, Model, Results, States, Vectors};
 
 /// The kernels of which many states at once differ from the compiled kernel at each: no state, one, a part of a block, and as
 /// many as are asked for, with the last block in part.
@@ -21,11 +21,15 @@ pub(super) fn differences(
         let states = Numbers::of(&places);
         for kernel in Kernel::ALL {
             let alone: Vec<Answer> = places.iter().map(|place| plain(&*compiled, *kernel, place.at())).collect();
-            for (what, model) in [("interpreted", &interpreted), ("compiled", &compiled)] {
-                if answers(&model.call_each(*kernel, &states.given()), count) != alone {
-                    let name = compiled.description().name;
-                    found.push(format!("{name}: {} at {count} states, {what}", kernel.name()));
+            let mut compare = |what: &str, results: &Results| {
+                if answers(results, count) != alone {
+                    found.push(format!("{}: {} at {count} states, {what}", compiled.description().name, kernel.name()));
                 }
+            };
+            compare("compiled", &compiled.call_each(*kernel, &states.given()));
+            for vectors in [Some(Vectors::BASELINE), Vectors::avx2(), Vectors::avx512()].into_iter().flatten() {
+                let results = interpreted.call_each_with(vectors, *kernel, &states.given());
+                compare(&format!("interpreted with {vectors}"), &results);
             }
         }
     }

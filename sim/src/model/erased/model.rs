@@ -2,6 +2,7 @@
 
 use super::each::{Results, States};
 use crate::model::At;
+use crate::numerics::vectors::Vectors;
 use sim_kernel::{Description, Dual, Input, Scalar};
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -123,7 +124,12 @@ pub trait Model: Debug + Send + Sync {
     /// Gives the rows of a kernel's result. True if the kernel refuses a pivot: the result is then not valid.
     fn call(&self, kernel: Kernel, at: At<f64>, found: Found<f64>) -> bool;
     /// A kernel's results at many states, with the bits of [`call`](Model::call).
-    fn call_each(&self, kernel: Kernel, states: &States) -> Results;
+    fn call_each(&self, kernel: Kernel, states: &States) -> Results {
+        self.call_each_with(Vectors::widest(), kernel, states)
+    }
+    /// [`call_each`](Model::call_each) with chosen vector instructions, for measurements: all give the same bits. Kernels that are
+    /// called state by state use none.
+    fn call_each_with(&self, vectors: Vectors, kernel: Kernel, states: &States) -> Results;
     /// As [`call`](Model::call), on dual numbers, with these values in place of its own, for the kernels that analyses differentiate:
     /// the linearised constraints and their magnitudes, dynamics, velocities and their variables, outputs and their rates. It refuses others.
     fn call_on_duals(&self, values: &Values<Dual>, kernel: Kernel, at: At<Dual>, found: Found<Dual>) -> bool;

@@ -5,6 +5,7 @@ use super::model::{Found, Kernel, Model, Prepared, Values};
 use super::one_by_one::one_by_one;
 use crate::model::At;
 use crate::numerics::arrays::array;
+use crate::numerics::vectors::Vectors;
 use sim_kernel::{Array, Compiled, Description, Dual, Input, Mask, Mechanism, Scalar};
 use std::sync::Arc;
 
@@ -46,7 +47,7 @@ impl<M: Compiled> Model for Typed<M> {
     fn call(&self, kernel: Kernel, at: At<f64>, found: Found<f64>) -> bool {
         call(&self.0, kernel, at, found)
     }
-    fn call_each(&self, kernel: Kernel, states: &States) -> Results {
+    fn call_each_with(&self, _: Vectors, kernel: Kernel, states: &States) -> Results {
         one_by_one(self, kernel, states)
     }
     fn call_on_duals(&self, values: &Values<Dual>, kernel: Kernel, at: At<Dual>, found: Found<Dual>) -> bool {

@@ -43,11 +43,13 @@ pub(super) fn blocks(table: &mut Table) {
     let repeated = |numbers: &[f64]| numbers.repeat(MANY);
     let (positions, speeds) = (repeated(&q), repeated(&qd));
     let states = States { times: &times, positions: &positions, speeds: &speeds, accelerations: &[], multipliers: &[] };
-    let time = shortest(25, || {
-        black_box(interpreted.call_each(Kernel::Dynamics, black_box(&states)));
-    });
-    let (nanoseconds, vectors) = (1e9 * time.as_secs_f64() / MANY as f64, Vectors::widest());
-    table.at_most(&format!("interpreted, in ns a state, with {vectors}"), nanoseconds, 20.0);
+    for vectors in [Vectors::avx2(), Vectors::avx512()].into_iter().flatten() {
+        let time = shortest(25, || {
+            black_box(interpreted.call_each_with(vectors, Kernel::Dynamics, black_box(&states)));
+        });
+        let nanoseconds = 1e9 * time.as_secs_f64() / MANY as f64;
+        table.at_most(&format!("interpreted, in ns a state, with {vectors}"), nanoseconds, 20.0);
+    }
 }
 
 /// Compiled and interpreted.
