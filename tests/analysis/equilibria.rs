@@ -30,6 +30,16 @@ mechanism! {
 }
 
 mechanism! {
+    /// Two masses in a row on springs without a length, so that nothing but the start has one.
+    Row;
+    coordinates { a [m]; b [m]; }
+    parameters { k [N/m] = 100; }
+    bodies { first: mass 1 [kg] at [a, 0]; second: mass 2 [kg] at [b, 0]; }
+    loads { spring k, rest 0 [m] on a; spring k, rest 0 [m] between a and b; }
+    initial { a = 0.1; b = 0.2; }
+}
+
+mechanism! {
     /// Two equal rods, the end of the second on a rail through the pivot of the first.
     Folding;
     coordinates { theta [rad]; phi [rad]; }
@@ -203,4 +213,24 @@ fn given_speeds_say_what_is_independent() {
     // Both say the same: the rate of theta' with phi by r cos(theta) theta' + l cos(phi) phi' = 0 has the same eigenvalues.
     let names = GivenSpeed::<f64>::DESCRIPTION.coordinates;
     assert!(names[1].speed_given && !names[0].speed_given);
+}
+
+/// The equilibrium is where the mechanism has no size, whatever the start's is. Frequencies of small motions by hand.
+#[test]
+fn a_mechanism_without_lengths_rests_where_it_has_none() {
+    let row = Row::default();
+    let declared = declared_start(&row);
+    for scale in [1e-6, 1.0, 1e3] {
+        let mut start = declared.clone();
+        start.positions.iter_mut().for_each(|value| *value *= scale);
+        let found = equilibrium(&row, &start).unwrap();
+        assert!(found.state.positions.iter().all(|value| value.abs() < 1e-15 * scale), "{:?}", found.state.positions);
+        // m1 = 1, m2 = 2, both springs 100: w^4 - 250 w^2 + 5000 = 0.
+        let mut frequencies: Vec<f64> = found.eigenvalues.iter().map(|value| value.im).collect();
+        frequencies.sort_by(f64::total_cmp);
+        let expected = [125.0 - 10625f64.sqrt(), 125.0 + 10625f64.sqrt()].map(f64::sqrt);
+        for (found, expected) in frequencies[2..].iter().zip(expected) {
+            assert!((found / expected - 1.0).abs() < 1e-12, "{frequencies:?}");
+        }
+    }
 }

@@ -27,6 +27,10 @@ pub(crate) struct Browser {
 
 impl Drop for Browser {
     fn drop(&mut self) {
+        // The process may be a script that has started the browser: this ends the browser itself.
+        let close = json!({ "id": self.last + 1, "method": "Browser.close" });
+        let _ = self.socket.send(Message::text(close.to_string()));
+        while self.socket.read().is_ok() {}
         let _ = self.process.kill();
         let _ = self.process.wait();
     }
@@ -41,6 +45,7 @@ impl Browser {
             Command::new(name)
                 .args(["--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--remote-debugging-port=0"])
                 .arg(format!("--user-data-dir={}", profile.display()))
+                .stdout(Stdio::null())
                 .stderr(Stdio::piped())
                 .spawn()
                 .ok()

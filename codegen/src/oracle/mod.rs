@@ -103,6 +103,15 @@ impl<'d> Oracle<'d> {
         observe::outputs(self.declaration, self.interpreter(setting))
     }
 
+    /// The same of outputs that depend on no reaction, which costs half as much.
+    ///
+    /// # Errors
+    /// As [`Oracle::terms`], and if one depends on a reaction.
+    pub fn outputs_of_motion(&self, at: &State, accelerations: &[Measured]) -> Result<Vec<Measured>> {
+        at.check(self.declaration)?;
+        observe::outputs(self.declaration, self.interpreter(at.accelerated_motion(accelerations)))
+    }
+
     /// left - right of every event, in SI units.
     ///
     /// # Errors

@@ -2,6 +2,7 @@
 
 use crate::analysis::linearize::{Statics, linearize};
 use crate::model::{At, Differentiable};
+use crate::motion::lengths::measure;
 use crate::motion::typed::Any;
 use crate::numerics::arrays::array;
 use crate::start::assemble::{Start, assemble};
@@ -54,9 +55,10 @@ pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equi
     let any: &dyn Differentiable = &Any(mechanism);
     let assembled = assemble(mechanism, &at_rest(start))?;
     let near = assembled.positions.as_ref().to_vec();
-    let found = match newton(any, near.clone())? {
+    let begin = || Statics::at(any, near.clone(), &measure(any, 0.0, &near).0);
+    let found = match newton(any, begin()?)? {
         Ended::AtRest(found) => found,
-        Ended::Moving(stuck) => match descend(any, near)? {
+        Ended::Moving(stuck) => match descend(any, begin()?)? {
             Ended::AtRest(found) => found,
             Ended::Moving(last) => return Err(nowhere(any, &stuck, &last)),
         },
@@ -87,11 +89,13 @@ impl Ended {
 }
 
 /// The result of Newton's method from a position on the constraints.
-fn newton(mechanism: &dyn Differentiable, q: Vec<f64>) -> Result<Ended, Failure> {
-    let mut at = Statics::at(mechanism, q)?;
+fn newton(mechanism: &dyn Differentiable, mut at: Statics) -> Result<Ended, Failure> {
     let mut longest = LONGEST;
     for _ in 0..MOST_STEPS {
         let Some(whole) = at.newton_step() else { break };
+        if at.size(&whole) <= f64::EPSILON {
+            break;
+        }
         let share = (longest / at.size(&whole)).min(1.0);
         let residual = at.force().norm();
         let falls = |force: &DVector<f64>| force.norm() < residual;
@@ -107,13 +111,15 @@ fn newton(mechanism: &dyn Differentiable, q: Vec<f64>) -> Result<Ended, Failure>
 }
 
 /// The position at which the mechanism comes to rest.
-fn descend(mechanism: &dyn Differentiable, q: Vec<f64>) -> Result<Ended, Failure> {
-    let mut at = Statics::at(mechanism, q)?;
+fn descend(mechanism: &dyn Differentiable, mut at: Statics) -> Result<Ended, Failure> {
     for _ in 0..MOST_DESCENTS {
         let (step, is_down) = at.descent(STIFFER);
         let is_near = is_down && at.newton_step().is_some_and(|step| at.size(&step) <= NEAR);
-        if is_near && let Ended::AtRest(found) = newton(mechanism, at.q.clone())? {
-            return Ok(Ended::AtRest(found));
+        if is_near {
+            let again = Statics::at(mechanism, at.q.clone(), &at.sizes)?;
+            if let Ended::AtRest(found) = newton(mechanism, again)? {
+                return Ok(Ended::AtRest(found));
+            }
         }
         let share = (LONGEST / at.size(&step)).min(1.0);
         let along = at.force().dot(&step);
@@ -137,7 +143,7 @@ fn halved(
     for part in (0..MOST_HALVINGS).map(|k| 0.5f64.powi(k)) {
         let Ok((q, force)) = at.moved(mechanism, &(step * part)) else { continue };
         if leads(&force) {
-            match Statics::at(mechanism, q) {
+            match Statics::at(mechanism, q, &at.sizes) {
                 Ok(next) => return Ok(Some((next, force, part))),
                 Err(singular) if matches!(singular.what, What::SingularState { .. }) => return Err(singular),
                 Err(_) => continue,

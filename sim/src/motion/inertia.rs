@@ -27,7 +27,7 @@ mod declared {
     use crate::state::failure::What;
     use codegen::dsl::{self, Declaration, Kind, Output, OutputGroup};
     use codegen::model::{Unit, impossible_inertia};
-    use codegen::oracle::{Oracle, Solution, State};
+    use codegen::oracle::{Oracle, State};
     use sim_kernel::Input;
 
     /// Checks that every spatial body has a possible inertia: positive, and no principal moment above the sum of the
@@ -78,11 +78,7 @@ mod declared {
         let inputs: Vec<Option<f64>> = mechanism.inputs().into_iter().map(Input::held).collect();
         let speeds = vec![0.0; q.len()];
         let at = State { time, parameters: &parameters, inputs: &inputs, coordinates: q, speeds: &speeds };
-        let still = Solution {
-            accelerations: vec![],
-            multipliers: vec![Default::default(); mechanism.description().constraints.len()],
-        };
-        let Ok(found) = Oracle::new(&declaration, &si).outputs(&at, &still) else { return Vec::new() };
+        let Ok(found) = Oracle::new(&declaration, &si).outputs_of_motion(&at, &[]) else { return Vec::new() };
         let mut found = found.into_iter().map(|entry| entry.value);
         let tensor = |(body, entries): (String, usize)| {
             let mut given = [0.0; 6];

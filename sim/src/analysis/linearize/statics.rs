@@ -3,7 +3,6 @@
 use super::derivatives::Derivatives;
 use super::reduce::Reduction;
 use crate::model::{At, Differentiable};
-use crate::motion::lengths::measure;
 use crate::state::failure::{Failure, What};
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
@@ -25,7 +24,7 @@ pub(crate) struct Statics {
     pub(crate) q: Vec<f64>,
     reduction: Reduction,
     /// The scales of the coordinates, n.
-    sizes: Vec<f64>,
+    pub(crate) sizes: Vec<f64>,
     /// The accelerations, n, and how they change with each independent coordinate, n x h.
     accelerations: DVector<f64>,
     by_positions: DMatrix<f64>,
@@ -36,9 +35,12 @@ pub(crate) struct Statics {
 }
 
 impl Statics {
+    /// In these scales of the coordinates: those of the start of a search. A mechanism without a length of its own, such as two
+    /// masses on springs of no length, has none at its equilibrium.
+    ///
     /// # Errors
     /// As the right-hand side; and in a singular position.
-    pub(crate) fn at(mechanism: &dyn Differentiable, q: Vec<f64>) -> Result<Statics, Failure> {
+    pub(crate) fn at(mechanism: &dyn Differentiable, q: Vec<f64>, sizes: &[f64]) -> Result<Statics, Failure> {
         let still = vec![0.0; q.len()];
         let at = At::moving(0.0, &q, &still);
         let derivatives = Derivatives::at(mechanism, at, &[])?;
@@ -60,7 +62,7 @@ impl Statics {
             let quantity = "how accelerations change with the position".into();
             return Err(mechanism.failure(What::NotFinite { quantity }, 0.0, &q));
         }
-        Ok(Statics { sizes: measure(mechanism, 0.0, &q).0, reduction, accelerations, by_positions, root, moves, q })
+        Ok(Statics { sizes: sizes.to_vec(), reduction, accelerations, by_positions, root, moves, q })
     }
 
     /// L' q_i'', f.

@@ -5,7 +5,7 @@ use super::arrows::{Source, arrows};
 use super::expressions::REACH;
 use crate::output::outcome::{Row, Rows};
 use codegen::dsl::{self, OutputGroup};
-use codegen::oracle::{Measured, Oracle, Solution, State};
+use codegen::oracle::{Measured, Oracle, State};
 use sim_kernel::Description;
 
 /// The forces of a motion, each with its point and its components, at each of some samples. None where the declaration
@@ -37,11 +37,8 @@ pub(in crate::output::show) fn vectors(
 fn evaluate(oracle: &Oracle, row: &Row) -> Option<Vec<f64>> {
     let Row { time, parameters, inputs, positions: coordinates, speeds, .. } = row;
     let state = State { time: *time, parameters, inputs, coordinates, speeds };
-    let solution = Solution {
-        accelerations: row.accelerations.iter().copied().map(Measured::given).collect(),
-        multipliers: row.multipliers.iter().copied().map(Measured::given).collect(),
-    };
-    let outputs = oracle.outputs(&state, &solution).ok()?;
+    let accelerations: Vec<Measured> = row.accelerations.iter().copied().map(Measured::given).collect();
+    let outputs = oracle.outputs_of_motion(&state, &accelerations).ok()?;
     Some(outputs.into_iter().map(|output| output.value).collect())
 }
 
