@@ -101,7 +101,8 @@ fn read(name: &str, folder: &Path) -> std::result::Result<String, String> {
 /// The rows of a file in braces.
 fn rows(name: &str, folder: &Path, span: Span) -> std::result::Result<TokenTree, String> {
     if Path::new(name).is_absolute() {
-        return Err("the path of a table's file starts at the crate's folder: `from \"data/lift.csv\"`".into());
+        return Err("the path of a table's file starts at the folder of the declaration's crate or `.mech` file: `from \"data/lift.csv\"`"
+            .into());
     }
     let text = read(name, folder)?;
     let mut words: Vec<TokenTree> = Vec::new();

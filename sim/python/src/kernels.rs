@@ -32,12 +32,14 @@ impl<'py> Numbers<'py> {
     /// An array of numbers, or what NumPy makes one of.
     fn of(value: Option<&Bound<'py, PyAny>>) -> PyResult<Numbers<'py>> {
         let Some(value) = value else { return Ok(Numbers::None) };
-        if let Ok(array) = value.cast::<PyArrayDyn<f64>>()
+        // A subclass may mean more than its numbers.
+        if let Ok(array) = value.cast_exact::<PyArrayDyn<f64>>()
             && array.is_c_contiguous()
         {
             return Numbers::in_array(array);
         }
         let numpy = value.py().import("numpy")?;
+        is_plain(&numpy, value)?;
         let array = numpy.call_method1("ascontiguousarray", (value, numpy.getattr("float64")?))?;
         // What has no axis is given one by NumPy here.
         let array = if value.getattr("ndim").and_then(|axes| axes.extract::<usize>()).is_ok_and(|axes| axes == 0) {
@@ -112,7 +114,10 @@ pub(crate) fn call<'py>(
     let [positions, speeds, accelerations, multipliers] = slices;
     match count.flatten() {
         None => {
-            let time = given.time.extract().map_err(|_| argument(py, "t: one number is needed for one state"))?;
+            let time: f64 = given.time.extract().map_err(|_| argument(py, "t: one number is needed for one state"))?;
+            if !time.is_finite() {
+                return Err(argument(py, "t: the number is not finite"));
+            }
             of_one(py, (model.description(), once), kernel, At { time, positions, speeds, accelerations, multipliers })
         }
         Some(states) => {
@@ -149,14 +154,30 @@ fn agree(
     }
 }
 
+/// NumPy would drop the imaginary part of a number, and what masks another, without a word.
+fn is_plain(numpy: &Bound<'_, PyModule>, value: &Bound<'_, PyAny>) -> PyResult<()> {
+    let is = |what: &str| numpy.call_method1(what, (value,))?.extract::<bool>();
+    match () {
+        () if is("iscomplexobj")? => Err(argument(value.py(), "real numbers are needed, not complex ones")),
+        () if numpy.getattr("ma")?.call_method1("isMaskedArray", (value,))?.extract()? => {
+            Err(argument(value.py(), "a masked array: give the numbers that are meant, with `.filled(..)`"))
+        }
+        () => Ok(()),
+    }
+}
+
 /// The time of each state: one for all, or one each.
 fn times(py: Python<'_>, given: &Bound<'_, PyAny>, states: usize) -> PyResult<Vec<f64>> {
-    if let Ok(time) = given.extract::<f64>() {
-        return Ok(vec![time; states]);
-    }
-    match Numbers::of(Some(given))? {
-        Numbers::Row(times) if times.len() == states => Ok(times),
-        _ => Err(argument(py, &format!("t: a number, or {states} of them, is needed"))),
+    let times = match given.extract::<f64>() {
+        Ok(time) => vec![time; states],
+        Err(_) => match Numbers::of(Some(given))? {
+            Numbers::Row(times) if times.len() == states => times,
+            _ => return Err(argument(py, &format!("t: a number, or {states} of them, is needed"))),
+        },
+    };
+    match has_undefined(&times) {
+        true => Err(argument(py, "t: a number is not finite")),
+        false => Ok(times),
     }
 }
 

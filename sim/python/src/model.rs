@@ -161,6 +161,7 @@ impl Model {
         self.model.description().declaration_hash
     }
 
+    #[pyo3(name = "_quantities")]
     fn quantities(&self, kind: &str) -> Vec<Named> {
         let of = self.model.description();
         match kind {
@@ -169,7 +170,8 @@ impl Model {
             "parameters" => named(of.parameters.iter()),
             "inputs" => named(of.inputs.iter()),
             "constraints" => named(of.constraints.iter()),
-            _ => named(of.outputs.iter()),
+            "outputs" => named(of.outputs.iter()),
+            _ => Vec::new(),
         }
     }
 
@@ -179,27 +181,32 @@ impl Model {
     }
 
     /// Parameters in SI units.
+    #[pyo3(name = "_parameter_values")]
     fn parameter_values(&self) -> Vec<f64> {
         self.model.values().parameters
     }
 
     /// The values at which inputs are held, in SI units.
+    #[pyo3(name = "_input_values")]
     fn input_values(&self) -> Vec<Option<f64>> {
         self.model.values().inputs.iter().map(|input| input.held()).collect()
     }
 
     /// The declared start, in SI units.
+    #[pyo3(name = "_initial")]
     fn initial<'py>(&self, py: Python<'py>) -> [Bound<'py, PyArray1<f64>>; 2] {
         self.model.initial().map(|numbers| PyArray1::from_vec(py, numbers))
     }
 
     /// The same with other values.
+    #[pyo3(name = "_set")]
     fn set(&self, py: Python<'_>, parameters: Vec<String>, inputs: Vec<String>) -> PyResult<Model> {
         let model = with_values(&*self.model, &parameters, &inputs).map_err(|why| refusal(py, &why))?;
         Ok(self.with(model))
     }
 
     /// The same with values in SI units, as many as there are.
+    #[pyo3(name = "_restored")]
     fn restored(&self, py: Python<'_>, parameters: Vec<f64>, inputs: Vec<Option<f64>>) -> PyResult<Model> {
         let mut values = self.model.values();
         if (parameters.len(), inputs.len()) != (values.parameters.len(), values.inputs.len()) {
@@ -216,17 +223,20 @@ impl Model {
     }
 
     /// Executes a command line on this mechanism.
+    #[pyo3(name = "_answer")]
     fn answer(&self, py: Python<'_>, words: Vec<String>) -> PyResult<Answer> {
         let found = interruptible(py, |interrupted| answer(self.model.clone(), &words, interrupted))?;
         found.map(Answer::new).map_err(|why| refusal(py, &why))
     }
 
+    #[pyo3(name = "_simulated")]
     fn simulated(&self, py: Python<'_>, words: Vec<String>) -> PyResult<Simulation> {
         let found = py.detach(|| simulated(self.model.clone(), &words));
         found.map(Simulation::new).map_err(|why| refusal(py, &why))
     }
 
     /// The equations of motion: headings and texts.
+    #[pyo3(name = "_equation_groups")]
     fn equation_groups(&self, py: Python<'_>, notation: &str) -> PyResult<Vec<(&'static str, String)>> {
         let notation = match notation {
             "text" => Notation::Infix,

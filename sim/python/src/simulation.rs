@@ -1,6 +1,6 @@
 //! A motion that its owner advances.
 
-use crate::errors::refusal;
+use crate::errors::{argument, refusal};
 use crate::interrupt::BETWEEN;
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -73,10 +73,30 @@ impl Simulation {
         self.work(py, |simulated| simulated.step())
     }
 
-    fn advance_to(&self, py: Python<'_>, time: f64) -> PyResult<()> {
+    /// When it ends, if no event ends it before.
+    #[getter]
+    fn t_end(&self, py: Python<'_>) -> f64 {
+        py.detach(|| self.lock().end())
+    }
+
+    /// Whether the time is reached: an event may end the motion before.
+    fn advance_to(&self, py: Python<'_>, time: f64) -> PyResult<bool> {
+        let (now, end) = py.detach(|| {
+            let simulated = self.lock();
+            (simulated.state().time, simulated.end())
+        });
+        if !(now..=end).contains(&time) {
+            let why = format!(
+                "{time:?} s: a time from {now:?} s, which is now, to {end:?} s, the end, is needed; `t_end` sets the end"
+            );
+            return Err(argument(py, &why));
+        }
         let mut heard = None;
         self.work(py, |simulated| simulated.advance_to(time, &mut listening(&mut heard)))?;
-        heard.map_or(Ok(()), Err)
+        match heard {
+            Some(signal) => Err(signal),
+            None => Ok(self.time(py) == time),
+        }
     }
 
     fn set_parameter(&self, py: Python<'_>, name: &str, value: &str) -> PyResult<()> {

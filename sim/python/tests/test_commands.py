@@ -87,9 +87,22 @@ def test_mistakes_have_places(tmp_path):
         ({"t_end": -1}, "above 0"),
         ({"steps": 0, "method": "rk4"}, "above 0"),
         ({"until": "period"}, "no event is called `period`"),
-        ({"rtol": 1}, "--rtol"),
+        ({"rtol": 1}, "`?rtol"),
     ],
 )
 def test_arguments_are_checked(oscillator, given, says):
     with pytest.raises(linkwright.ArgumentError, match=says):
         oscillator.run(**given)
+
+
+def test_a_motion_that_cannot_be_verified_says_why():
+    four_bar = linkwright.load("four-bar").with_values({"a": "5 m"})
+    with pytest.raises(linkwright.MotionError) as raised:
+        four_bar.verify()
+    assert raised.value.code == "E-NOT-ASSEMBLED" and raised.value.place == "t = 0.0 s"
+
+
+def test_messages_speak_of_arguments(oscillator):
+    with pytest.raises(linkwright.ArgumentError) as raised:
+        oscillator.run(t_end=-1)
+    assert "t_end" in str(raised.value) and "--" not in str(raised.value)

@@ -111,6 +111,13 @@ def test_refusals_say_what_is_needed(quick_return):
         quick_return.dynamics(0, [q, q * np.nan], [qd, qd])
     with pytest.raises((TypeError, ValueError)):
         quick_return.dynamics(0, "text", qd)
+    with pytest.raises(linkwright.ArgumentError, match="not complex"):
+        quick_return.dynamics(0, q + 1e-20j, qd)
+    with pytest.raises(linkwright.ArgumentError, match="masked"):
+        quick_return.dynamics(0, np.ma.masked_array(q, mask=[True] + [False] * (n - 1)), qd)
+    for t, many in [(np.nan, False), (np.inf, True), ([0, np.nan], True)]:
+        with pytest.raises(linkwright.ArgumentError, match="t: .*finite"):
+            quick_return.dynamics(t, [q, q] if many else q, [qd, qd] if many else qd)
     root = linkwright.load("pub Root; coordinates { x [m]; } parameters { m [kg] = 1; a [m] = 1; }\n"
                            "bodies { b: mass m at [x, 0]; } outputs { root = sqrt(x/a); }")
     with pytest.raises(linkwright.MotionError, match="not finite in state 1") as raised:

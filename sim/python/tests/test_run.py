@@ -76,3 +76,42 @@ def test_frames(oscillator):
     with pytest.raises(KeyError, match="no column is called"):
         run["y"]
     assert list(run.values())[0].flags.owndata or run.t.base is not None
+
+
+def test_rows_are_states_of_the_kernels(quick_return, oscillator):
+    """Accelerations of the rows are those of the kernel at them, whatever the declared units."""
+    for model in (quick_return, oscillator):
+        run = model.run(0.2, rows=20)
+        qdd, _ = model.dynamics(*run.states())
+        names = model.coordinate_names
+        sizes = [size for _, _, size, _ in model._quantities("coordinates")]
+        expected = np.stack([run[f"{name}_ddot"] * size for name, size in zip(names, sizes)], axis=1)
+        # Units cost a rounding each way.
+        np.testing.assert_allclose(qdd, expected, rtol=1e-12, atol=1e-12 * np.abs(expected).max())
+
+
+def test_a_start_has_closed_loops(quick_return):
+    shorter = quick_return.with_values({"O2A": "150 mm"})
+    q, qd = shorter.initial(initial={"alpha": "20 deg"})
+    assert abs(shorter.constraints(0, q)).max() < 1e-12 and q[0] == pytest.approx(math.radians(20), rel=1e-15)
+    assert abs(shorter.constraint_jacobian(0, q) @ qd).max() < 1e-12
+    assert abs(shorter.constraints(0, shorter.declared_start()[0])).max() > 1e-3
+
+
+def test_an_event_that_does_not_happen_is_told(oscillator):
+    with pytest.warns(linkwright.LinkwrightWarning, match="`middle` has happened 0 times, not 1"):
+        run = oscillator.run(0.1, until="middle")
+    assert run.summary["until"] == {"event": "middle", "asked": 1, "happened": 0}
+    with pytest.warns(linkwright.LinkwrightWarning, match="`middle` has happened 1 times, not 9"):
+        assert len(oscillator.poincare("middle", count=9, t_end=1).t) == 1
+
+
+def test_numbers_of_numpy_and_single_names(oscillator):
+    assert len(oscillator.run(1, rows=np.int64(10)).t) == 11
+    assert oscillator.run(1, method="rk4", steps=np.int64(100), parameters={"m": np.array(2.0)}).t[-1] == 1
+    assert oscillator.linearize(inputs="F").inputs == ["F"]
+    assert oscillator.run(1, inputs={"F": None}).t[-1] == 1
+    with pytest.raises(linkwright.ArgumentError, match="values by name"):
+        oscillator.run(parameters="m=2")
+    run = oscillator.run(0.1)
+    assert run == run and run != oscillator.run(0.1) and len({run}) == 1

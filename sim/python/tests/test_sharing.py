@@ -20,7 +20,7 @@ def last(model):
 
 def test_models_travel(quick_return):
     other = pickle.loads(pickle.dumps(quick_return.with_values({"O2A": "140 mm"}, None)))
-    assert other.parameter_values() == quick_return.with_values({"O2A": "140 mm"}).parameter_values()
+    assert other.parameters == quick_return.with_values({"O2A": "140 mm"}).parameters
     assert other.declaration_hash == quick_return.declaration_hash and last(other) != last(quick_return)
     run = pickle.loads(pickle.dumps(quick_return.run(t_end=0.1)))
     assert run["alpha"][-1] == last(quick_return) and "<canvas" in run.report()

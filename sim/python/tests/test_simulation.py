@@ -1,6 +1,7 @@
 """Simulations that their owner advances."""
 
 import math
+import pickle
 
 import pytest
 
@@ -43,3 +44,16 @@ def test_parameters_change_on_the_way(quick_return):
     assert abs(quick_return.with_values({"O2A": "151 mm"}).constraints(simulation.time, simulation.positions)).max() < 1e-12
     with pytest.raises(linkwright.ArgumentError, match="no parameter is called `O2B`"):
         simulation.set_parameter("O2B", 1)
+
+
+def test_the_end_is_not_passed_without_a_word(oscillator):
+    simulation = oscillator.simulation(t_end=1)
+    assert simulation.t_end == 1 and simulation.advance_to(0.5)
+    for time in (0.4, 1.5, math.nan):
+        with pytest.raises(linkwright.ArgumentError, match="is needed; `t_end` sets the end"):
+            simulation.advance_to(time)
+    assert simulation.time == 0.5 and simulation.advance_to(1) and simulation.has_ended
+    stopped = oscillator.simulation(t_end=2, until="middle")
+    assert stopped.advance_to(2) is False and stopped.time == pytest.approx(math.pi / 4, abs=1e-9)
+    with pytest.raises(TypeError, match="save"):
+        pickle.dumps(stopped)

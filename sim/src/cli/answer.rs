@@ -1,5 +1,6 @@
 //! Commands whose results stay in memory: for programs in other languages.
 
+use crate::analysis::verify::VerifyError;
 use crate::cli::Stop;
 use crate::cli::arguments::{Arguments, Command, KinematicsArguments, PoincareArguments, RunArguments};
 use crate::cli::commands::kinematics::swept;
@@ -74,15 +75,24 @@ pub enum Refusal {
     Other(String),
 }
 
+impl Refusal {
+    fn of(why: anyhow::Error) -> Refusal {
+        match why.downcast_ref::<Failure>() {
+            Some(failure) => Refusal::Failure(failure.clone()),
+            None => match why.downcast_ref::<VerifyError>() {
+                Some(VerifyError::Run(failure)) => Refusal::Failure(failure.clone()),
+                _ => Refusal::Other(format!("{why:#}")),
+            },
+        }
+    }
+}
+
 impl From<Stop> for Refusal {
     fn from(stop: Stop) -> Refusal {
         match stop {
             Stop::Usage(why) => Refusal::Usage(why),
             Stop::Told => Refusal::Other("the work failed".to_owned()),
-            Stop::Failed(why) | Stop::Interrupted(why) => match why.downcast::<Failure>() {
-                Ok(failure) => Refusal::Failure(failure),
-                Err(other) => Refusal::Other(format!("{other:#}")),
-            },
+            Stop::Failed(why) | Stop::Interrupted(why) => Refusal::of(why),
         }
     }
 }

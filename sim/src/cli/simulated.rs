@@ -32,6 +32,8 @@ pub trait Simulated: Send {
     fn advance_to(&mut self, time: f64, goes_on: GoesOn) -> Result<(), Refusal>;
     /// Whether the motion has ended.
     fn has_ended(&self) -> bool;
+    /// When it ends, if no event ends it before.
+    fn end(&self) -> f64;
     /// Holds an input at a value, which is written as on the command line, or gives it back its declared value.
     ///
     /// # Errors
@@ -133,6 +135,9 @@ where
     }
     fn has_ended(&self) -> bool {
         Simulation::has_ended(self)
+    }
+    fn end(&self) -> f64 {
+        self.settings().end
     }
     fn set_input(&mut self, name: &str, value: Option<&str>) -> Result<(), Refusal> {
         let unit = unit_of("input", name, self.mechanism().description().inputs)?;

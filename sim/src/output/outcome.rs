@@ -39,6 +39,25 @@ pub(crate) struct Outcome {
     pub(crate) integration_seconds: f64,
 }
 
+/// The event that is to end a run.
+pub(crate) struct Until {
+    pub(crate) event: &'static str,
+    /// At which of its occurrences.
+    pub(crate) asked: usize,
+    /// How often it has happened.
+    pub(crate) happened: usize,
+}
+
+impl Outcome {
+    /// The event that was to end the run, if one was.
+    pub(crate) fn until(&self) -> Option<Until> {
+        let stop = self.settings.stop?;
+        let event = self.description.events.get(stop.event)?.name;
+        let happened = self.events.iter().filter(|happening| happening.event == stop.event).count();
+        Some(Until { event, asked: stop.occurrence, happened })
+    }
+}
+
 /// An event as it happened.
 pub(crate) struct Happening {
     /// Which event, by index.

@@ -1,7 +1,7 @@
 //! A run as files.
 
 use crate::output::happening::{crossing, does, impulses};
-use crate::output::outcome::{Happening, Outcome, Recorded, Row};
+use crate::output::outcome::{Happening, Outcome, Recorded, Row, Until};
 use crate::output::whole::{whole, whole_bytes};
 use crate::record::table::Table;
 use crate::run::Run;
@@ -95,6 +95,7 @@ pub(crate) fn summary_of(run: &Outcome, table: &Table) -> Value {
         "initial": run.start.as_ref().map(|start| state_object(description, start)),
         "method": method_object(run),
         "end": { "asked": run.settings.end, "reached": run.reached, "samples": run.samples },
+        "until": until(run),
         "failure": run.failure.as_ref().map(ToString::to_string),
         "failure_code": run.failure.as_ref().map(|failure| failure.what.code()),
         "degrees_of_freedom": run.mobility.degrees_of_freedom,
@@ -111,6 +112,12 @@ pub(crate) fn summary_of(run: &Outcome, table: &Table) -> Value {
         "energy_taken_by_events": run.energy_taken,
         "provenance": table.provenance.to_json(),
     })
+}
+
+/// The event that was to end the run, and how often it has happened.
+fn until(run: &Outcome) -> Option<Value> {
+    let Until { event, asked, happened } = run.until()?;
+    Some(json!({ "event": event, "asked": asked, "happened": happened }))
 }
 
 /// An occurrence of an event, with its effects.

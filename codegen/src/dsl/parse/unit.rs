@@ -33,7 +33,9 @@ pub(super) fn declared_unit(input: ParseStream, name: &Ident) -> Result<Option<U
 /// Reads a unit without brackets from text, such as `mm` or `kg*m^2`.
 pub fn parse_unit(text: &str) -> Result<Unit> {
     let tokens: TokenStream = text.parse().map_err(|_| {
-        Region::from(proc_macro2::Span::call_site()).error(format!("`{text}` is not a unit; write it like `m/s^2`"))
+        let degrees = if text.contains('\u{b0}') { "; degrees are `deg`" } else { "" };
+        let message = format!("`{text}` is not a unit; write it like `m/s^2`{degrees}");
+        Region::from(proc_macro2::Span::call_site()).error(message)
     })?;
     let whole = Region::from(proc_macro2::Span::call_site());
     (|input: ParseStream| unit(input, whole)).parse2(tokens)

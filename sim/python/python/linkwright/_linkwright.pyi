@@ -42,7 +42,9 @@ class Simulation:
     def state(self) -> tuple[_Array, _Array]: ...
     def sample(self) -> tuple[_Array, _Array]: ...
     def step(self) -> bool: ...
-    def advance_to(self, time: float) -> None: ...
+    @property
+    def t_end(self) -> float: ...
+    def advance_to(self, time: float) -> bool: ...
     def set_parameter(self, name: str, value: str) -> None: ...
     def set_input(self, name: str, value: Optional[str]) -> None: ...
     def save(self) -> bytes: ...
@@ -68,16 +70,16 @@ class Model:
     @property
     def source(self) -> str:
         """The file, or the name of the shipped model."""
-    def quantities(self, kind: str) -> list[tuple[str, str, float, str]]:
+    def _quantities(self, kind: str) -> list[tuple[str, str, float, str]]:
         """Name, unit, size of the unit in SI units and documentation, of a kind."""
     @property
     def event_names(self) -> list[str]:
         """The names of the events."""
-    def parameter_values(self) -> list[float]:
+    def _parameter_values(self) -> list[float]:
         """Parameters in SI units."""
-    def input_values(self) -> list[Optional[float]]:
+    def _input_values(self) -> list[Optional[float]]:
         """Values of the inputs that are held, in SI units."""
-    def initial(self) -> tuple[_Array, _Array]:
+    def _initial(self) -> tuple[_Array, _Array]:
         """The declared start, not yet assembled: q and q', each (n,)."""
     def mass_matrix(self, t: _Times, q: ArrayLike) -> _Array:
         """M, (n, n)."""
@@ -127,15 +129,15 @@ class Model:
         """The conditions of the events."""
     def outputs(self, t: _Times, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, multipliers: ArrayLike) -> _Array:
         """The outputs, in SI units."""
-    def set(self, parameters: Sequence[str], inputs: Sequence[str]) -> Model:
+    def _set(self, parameters: Sequence[str], inputs: Sequence[str]) -> Model:
         """The same with other values, each as ``NAME=VALUE``."""
-    def restored(self, parameters: Sequence[float], inputs: Sequence[Optional[float]]) -> Model:
+    def _restored(self, parameters: Sequence[float], inputs: Sequence[Optional[float]]) -> Model:
         """The same with values in SI units, as many as there are."""
-    def answer(self, words: Sequence[str]) -> Answer:
+    def _answer(self, words: Sequence[str]) -> Answer:
         """Execute a command line on this mechanism."""
-    def simulated(self, words: Sequence[str]) -> Simulation:
+    def _simulated(self, words: Sequence[str]) -> Simulation:
         """A motion with the settings of a command line ``run``."""
-    def equation_groups(self, notation: str) -> list[tuple[str, str]]:
+    def _equation_groups(self, notation: str) -> list[tuple[str, str]]:
         """The equations of motion: headings and texts."""
     def generate_rust(self) -> str:
         """The kernels as Rust."""

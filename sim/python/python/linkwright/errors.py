@@ -2,8 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import Any
+
+#: An option of the command line.
+_OPTION = re.compile(r"--([a-z][a-z-]*)")
+#: Arguments that have another name here.
+_ARGUMENTS = {"set": "parameters", "input": "inputs", "from": "start"}
+
+
+def _as_argument(option: re.Match[str]) -> str:
+    """The argument of a method that stands for an option of the command line."""
+    name = option[1].replace("-", "_")
+    return _ARGUMENTS.get(name, name)
 
 
 class LinkwrightError(Exception):
@@ -18,6 +30,7 @@ class LinkwrightError(Exception):
     code = "E-FAILED"
 
     def __init__(self, message: str, **details: Any) -> None:
+        message = _OPTION.sub(_as_argument, message)
         super().__init__(message)
         self.message = message
         self.code = details.pop("code", type(self).code)
@@ -30,6 +43,10 @@ class LinkwrightError(Exception):
 
 def _again(kind: type[LinkwrightError], message: str, details: dict[str, Any]) -> LinkwrightError:
     return kind(message, **details)
+
+
+class LinkwrightWarning(UserWarning):
+    """Results are right, but may not be what was asked for."""
 
 
 class ArgumentError(LinkwrightError, ValueError):
@@ -84,7 +101,7 @@ class DeclarationError(LinkwrightError):
 
 
 class ResultError(LinkwrightError):
-    """Results are not what they should be: a check fails, an output is not finite, an event has not happened.
+    """Results are not what they should be: a check fails, or an output is not finite.
 
     Attributes:
         result: what was computed.

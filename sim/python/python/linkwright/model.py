@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import json
 import os
+import warnings
 from typing import Any, Iterable, Mapping
 
+import numpy as np
+
 from . import _linkwright
-from .errors import ArgumentError
+from .errors import ArgumentError, LinkwrightWarning
 from .results import Linearization, Motion, checked
 from .simulation import Simulation
-from .values import Value, assignments, options, repeated
+from .values import Value, assignments, listed, options, repeated
 
 Values = Mapping[str, Value]
 
@@ -19,8 +22,9 @@ def load(source: str | os.PathLike[str], name: str | None = None) -> "Model":
     """Read a declaration and derive its equations of motion.
 
     Args:
-        source: a file that ends in ``.mech`` or ``.rs`` (or ``FILE:Name``), the text of a declaration, or the name of a
-            shipped model: see ``linkwright.shipped()``.
+        source: a file that ends in ``.mech`` or ``.rs`` (or ``FILE:Name``), the text of a declaration (in braces or several
+            lines), or the name of a shipped model: see ``linkwright.shipped()``. Tables are read from the folder of the file
+            and below it; those of a text, from the current folder.
         name: which mechanism, where there are several: ``FourBar`` or ``four-bar``.
 
     Raises:
@@ -35,14 +39,21 @@ def load(source: str | os.PathLike[str], name: str | None = None) -> "Model":
         if colon and name is None and path.endswith((".mech", ".rs")):
             return Model(_linkwright.read(path, inside))
         is_file = source.endswith((".mech", ".rs")) or os.sep in source or "/" in source
+        if not is_file and os.path.isfile(source):
+            raise ArgumentError(f"`{source}` ends neither in .mech nor in .rs: rename it, or give its text")
         if not is_file:
             return Model(_linkwright.read(None, source))
     return Model(_linkwright.read(os.fspath(source), name))
 
 
+def warn(message: str) -> None:
+    """Warn whoever called the method that calls this."""
+    warnings.warn(message, LinkwrightWarning, stacklevel=3)
+
+
 def _restored(declaration: str, source: str, parameters: list[float], inputs: list[float | None]) -> "Model":
     model = _linkwright.from_text(declaration, source, None)
-    return Model(model.restored(parameters, inputs))
+    return Model(model._restored(parameters, inputs))
 
 
 class Model(_linkwright.Model):
@@ -57,39 +68,54 @@ class Model(_linkwright.Model):
     @property
     def coordinate_names(self) -> list[str]:
         """The names of q."""
-        return [name for name, *_ in self.quantities("coordinates")]
+        return [name for name, *_ in self._quantities("coordinates")]
 
     @property
     def constraint_names(self) -> list[str]:
         """The names of the constraints, whose multipliers are ``lambda_NAME``."""
-        return [name for name, *_ in self.quantities("constraints")]
+        return [name for name, *_ in self._quantities("constraints")]
 
     @property
     def output_names(self) -> list[str]:
         """The names of the outputs."""
-        return [name for name, *_ in self.quantities("outputs")]
+        return [name for name, *_ in self._quantities("outputs")]
 
     @property
     def parameters(self) -> dict[str, float]:
         """Parameters by name, in declared units."""
-        named = self.quantities("parameters")
-        return {name: value / factor for (name, _, factor, _), value in zip(named, self.parameter_values())}
+        named = self._quantities("parameters")
+        return {name: value / factor for (name, _, factor, _), value in zip(named, self._parameter_values())}
 
     @property
     def inputs(self) -> dict[str, float | None]:
         """Inputs by name, in declared units; None where the declared value holds."""
-        named = zip(self.quantities("inputs"), self.input_values())
+        named = zip(self._quantities("inputs"), self._input_values())
         return {name: None if value is None else value / factor for (name, _, factor, _), value in named}
 
     @property
     def units(self) -> dict[str, str]:
         """The declared unit of every quantity."""
         kinds = ("coordinates", "speeds", "parameters", "inputs", "constraints", "outputs")
-        return {name: unit for kind in kinds for name, unit, *_ in self.quantities(kind)}
+        return {name: unit for kind in kinds for name, unit, *_ in self._quantities(kind)}
+
+    def initial(
+        self, *, parameters: Values | None = None, initial: Values | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """The start with its loops closed: q and q' in SI units, each of shape (n,).
+
+        Args:
+            parameters, initial: values by name, in place of the declared ones.
+        """
+        start = self.simulation(parameters=parameters, initial=initial)
+        return start.positions, start.speeds
+
+    def declared_start(self) -> tuple[np.ndarray, np.ndarray]:
+        """The start as it is declared, guesses among it: q and q' in SI units, not on the constraints."""
+        return self._initial()
 
     def with_values(self, parameters: Values | None = None, inputs: Values | None = None) -> "Model":
         """The same mechanism with other parameters, and inputs held at values."""
-        return Model(self.set(assignments(parameters), assignments(inputs)))
+        return Model(self._set(assignments(parameters), assignments(inputs)))
 
     def run(
         self,
@@ -117,7 +143,11 @@ class Model(_linkwright.Model):
             steps, step: equal steps, by number or size.
             projection: projection, mass-projection, partitioning, baumgarte=RATE, none.
             rows: so many intervals between rows, or ``"steps"``.
-            until: an event that ends the run, ``"period"`` or ``"period:3"``.
+            until: an event that ends the run, ``"period"`` or ``"period:3"``. If it does not happen, the run goes on to its
+                end, with a ``LinkwrightWarning``.
+
+        ``step`` is made shorter where the end is not a multiple of it. A value of a coordinate that is declared as a guess is
+        a guess.
 
         Raises:
             MotionError: with ``result``, what was computed until then.
@@ -126,14 +156,19 @@ class Model(_linkwright.Model):
             t_end=t_end, method=method, rtol=rtol, atol=atol, steps=steps, step=step, projection=projection, rows=rows,
             until=until,
         )
-        return self._motion("run", settings + repeated("input", inputs), parameters, initial)
+        found = self._motion("run", settings + repeated("input", inputs), parameters, initial)
+        event = found.summary["until"]
+        if event is not None and event["happened"] < event["asked"]:
+            happened, asked = event["happened"], event["asked"]
+            warn(f"`{event['event']}` has happened {happened} times, not {asked}: the run went on to its end")
+        return found
 
     def assemble(self, *, parameters: Values | None = None, initial: Values | None = None) -> dict[str, Any]:
         """Close the loops at the start: coordinates and speeds with units, degrees of freedom, redundant constraints."""
         return self._summary("assemble", [], parameters, initial)
 
     def branches(self, *, parameters: Values | None = None, initial: Values | None = None) -> dict[str, Any]:
-        """All configurations with the given coordinates of the start: elbow up and elbow down."""
+        """All configurations with the given coordinates of the start: elbow up and elbow down. None if it cannot be closed."""
         return self._summary("assemble", ["--branches"], parameters, initial)
 
     def equilibrium(self, *, parameters: Values | None = None, initial: Values | None = None) -> dict[str, Any]:
@@ -144,7 +179,7 @@ class Model(_linkwright.Model):
         self,
         at: Value = "equilibrium",
         *,
-        inputs: Iterable[str] = (),
+        inputs: str | Iterable[str] = (),
         parameters: Values | None = None,
         initial: Values | None = None,
     ) -> Linearization:
@@ -154,8 +189,8 @@ class Model(_linkwright.Model):
             at: ``"equilibrium"``, ``"initial"``, or a time in seconds.
             inputs: names of inputs or parameters, for B and D; all inputs unless given.
         """
-        words = options(at=at) + [f"--input={name}" for name in inputs]
-        return Linearization(self._answer("linearize", words, parameters, initial))
+        words = options(at=at) + [f"--input={name}" for name in listed(inputs)]
+        return Linearization(self._asked("linearize", words, parameters, initial))
 
     def kinematics(
         self,
@@ -165,7 +200,7 @@ class Model(_linkwright.Model):
         to: Value | None = None,
         speed: Value | None = None,
         steps: int | None = None,
-        hold: Iterable[str] = (),
+        hold: str | Iterable[str] = (),
         parameters: Values | None = None,
         initial: Values | None = None,
     ) -> Motion:
@@ -173,12 +208,13 @@ class Model(_linkwright.Model):
 
         Args:
             drive: what is driven; the first given coordinate unless said.
-            start, to: the range, in the declared unit or with one; a turn unless given.
+            start, to: the range, in the declared unit or with one; a turn unless given. The declared start is closed first, and
+                the mechanism then driven to ``start``.
             speed: of what is driven.
             steps: number of positions.
             hold: other coordinates that stay, ``"phi"`` or ``"phi=30deg"``.
         """
-        words = options(drive=drive, to=to, speed=speed, steps=steps) + [f"--hold={name}" for name in hold]
+        words = options(drive=drive, to=to, speed=speed, steps=steps) + [f"--hold={name}" for name in listed(hold)]
         words += [] if start is None else [word.replace("--start", "--from", 1) for word in options(start=start)]
         return self._motion("kinematics", words, parameters, initial)
 
@@ -201,17 +237,22 @@ class Model(_linkwright.Model):
             count: so many states.
         """
         words = options(event=event, direction=direction, count=count, t_end=t_end, rtol=rtol)
-        return self._motion("poincare", words, parameters, initial)
+        found = self._motion("poincare", words, parameters, initial)
+        if count is not None and len(found.t) < count:
+            warn(f"`{event}` has happened {len(found.t)} times, not {count}: the motion went on to its end")
+        return found
 
     def verify(
         self, t_end: Value | None = None, *, parameters: Values | None = None, initial: Values | None = None
     ) -> list[dict[str, Any]]:
-        """Compare kernels, equations and runs with independent computations: name, figure, bound and verdict of each.
+        """Compare kernels, equations and runs with independent computations.
+
+        Each is a dictionary: ``name``, ``figure``, ``bound``, ``passes``, and ``what`` the figure means.
 
         Raises:
             ResultError: if a check fails; its ``result`` has all of them.
         """
-        answer = self._answer("verify", options(t_end=t_end), parameters, initial)
+        answer = self._asked("verify", options(t_end=t_end), parameters, initial)
         checks: list[dict[str, Any]] = json.loads(answer.summary)
         return checked(answer, checks)
 
@@ -230,36 +271,40 @@ class Model(_linkwright.Model):
         projection: str | None = None,
         until: str | None = None,
     ) -> Simulation:
-        """A motion that you advance yourself; arguments are those of ``run``."""
+        """A motion that you advance yourself; arguments are those of ``run``. It ends at ``t_end``, after 2 s unless given."""
         settings = options(
             t_end=t_end, method=method, rtol=rtol, atol=atol, steps=steps, step=step, projection=projection, until=until
         )
         given = repeated("set", parameters) + repeated("initial", initial) + repeated("input", inputs)
-        return Simulation(self.simulated(["run", self.source, *settings, *given]))
+        return Simulation(self._simulated(["run", self.source, *settings, *given]))
 
     def equations(self, notation: str = "text") -> str:
         """The equations of motion as ``"text"``, ``"latex"`` or ``"mathml"``."""
         heading = {"latex": "\\subsection*{{{}}}\n", "mathml": "<h2>{}</h2>\n"}.get(notation, "# {}\n\n")
-        return "\n".join(heading.format(title) + text for title, text in self.equation_groups(notation))
+        return "\n".join(heading.format(title) + text for title, text in self._equation_groups(notation))
 
-    def _answer(
+    def _factors(self) -> dict[str, float]:
+        """The sizes of the units of coordinates and speeds in SI units."""
+        return {name: size for kind in ("coordinates", "speeds") for name, _, size, _ in self._quantities(kind)}
+
+    def _asked(
         self, command: str, words: list[str], parameters: Values | None, initial: Values | None
     ) -> _linkwright.Answer:
         given = repeated("set", parameters) + repeated("initial", initial)
-        return self.answer([command, self.source, *words, *given])
+        return self._answer([command, self.source, *words, *given])
 
     def _summary(
         self, command: str, words: list[str], parameters: Values | None, initial: Values | None
     ) -> dict[str, Any]:
-        summary: dict[str, Any] = json.loads(self._answer(command, words, parameters, initial).summary)
+        summary: dict[str, Any] = json.loads(self._asked(command, words, parameters, initial).summary)
         return summary
 
     def _motion(self, command: str, words: list[str], parameters: Values | None, initial: Values | None) -> Motion:
-        answer = self._answer(command, words, parameters, initial)
-        return checked(answer, Motion(answer))
+        answer = self._asked(command, words, parameters, initial)
+        return checked(answer, Motion(answer, self._factors()))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (self.declaration, self.source, self.parameter_values(), self.input_values())
+        return _restored, (self.declaration, self.source, self._parameter_values(), self._input_values())
 
     def __repr__(self) -> str:
         n, m = len(self.coordinate_names), len(self.constraint_names)

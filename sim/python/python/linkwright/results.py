@@ -34,8 +34,9 @@ class Motion(Mapping[str, np.ndarray]):
         summary: everything else, as in ``summary.json``.
     """
 
-    def __init__(self, answer: Answer) -> None:
+    def __init__(self, answer: Answer, factors: Mapping[str, float]) -> None:
         named = answer.columns()
+        self._factors = dict(factors)
         self.columns: dict[str, np.ndarray] = {name: values for name, _, values in named}
         self.units: dict[str, str] = {name: unit for name, unit, _ in named}
         self.summary: dict[str, Any] = json.loads(answer.summary)
@@ -46,6 +47,16 @@ class Motion(Mapping[str, np.ndarray]):
     def t(self) -> np.ndarray:
         """Times, in seconds."""
         return self.columns["t"]
+
+    def states(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """t, q and q' of all rows in SI units, of shapes (rows,), (rows, n) and (rows, n): what kernels take."""
+        coordinates = [name for name in self._factors if f"{name}_dot" in self._factors]
+        q, qd = ([f"{name}{of}" for name in coordinates] for of in ("", "_dot"))
+        return self.t, self._in_si_units(q), self._in_si_units(qd)
+
+    def _in_si_units(self, names: list[str]) -> np.ndarray:
+        columns = [self.columns[name] * self._factors[name] for name in names]
+        return np.stack(columns, axis=1) if columns else np.empty((len(self.t), 0))
 
     @property
     def events(self) -> list[dict[str, Any]]:
@@ -59,6 +70,10 @@ class Motion(Mapping[str, np.ndarray]):
         except KeyError:
             known = ", ".join(self.columns)
             raise KeyError(f"no column is called {name!r}; there are {known}") from None
+
+    # As of an object: columns are arrays, which have no truth value.
+    __eq__ = object.__eq__
+    __hash__ = object.__hash__
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.columns)

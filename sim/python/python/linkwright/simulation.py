@@ -56,9 +56,20 @@ class Simulation:
         """Make one step. False if none was left to make."""
         return self._simulation.step()
 
-    def advance_to(self, time: float) -> None:
-        """Advance to a time in seconds, at which a step ends, or to the end of the motion. Ctrl-C ends it after a step."""
-        self._simulation.advance_to(time)
+    @property
+    def t_end(self) -> float:
+        """When the motion ends, if no event ends it before, in seconds."""
+        return self._simulation.t_end
+
+    def advance_to(self, time: float) -> bool:
+        """Advance to a time in seconds, at which a step ends. False if an event has ended the motion before.
+
+        Ctrl-C ends it after a step.
+
+        Raises:
+            ArgumentError: if the time is past, or later than ``t_end``.
+        """
+        return self._simulation.advance_to(time)
 
     def set_parameter(self, name: str, value: Value) -> None:
         """Set a parameter, in its declared unit or with a unit: ``"20 mm"``. The loops are closed anew."""
@@ -75,6 +86,9 @@ class Simulation:
     def restore(self, saved: bytes) -> None:
         """Continue from where another simulation of the same mechanism with the same settings was saved."""
         self._simulation.restore(saved)
+
+    def __reduce__(self) -> str:
+        raise TypeError("a simulation cannot be pickled: `save()` gives its state as bytes, and `restore()` takes them")
 
     def __repr__(self) -> str:
         return f"<simulation at t = {self.time!r} s>"

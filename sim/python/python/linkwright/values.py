@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Mapping, Union
+from typing import Any, Iterable, Mapping, Union
 
 import numpy as np
 
@@ -17,6 +17,8 @@ def written(value: Value) -> str:
     """A value as the command line reads it, to the last digit."""
     if isinstance(value, str):
         return value
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value.item()
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.integer, np.floating)):
         raise ArgumentError(f"{value!r}: a number is needed, or a text with a unit such as '180 mm'")
     number = float(value)
@@ -25,14 +27,21 @@ def written(value: Value) -> str:
     return repr(number)
 
 
-def assignments(values: Mapping[str, Value] | None) -> list[str]:
-    """``NAME=VALUE`` each."""
-    return [f"{name}={written(value)}" for name, value in (values or {}).items()]
+def assignments(values: Mapping[str, Value | None] | None) -> list[str]:
+    """``NAME=VALUE`` each. A value that is None is as declared."""
+    if values is not None and not isinstance(values, Mapping):
+        raise ArgumentError(f"{values!r}: values by name are needed, such as {{'a': 0.2}}")
+    return [f"{name}={written(value)}" for name, value in (values or {}).items() if value is not None]
 
 
-def repeated(option: str, values: Mapping[str, Value] | None) -> list[str]:
+def repeated(option: str, values: Mapping[str, Value | None] | None) -> list[str]:
     """An option for each value."""
     return [f"--{option}={assignment}" for assignment in assignments(values)]
+
+
+def listed(names: str | Iterable[str]) -> list[str]:
+    """One name, or several."""
+    return [names] if isinstance(names, str) else list(names)
 
 
 def options(**given: Any) -> list[str]:
@@ -44,8 +53,10 @@ def options(**given: Any) -> list[str]:
         option = f"--{name.replace('_', '-')}"
         if value is True:
             words.append(option)
-        elif isinstance(value, int):
-            words.append(f"{option}={value}")
+        elif isinstance(value, (int, np.integer)):
+            words.append(f"{option}={int(value)}")
+        elif name == "projection" and isinstance(value, str):
+            words.append(f"{option}={value.replace('_', '-')}")
         else:
             words.append(f"{option}={written(value)}")
     return words

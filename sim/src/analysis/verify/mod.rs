@@ -67,10 +67,16 @@ impl Check {
 pub enum VerifyError {
     /// Its motion fails.
     #[error("the run to be verified failed {0}")]
-    Run(#[from] Failure),
+    Run(Failure),
     /// Its declaration cannot be read again, or interpreted.
     #[error("the declaration cannot be interpreted: {0}")]
     Declaration(String),
+}
+
+impl From<Failure> for VerifyError {
+    fn from(failure: Failure) -> VerifyError {
+        VerifyError::Run(failure)
+    }
 }
 
 /// Relative tolerance of the runs that are compared.

@@ -9,7 +9,7 @@ use crate::cli::given::{as_given, held_at};
 use crate::cli::progress;
 use crate::cli::said::counted;
 use crate::output::happening::impulses;
-use crate::output::outcome::{Outcome, Recorded};
+use crate::output::outcome::{Outcome, Recorded, Until};
 use crate::output::show::{self, About};
 use crate::output::write::summary_of;
 use crate::{Settings, Start, Stepping, Table, What, assemble, mobility, run_while, write_json};
@@ -150,11 +150,9 @@ fn method(run: &Outcome) -> String {
 
 /// The message if the event that should end the run has not happened.
 fn never(run: &Outcome) -> Option<String> {
-    let stop = run.settings.stop.filter(|_| run.failure.is_none())?;
-    let event = run.description.events.get(stop.event)?.name;
-    let times = run.events.iter().filter(|happening| happening.event == stop.event).count();
-    let (count, asked) = (counted(times, "time"), stop.occurrence);
-    (times < asked).then(|| format!("`{event}` has happened {count}, not {asked}: the run went on to its end"))
+    let Until { event, asked, happened } = run.until().filter(|_| run.failure.is_none())?;
+    let count = counted(happened, "time");
+    (happened < asked).then(|| format!("`{event}` has happened {count}, not {asked}: the run went on to its end"))
 }
 
 /// A line of the report: label and text.
