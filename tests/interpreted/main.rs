@@ -4,6 +4,7 @@
 
 mod against_oracle;
 mod mangled;
+mod robots;
 
 use sim::{At, DeclarationFile, Kernel};
 use std::path::Path;

@@ -43,12 +43,14 @@ impl Work for OfMany<'_> {
         let body = body(code, |register| register);
         let width: usize = self.rows.iter().map(ExactSizeIterator::len).sum();
         let count = states.times.len();
-        let (mut numbers, mut refusals) = (vec![0.0; width * count], Vec::new());
+        let (mut numbers, mut refusals) = (Vec::with_capacity(width * count), Vec::new());
         for first in (0..count).step_by(STATES) {
             let filled = STATES.min(count - first);
             gather(code, states, first, filled, &mut registers);
             execute(&body, &given, &mut registers);
-            scatter(&registers, self.rows, &mut numbers[first * width..][..filled * width], width);
+            // Block by block, so that they are in the cache when they are written.
+            numbers.resize((first + filled) * width, 0.0);
+            scatter(&registers, self.rows, &mut numbers[first * width..], width);
             let is_refused = refused(code, &registers);
             if is_refused.any() {
                 refusals.extend((0..filled).filter(|lane| is_refused.lane(*lane)).map(|lane| first + lane));

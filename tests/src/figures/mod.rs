@@ -8,6 +8,7 @@ mod files;
 mod kernels;
 mod numbers;
 mod rooms;
+mod size;
 mod sizes;
 
 use std::fmt::Display;
@@ -28,7 +29,7 @@ pub(crate) const AREAS: &[Area] = &[
     measured("numbers", "no wrong number with exit status 0", numbers::SUBJECTS),
     measured("rooms", "a runtime for every use, and a house with rooms", rooms::SUBJECTS),
     measured("files", "mechanisms as files: run in milliseconds", files::SUBJECTS),
-    open("size"),
+    measured("size", "robots, walkers, parallel machines", size::SUBJECTS),
     open("robots"),
     open("sweeps"),
     open("design"),

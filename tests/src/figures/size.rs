@@ -1,0 +1,93 @@
+//! What grows with the size of a mechanism: operations, and the time of the derivation.
+
+use super::{Subject, Table};
+use std::time::Instant;
+
+pub(super) const SUBJECTS: &[Subject] = &[("robots", robots), ("walker", walker)];
+
+/// A kernel, and the operations of the recursion that is specialised to the robot (articulated bodies, Newton-Euler and
+/// composite bodies in the bodies' own frames, inertial parameters regrouped), sines aside.
+type Recursion = (&'static str, usize);
+
+/// What a free base may take besides.
+const FREE: usize = 200;
+
+const ROBOTS: [(&str, &str, &[Recursion]); 5] = [
+    (
+        "UR5",
+        include_str!("../../robots/declared/ur5.rs"),
+        &[("dynamics", 736), ("inverse_dynamics", 370), ("mass_matrix", 162)],
+    ),
+    (
+        "Talos' arm",
+        include_str!("../../robots/declared/talosarm.rs"),
+        &[("dynamics", 1635), ("inverse_dynamics", 833), ("mass_matrix", 392)],
+    ),
+    (
+        "Panda",
+        include_str!("../../robots/declared/panda.rs"),
+        &[("dynamics", 1865), ("inverse_dynamics", 1031), ("mass_matrix", 548)],
+    ),
+    (
+        "ANYmal",
+        include_str!("../../robots/declared/anymal.rs"),
+        &[("dynamics", 4039 + FREE), ("inverse_dynamics", 2044 + FREE), ("speed_mass_matrix", 756 + FREE)],
+    ),
+    (
+        "Talos",
+        include_str!("../../robots/declared/talos.rs"),
+        &[("dynamics", 10_002 + FREE), ("inverse_dynamics", 4982 + FREE), ("speed_mass_matrix", 3301 + FREE)],
+    ),
+];
+
+fn robots(table: &mut Table) {
+    table.heading("Operations of declared robots, sines aside");
+    for (name, text, recursions) in ROBOTS {
+        let Some(derived) = derived(table, name, text) else { continue };
+        for (kernel, most) in recursions {
+            let what = format!("{name}: {kernel}");
+            match operations(&derived, kernel) {
+                Some(count) => table.at_most(&what, count as f64, *most as f64),
+                None => table.line(&what, "no such kernel", format!("at most {most}"), false),
+            }
+        }
+    }
+}
+
+/// Operations of `dynamics` for one pair of legs.
+const ONE: f64 = 1174.0;
+
+fn walker(table: &mut Table) {
+    table.heading("Jansen's walker with 2 n legs");
+    let text = include_str!("../../robots/declared/beest.rs");
+    for n in [1, 3, 6, 12] {
+        let name = format!("n = {n}");
+        let Some(derived) = derived(table, &name, &text.replace("const n = 6;", &format!("const n = {n};"))) else {
+            continue;
+        };
+        let count = operations(&derived, "dynamics").unwrap_or(usize::MAX);
+        table.at_most(&format!("{name}: dynamics"), count as f64, 1.1 * ONE * f64::from(n));
+    }
+}
+
+/// The first mechanism of a text, and a line on how long its derivation takes.
+fn derived(table: &mut Table, name: &str, text: &str) -> Option<codegen::Derived> {
+    let clock = Instant::now();
+    let declarations = codegen::dsl::declarations(text);
+    match declarations.map(|found| found.into_iter().next()).and_then(|first| first.map(codegen::derive).transpose()) {
+        Ok(derived) => {
+            println!("{name}: derived in {:.2} s", clock.elapsed().as_secs_f64());
+            derived
+        }
+        Err(mistakes) => {
+            table.line(name, mistakes, "derived", false);
+            None
+        }
+    }
+}
+
+/// All operations of a kernel but sines and cosines.
+fn operations(derived: &codegen::Derived, kernel: &str) -> Option<usize> {
+    let kernel = derived.program.kernels.iter().find(|found| found.id.name() == kernel)?;
+    Some(kernel.operations.total() - kernel.operations.sine_cosines)
+}
