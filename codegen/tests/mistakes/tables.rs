@@ -226,7 +226,7 @@ fn files() {
     assert!(read("\"lift.csv\"").starts_with("cannot read /nowhere/lift.csv: "));
     assert_eq!(
         read("\"/lift.csv\""),
-        "the path of a table's file starts at the crate's folder: `from \"data/lift.csv\"`"
+        "the path of a table's file starts at the folder of the declaration's crate or `.mech` file: `from \"data/lift.csv\"`"
     );
     assert_eq!(read("lift"), "a file of rows is named in quotes: `from \"lift.csv\"`");
 }
