@@ -59,7 +59,12 @@
   const kept = sessionStorage.getItem(KEPT);
   if (kept && window.report) {
     sessionStorage.removeItem(KEPT);
-    window.report.restore(JSON.parse(kept));
+    try {
+      window.report.restore(JSON.parse(kept));
+    } catch (why) {
+      // What an older page kept is no reason to follow no longer.
+      console.info(`the view of before is not restored: ${why}`);
+    }
   }
   document.documentElement.dataset.page = shown;
   follow();

@@ -18,15 +18,18 @@ pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&AtomicBo
         thread::scope(|scope| {
             let (done, waiting) = channel();
             let interrupted = &interrupted;
-            scope.spawn(move || {
+            let working = move || {
                 // Who waits for it is there until the end.
                 let _ = done.send(work(interrupted));
-            });
+            };
+            let worker = thread::Builder::new().spawn_scoped(scope, working)?;
             let mut heard = None;
             loop {
                 match waiting.recv_timeout(BETWEEN) {
                     Ok(found) => return heard.map_or(Ok(found), Err),
                     Err(RecvTimeoutError::Disconnected) => {
+                        // Joined here, so that its panic goes no further.
+                        let _ = worker.join();
                         return Err(PyRuntimeError::new_err("the work has ended without a result"));
                     }
                     Err(RecvTimeoutError::Timeout) => {}

@@ -4,7 +4,7 @@ use crate::errors::{argument, kernel as refused_by};
 use crate::shapes::{Shape, parts};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::{PySlice, PyTuple};
+use pyo3::types::{PyFloat, PyInt, PySlice, PyTuple};
 use sim::{At, Description, Found, Kernel, Model, Results, States};
 
 /// Below so many states Python's lock is kept.
@@ -32,28 +32,23 @@ impl<'py> Numbers<'py> {
     /// An array of numbers, or what NumPy makes one of.
     fn of(value: Option<&Bound<'py, PyAny>>) -> PyResult<Numbers<'py>> {
         let Some(value) = value else { return Ok(Numbers::None) };
-        // A subclass may mean more than its numbers.
         if let Ok(array) = value.cast_exact::<PyArrayDyn<f64>>()
             && array.is_c_contiguous()
+            && (array.data() as usize).is_multiple_of(align_of::<f64>())
         {
             return Numbers::in_array(array);
         }
-        let numpy = value.py().import("numpy")?;
-        is_plain(&numpy, value)?;
-        let array = numpy.call_method1("ascontiguousarray", (value, numpy.getattr("float64")?))?;
-        // What has no axis is given one by NumPy here.
-        let array = if value.getattr("ndim").and_then(|axes| axes.extract::<usize>()).is_ok_and(|axes| axes == 0) {
-            array.call_method1("reshape", (PyTuple::empty(value.py()),))?
-        } else {
-            array
-        };
-        Numbers::in_array(array.cast::<PyArrayDyn<f64>>()?)
+        Numbers::in_array(plain(value)?.cast::<PyArrayDyn<f64>>()?)
     }
 
     fn in_array(array: &Bound<'py, PyArrayDyn<f64>>) -> PyResult<Numbers<'py>> {
         match array.ndim() {
             1 => Ok(Numbers::Row(array.to_vec()?)),
-            _ => Ok(Numbers::Array(array.readonly())),
+            _ => {
+                let lent = array.try_readonly();
+                let lent = lent.map_err(|_| argument(array.py(), "an array is being written to by another program"))?;
+                Ok(Numbers::Array(lent))
+            }
         }
     }
 
@@ -114,7 +109,7 @@ pub(crate) fn call<'py>(
     let [positions, speeds, accelerations, multipliers] = slices;
     match count.flatten() {
         None => {
-            let time: f64 = given.time.extract().map_err(|_| argument(py, "t: one number is needed for one state"))?;
+            let time = one_time(given.time)?.ok_or_else(|| argument(py, "t: one number is needed for one state"))?;
             if !time.is_finite() {
                 return Err(argument(py, "t: the number is not finite"));
             }
@@ -154,23 +149,49 @@ fn agree(
     }
 }
 
-/// NumPy would drop the imaginary part of a number, and what masks another, without a word.
-fn is_plain(numpy: &Bound<'_, PyModule>, value: &Bound<'_, PyAny>) -> PyResult<()> {
-    let is = |what: &str| numpy.call_method1(what, (value,))?.extract::<bool>();
-    match () {
-        () if is("iscomplexobj")? => Err(argument(value.py(), "real numbers are needed, not complex ones")),
-        () if numpy.getattr("ma")?.call_method1("isMaskedArray", (value,))?.extract()? => {
-            Err(argument(value.py(), "a masked array: give the numbers that are meant, with `.filled(..)`"))
-        }
-        () => Ok(()),
+/// Real numbers as an array of f64, one after the other. What NumPy would turn into such without a word is refused: complex
+/// numbers, texts, truth values, and arrays of a class of their own, which may have masks or units.
+fn plain<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    let py = value.py();
+    let numpy = py.import("numpy")?;
+    let array = numpy.getattr("ndarray")?;
+    let class = value.get_type();
+    if value.is_instance(&array)? && !class.is(&array) && !class.is(&numpy.getattr("memmap")?) {
+        let name = class.name()?;
+        return Err(argument(
+            py,
+            &format!("a plain array is needed, not a {name}: NumPy would drop what it means besides"),
+        ));
+    }
+    let found = numpy.call_method1("asarray", (value,))?;
+    let kind: String = found.getattr("dtype")?.getattr("kind")?.extract()?;
+    if !["f", "i", "u"].contains(&kind.as_str()) && found.getattr("size")?.extract::<usize>()? > 0 {
+        let of = found.getattr("dtype")?.str()?;
+        return Err(argument(py, &format!("real numbers are needed, not {of}")));
+    }
+    numpy.call_method1("require", (found, numpy.getattr("float64")?, ("C", "ALIGNED")))
+}
+
+/// The time, if it is one number.
+fn one_time(given: &Bound<'_, PyAny>) -> PyResult<Option<f64>> {
+    if let Ok(time) = given.cast::<PyFloat>() {
+        return Ok(Some(time.value()));
+    }
+    if let Ok(time) = given.cast_exact::<PyInt>() {
+        return time.extract().map(Some);
+    }
+    let found = plain(given)?;
+    match found.getattr("ndim")?.extract::<usize>()? {
+        0 => Ok(Some(found.extract()?)),
+        _ => Ok(None),
     }
 }
 
 /// The time of each state: one for all, or one each.
 fn times(py: Python<'_>, given: &Bound<'_, PyAny>, states: usize) -> PyResult<Vec<f64>> {
-    let times = match given.extract::<f64>() {
-        Ok(time) => vec![time; states],
-        Err(_) => match Numbers::of(Some(given))? {
+    let times = match one_time(given)? {
+        Some(time) => vec![time; states],
+        None => match Numbers::of(Some(given))? {
             Numbers::Row(times) if times.len() == states => times,
             _ => return Err(argument(py, &format!("t: a number, or {states} of them, is needed"))),
         },

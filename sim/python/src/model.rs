@@ -194,8 +194,26 @@ impl Model {
 
     /// The declared start, in SI units.
     #[pyo3(name = "_initial")]
-    fn initial<'py>(&self, py: Python<'py>) -> [Bound<'py, PyArray1<f64>>; 2] {
-        self.model.initial().map(|numbers| PyArray1::from_vec(py, numbers))
+    fn initial<'py>(&self, py: Python<'py>) -> (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>) {
+        let [positions, speeds] = self.model.initial();
+        (PyArray1::from_vec(py, positions), PyArray1::from_vec(py, speeds))
+    }
+
+    /// The same with these parameters and inputs as they are declared.
+    #[pyo3(name = "_as_declared")]
+    fn as_declared(&self, parameters: Vec<String>, inputs: Vec<String>) -> Model {
+        let (description, mut values) = (self.model.description(), self.model.values());
+        let declared = self.model.as_declared().values();
+        let places = |names: &[String], among: &[Quantity]| -> Vec<usize> {
+            (0..among.len()).filter(|place| names.iter().any(|name| name == among[*place].name)).collect()
+        };
+        for place in places(&parameters, description.parameters) {
+            values.parameters[place] = declared.parameters[place];
+        }
+        for place in places(&inputs, description.inputs) {
+            values.inputs[place] = declared.inputs[place];
+        }
+        self.with(self.model.with_values(&values))
     }
 
     /// The same with other values.

@@ -1,12 +1,15 @@
 //! A motion that its owner advances.
 
-use crate::errors::{argument, refusal};
+use crate::errors::refusal;
 use crate::interrupt::BETWEEN;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use sim::cli::{Refusal, Simulated, Stand};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard};
 use std::time::Instant;
+
+/// Two vectors.
+type Two<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
 /// A motion that its owner advances, step by step or to a time.
 #[pyclass(frozen, module = "linkwright._linkwright")]
@@ -19,8 +22,9 @@ impl Simulation {
         Simulation { simulated: Mutex::new(simulated) }
     }
 
-    fn lock(&self) -> MutexGuard<'_, Box<dyn Simulated>> {
-        self.simulated.lock().unwrap_or_else(PoisonError::into_inner)
+    fn lock(&self) -> Result<MutexGuard<'_, Box<dyn Simulated>>, Refusal> {
+        let broken = |_| Refusal::Other("a failure within this simulation has left it unusable".to_owned());
+        self.simulated.lock().map_err(broken)
     }
 
     /// Work with Python's lock released: another thread may hold the simulation.
@@ -29,44 +33,57 @@ impl Simulation {
         py: Python<'_>,
         work: impl FnOnce(&mut dyn Simulated) -> Result<T, Refusal> + Send,
     ) -> PyResult<T> {
-        py.detach(|| work(&mut **self.lock())).map_err(|why| refusal(py, &why))
+        py.detach(|| work(&mut **self.lock()?)).map_err(|why| refusal(py, &why))
     }
 }
 
-/// What has been heard while a motion was advanced.
-fn listening(heard: &mut Option<PyErr>) -> impl FnMut() -> bool {
-    let mut last = Instant::now();
-    move || {
-        if last.elapsed() > BETWEEN {
-            last = Instant::now();
-            *heard = Python::attach(|py| py.check_signals()).err();
-        }
-        heard.is_none()
+/// Where a motion stands after a part of its way.
+enum On {
+    TheWay,
+    Time,
+    /// Ended by an event before the time.
+    End,
+}
+
+/// Advances for some milliseconds at most.
+fn advance(simulated: &mut dyn Simulated, time: f64) -> Result<On, Refusal> {
+    let (now, end) = (simulated.state().time, simulated.end());
+    if !(now..=end).contains(&time) {
+        return Err(Refusal::Usage(format!(
+            "{time:?} s: a time from {now:?} s, which is now, to {end:?} s, the end, is needed; `t_end` sets the end"
+        )));
     }
+    let clock = Instant::now();
+    simulated.advance_to(time, &mut || clock.elapsed() < BETWEEN)?;
+    Ok(match simulated.state().time {
+        reached if reached == time => On::Time,
+        _ if simulated.has_ended() => On::End,
+        _ => On::TheWay,
+    })
 }
 
 #[pymethods]
 impl Simulation {
     #[getter]
-    fn time(&self, py: Python<'_>) -> f64 {
-        py.detach(|| self.lock().state().time)
+    fn time(&self, py: Python<'_>) -> PyResult<f64> {
+        self.work(py, |simulated| Ok(simulated.state().time))
     }
 
     #[getter]
-    fn has_ended(&self, py: Python<'_>) -> bool {
-        py.detach(|| self.lock().has_ended())
+    fn has_ended(&self, py: Python<'_>) -> PyResult<bool> {
+        self.work(py, |simulated| Ok(simulated.has_ended()))
     }
 
     /// q and q'.
-    fn state<'py>(&self, py: Python<'py>) -> [Bound<'py, PyArray1<f64>>; 2] {
-        let Stand { positions, speeds, .. } = py.detach(|| self.lock().state());
-        [PyArray1::from_vec(py, positions), PyArray1::from_vec(py, speeds)]
+    fn state<'py>(&self, py: Python<'py>) -> PyResult<Two<'py>> {
+        let Stand { positions, speeds, .. } = self.work(py, |simulated| Ok(simulated.state()))?;
+        Ok((PyArray1::from_vec(py, positions), PyArray1::from_vec(py, speeds)))
     }
 
     /// q'' and lambda.
-    fn sample<'py>(&self, py: Python<'py>) -> PyResult<[Bound<'py, PyArray1<f64>>; 2]> {
+    fn sample<'py>(&self, py: Python<'py>) -> PyResult<Two<'py>> {
         let Stand { accelerations, multipliers, .. } = self.work(py, |simulated| simulated.sample())?;
-        Ok([PyArray1::from_vec(py, accelerations), PyArray1::from_vec(py, multipliers)])
+        Ok((PyArray1::from_vec(py, accelerations), PyArray1::from_vec(py, multipliers)))
     }
 
     fn step(&self, py: Python<'_>) -> PyResult<bool> {
@@ -75,27 +92,18 @@ impl Simulation {
 
     /// When it ends, if no event ends it before.
     #[getter]
-    fn t_end(&self, py: Python<'_>) -> f64 {
-        py.detach(|| self.lock().end())
+    fn t_end(&self, py: Python<'_>) -> PyResult<f64> {
+        self.work(py, |simulated| Ok(simulated.end()))
     }
 
-    /// Whether the time is reached: an event may end the motion before.
+    /// Whether the time is reached: an event may end the motion before. Nothing is held while handlers of signals run.
     fn advance_to(&self, py: Python<'_>, time: f64) -> PyResult<bool> {
-        let (now, end) = py.detach(|| {
-            let simulated = self.lock();
-            (simulated.state().time, simulated.end())
-        });
-        if !(now..=end).contains(&time) {
-            let why = format!(
-                "{time:?} s: a time from {now:?} s, which is now, to {end:?} s, the end, is needed; `t_end` sets the end"
-            );
-            return Err(argument(py, &why));
-        }
-        let mut heard = None;
-        self.work(py, |simulated| simulated.advance_to(time, &mut listening(&mut heard)))?;
-        match heard {
-            Some(signal) => Err(signal),
-            None => Ok(self.time(py) == time),
+        loop {
+            match self.work(py, |simulated| advance(simulated, time))? {
+                On::Time => return Ok(true),
+                On::End => return Ok(false),
+                On::TheWay => py.check_signals()?,
+            }
         }
     }
 
@@ -110,12 +118,12 @@ impl Simulation {
 
     /// The names and times of past events.
     #[getter]
-    fn events(&self, py: Python<'_>) -> Vec<(&'static str, f64)> {
-        py.detach(|| self.lock().events())
+    fn events(&self, py: Python<'_>) -> PyResult<Vec<(&'static str, f64)>> {
+        self.work(py, |simulated| Ok(simulated.events()))
     }
 
-    fn save(&self, py: Python<'_>) -> Vec<u8> {
-        py.detach(|| self.lock().save())
+    fn save(&self, py: Python<'_>) -> PyResult<Vec<u8>> {
+        self.work(py, |simulated| Ok(simulated.save()))
     }
 
     fn restore(&self, py: Python<'_>, saved: &[u8]) -> PyResult<()> {

@@ -106,3 +106,11 @@ def test_messages_speak_of_arguments(oscillator):
     with pytest.raises(linkwright.ArgumentError) as raised:
         oscillator.run(t_end=-1)
     assert "t_end" in str(raised.value) and "--" not in str(raised.value)
+
+
+def test_names_are_kept_as_they_are(tmp_path):
+    with pytest.raises(linkwright.ReadError, match="robot--version.mech"):
+        linkwright.load("nowhere/robot--version.mech")
+    model = linkwright.load("pub Same; coordinates { x [m]; } parameters { m [kg] = 1; l [m] = 1; }\n"
+                            "bodies { b: mass m at [x, 0]; } constraints { x: x = l; }")
+    assert model.units["x"] == "m" and model.units["lambda_x"] == "N"

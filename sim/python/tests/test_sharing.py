@@ -14,6 +14,12 @@ import pytest
 import linkwright
 
 
+#: More coordinates than fit on a usual stack.
+CHAIN = """pub Chain; parameters { k [N/m] = 100; }
+repeat i in 1..=70 { coordinates { x_[i] [m]; } bodies { m_[i]: mass 1 [kg] at [x_[i], 0]; } loads { spring k, rest 0 [m] on x_[i]; } }
+initial { x_1 = 1; }"""
+
+
 def last(model):
     return model.run(t_end=0.1)["alpha"][-1]
 
@@ -22,8 +28,10 @@ def test_models_travel(quick_return):
     other = pickle.loads(pickle.dumps(quick_return.with_values({"O2A": "140 mm"}, None)))
     assert other.parameters == quick_return.with_values({"O2A": "140 mm"}).parameters
     assert other.declaration_hash == quick_return.declaration_hash and last(other) != last(quick_return)
-    run = pickle.loads(pickle.dumps(quick_return.run(t_end=0.1)))
-    assert run["alpha"][-1] == last(quick_return) and "<canvas" in run.report()
+    run = quick_return.run(t_end=0.1)
+    assert pickle.loads(pickle.dumps(run)).report() is None and "<canvas" in run.report()
+    again = pickle.loads(pickle.dumps(run))
+    assert again["alpha"][-1] == last(quick_return) and again.report() == run.report()
 
 
 def test_errors_travel():
@@ -51,16 +59,46 @@ def test_threads_and_processes_agree(quick_return):
         "m.run(t_end=1e6, rtol=1e-12, rows=2)",
         "m.simulation(t_end=1e6, rtol=1e-12).advance_to(1e6)",
         "m.kinematics('alpha', start=0, to=1e6, steps=10_000_000)",
+        "m.linearize(at=1e6)",
+        "linkwright.load(CHAIN).simulation(t_end=1e6, rtol=1e-12).advance_to(1e6)",
     ],
 )
 def test_ctrl_c_ends_work(work):
-    program = f"import linkwright\nm = linkwright.load('quick-return')\nprint('begins', flush=True)\n{work}\nprint('over')"
+    program = f"import linkwright\nCHAIN = {CHAIN!r}\nm = linkwright.load('quick-return')\nprint('begins', flush=True)\n{work}\nprint('over')"
     process = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert process.stdout.readline() == "begins\n"
     time.sleep(0.5)
     process.send_signal(signal.SIGINT)
     out, errors = process.communicate(timeout=20)
     assert "KeyboardInterrupt" in errors and out == "" and process.returncode != 0
+
+
+def test_handlers_of_signals_may_look_at_a_simulation(oscillator):
+    simulation, seen = oscillator.simulation(t_end=1e6, rtol=1e-12), []
+
+    def look(*_):
+        seen.append((simulation.time, len(simulation.save())))
+        if len(seen) == 3:
+            raise TimeoutError
+
+    before = signal.signal(signal.SIGALRM, look)
+    signal.setitimer(signal.ITIMER_REAL, 0.1, 0.1)
+    try:
+        with pytest.raises(TimeoutError):
+            simulation.advance_to(1e6)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert 0 < seen[0][0] < seen[2][0] <= simulation.time < 1e6
+
+
+def test_failures_travel_with_what_was_computed():
+    text = "pub Root; coordinates { x [m]; } parameters { m [kg] = 1; } bodies { b: mass m at [x, 0]; }\n" \
+           "loads { force [-sqrt(x*1 [1/m])*1 [N], 0] at [x, 0]; } initial { x = 1; dot(x) = -2; }"
+    with pytest.raises(linkwright.MotionError) as raised:
+        linkwright.load(text).run(t_end=5)
+    error = pickle.loads(pickle.dumps(raised.value))
+    assert np.array_equal(error.result.t, raised.value.result.t) and error.time == raised.value.time
 
 
 def test_the_lock_is_released(quick_return):
@@ -77,4 +115,4 @@ def test_the_lock_is_released(quick_return):
 def test_columns_are_not_copied(quick_return):
     run = quick_return.run(t_end=0.1)
     frame_memory = run.to_pandas()["alpha"].to_numpy()
-    assert np.array_equal(frame_memory, run["alpha"])
+    assert np.shares_memory(frame_memory, run["alpha"])

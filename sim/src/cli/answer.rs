@@ -10,6 +10,7 @@ use crate::cli::commands::run::{Asked, asked, failures};
 use crate::cli::commands::statics::{assembled, balanced};
 use crate::cli::commands::verify::verified;
 use crate::cli::files::asked::of_words;
+use crate::cli::files::reproduction::in_si;
 use crate::cli::files::written::Files;
 use crate::cli::given::{hold, set};
 use crate::cli::sizes::{by_size, deep, stepping};
@@ -108,15 +109,22 @@ pub fn answer(model: Arc<dyn Model>, words: &[String], interrupted: &AtomicBool)
 }
 
 fn answered(model: Arc<dyn Model>, words: &[String], interrupted: &AtomicBool) -> Result<Answer, Stop> {
-    let command = || of_words("sim", words.iter().map(Into::into));
+    let command = || {
+        let (first, options) = words.split_at(words.len().min(2));
+        let values = values_apart(&*model, words);
+        of_words("sim", first.iter().chain(&values).chain(options).map(Into::into))
+    };
     match parsed(words)? {
         Command::Run(arguments) => stepping!(ran, model, &arguments, interrupted),
         Command::Assemble(arguments) => by_size!(assembled, model, &arguments).map(|said| Answer::of(said.json)),
         Command::Equilibrium(arguments) => by_size!(balanced, model, &arguments).map(|said| Answer::of(said.json)),
-        Command::Linearize(arguments) => by_size!(linearized_summary, model, &arguments).map(Answer::of),
-        Command::Kinematics(arguments) => by_size!(driven, model, &arguments, command(), interrupted),
+        Command::Linearize(arguments) => by_size!(linearized_summary, model, &arguments, interrupted).map(Answer::of),
+        Command::Kinematics(arguments) => {
+            let command = command();
+            by_size!(driven, model, &arguments, command, interrupted)
+        }
         Command::Poincare(arguments) => stepping!(crossed, model, &arguments, interrupted),
-        Command::Verify(arguments) => by_size!(verified, model, &arguments).map(|(said, failing)| {
+        Command::Verify(arguments) => by_size!(verified, model, &arguments, interrupted).map(|(said, failing)| {
             let problem = failing.map(|message| Problem { message, failure: None });
             Answer { problem, ..Answer::of(said.json) }
         }),
@@ -124,6 +132,19 @@ fn answered(model: Arc<dyn Model>, words: &[String], interrupted: &AtomicBool) -
             Err(Stop::Usage(format!("`{}` has no results that stay in memory", words.first().map_or("", |word| word))))
         }
     }
+}
+
+/// The options that give a model the values that it has apart from its declaration, but those that the words give.
+fn values_apart(model: &dyn Model, words: &[String]) -> Vec<String> {
+    let (description, values, declared) = (model.description(), model.values(), model.as_declared().values());
+    let parameters = description.parameters.iter().zip(values.parameters).zip(declared.parameters);
+    let parameters =
+        parameters.filter(|((_, value), declared)| value != declared).map(|((of, value), _)| ("set", of, value));
+    let inputs = description.inputs.iter().zip(values.inputs);
+    let inputs = inputs.filter_map(|(of, input)| Some(("input", of, input.held()?)));
+    let is_given = |option: &str, name: &str| words.iter().any(|word| word.starts_with(&format!("--{option}={name}=")));
+    let apart = parameters.chain(inputs).filter(|(option, of, _)| !is_given(option, of.name));
+    apart.map(|(option, of, value)| format!("--{option}={}={}", of.name, in_si(of, value))).collect()
 }
 
 /// A model with parameters and inputs, each `NAME=VALUE` as on the command line.

@@ -62,7 +62,8 @@ impl Programs {
         self.call_from(kernel, &self.image(kernel, given), given, found)
     }
 
-    /// Executes a kernel that begins with an image, and gives the rows of its results. True if it refuses a pivot. Nothing is given of a kernel that there is not, which is refused.
+    /// Executes a kernel that begins with an image, and gives the rows of its results. True if it refuses a pivot. Nothing is
+    /// given of a kernel that there is not, which is refused.
     pub(super) fn call_from<S: Number>(
         &self,
         kernel: KernelId,

@@ -131,6 +131,8 @@ class Model:
         """The outputs, in SI units."""
     def _set(self, parameters: Sequence[str], inputs: Sequence[str]) -> Model:
         """The same with other values, each as ``NAME=VALUE``."""
+    def _as_declared(self, parameters: Sequence[str], inputs: Sequence[str]) -> Model:
+        """The same with these parameters and inputs as they are declared."""
     def _restored(self, parameters: Sequence[float], inputs: Sequence[Optional[float]]) -> Model:
         """The same with values in SI units, as many as there are."""
     def _answer(self, words: Sequence[str]) -> Answer:

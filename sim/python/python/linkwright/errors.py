@@ -6,8 +6,8 @@ import re
 from dataclasses import dataclass
 from typing import Any
 
-#: An option of the command line.
-_OPTION = re.compile(r"--([a-z][a-z-]*)")
+#: An option of the command line, not a part of a name.
+_OPTION = re.compile(r"(?<![\w-])--([a-z][a-z-]*)")
 #: Arguments that have another name here.
 _ARGUMENTS = {"set": "parameters", "input": "inputs", "from": "start"}
 
@@ -30,7 +30,6 @@ class LinkwrightError(Exception):
     code = "E-FAILED"
 
     def __init__(self, message: str, **details: Any) -> None:
-        message = _OPTION.sub(_as_argument, message)
         super().__init__(message)
         self.message = message
         self.code = details.pop("code", type(self).code)
@@ -38,11 +37,15 @@ class LinkwrightError(Exception):
         self._details = details
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _again, (type(self), self.message, {**self._details, "code": self.code})
+        details = {**self._details, "code": self.code}
+        return _again, (type(self), self.message, details, getattr(self, "result", None))
 
 
-def _again(kind: type[LinkwrightError], message: str, details: dict[str, Any]) -> LinkwrightError:
-    return kind(message, **details)
+def _again(kind: type[LinkwrightError], message: str, details: dict[str, Any], result: Any) -> LinkwrightError:
+    error = kind(message, **details)
+    if result is not None:
+        setattr(error, "result", result)
+    return error
 
 
 class LinkwrightWarning(UserWarning):
@@ -53,6 +56,9 @@ class ArgumentError(LinkwrightError, ValueError):
     """An argument is not what is needed."""
 
     code = "E-ARGUMENT"
+
+    def __init__(self, message: str, **details: Any) -> None:
+        super().__init__(_OPTION.sub(_as_argument, message), **details)
 
 
 class ReadError(LinkwrightError, OSError):

@@ -13,9 +13,10 @@ from . import _linkwright
 from .errors import ArgumentError, LinkwrightWarning
 from .results import Linearization, Motion, checked
 from .simulation import Simulation
-from .values import Value, assignments, listed, options, repeated
+from .values import Value, assignments, declared, listed, options, repeated
 
-Values = Mapping[str, Value]
+#: Values by name; one that is None is as declared.
+Values = Mapping[str, Value | None]
 
 
 def load(source: str | os.PathLike[str], name: str | None = None) -> "Model":
@@ -39,7 +40,7 @@ def load(source: str | os.PathLike[str], name: str | None = None) -> "Model":
         if colon and name is None and path.endswith((".mech", ".rs")):
             return Model(_linkwright.read(path, inside))
         is_file = source.endswith((".mech", ".rs")) or os.sep in source or "/" in source
-        if not is_file and os.path.isfile(source):
+        if not is_file and source not in _linkwright.shipped() and os.path.isfile(source):
             raise ArgumentError(f"`{source}` ends neither in .mech nor in .rs: rename it, or give its text")
         if not is_file:
             return Model(_linkwright.read(None, source))
@@ -57,7 +58,8 @@ def _restored(declaration: str, source: str, parameters: list[float], inputs: li
 
 
 class Model(_linkwright.Model):
-    """A mechanism with its parameters and inputs. It never changes, and may be used by several threads at once.
+    """A mechanism with its parameters and inputs. It never changes, and may be used by several threads at once, but no thread may
+    change an array while a kernel works on it.
 
     Values that are given by name, such as ``parameters={"a": 0.2}``, are in the declared unit or say theirs:
     ``"200 mm"``. Columns of results are in declared units. The kernels take and give arrays in SI units, of one state,
@@ -94,9 +96,10 @@ class Model(_linkwright.Model):
 
     @property
     def units(self) -> dict[str, str]:
-        """The declared unit of every quantity."""
-        kinds = ("coordinates", "speeds", "parameters", "inputs", "constraints", "outputs")
-        return {name: unit for kind in kinds for name, unit, *_ in self._quantities(kind)}
+        """The declared unit of every quantity; those of multipliers as ``lambda_NAME``."""
+        kinds = ("coordinates", "speeds", "parameters", "inputs", "outputs")
+        units = {name: unit for kind in kinds for name, unit, *_ in self._quantities(kind)}
+        return units | {f"lambda_{name}": unit for name, unit, *_ in self._quantities("constraints")}
 
     def initial(
         self, *, parameters: Values | None = None, initial: Values | None = None
@@ -115,7 +118,13 @@ class Model(_linkwright.Model):
 
     def with_values(self, parameters: Values | None = None, inputs: Values | None = None) -> "Model":
         """The same mechanism with other parameters, and inputs held at values."""
-        return Model(self._set(assignments(parameters), assignments(inputs)))
+        as_declared = self._with_declared(parameters, inputs)
+        return Model(as_declared._set(assignments(parameters), assignments(inputs)))
+
+    def _with_declared(self, parameters: Values | None, inputs: Values | None = None) -> "Model":
+        """The same with what is None as it is declared."""
+        names = declared(parameters), declared(inputs)
+        return Model(self._as_declared(*names)) if any(names) else self
 
     def run(
         self,
@@ -156,7 +165,8 @@ class Model(_linkwright.Model):
             t_end=t_end, method=method, rtol=rtol, atol=atol, steps=steps, step=step, projection=projection, rows=rows,
             until=until,
         )
-        found = self._motion("run", settings + repeated("input", inputs), parameters, initial)
+        model = self._with_declared(None, inputs)
+        found = model._motion("run", settings + repeated("input", inputs), parameters, initial)
         event = found.summary["until"]
         if event is not None and event["happened"] < event["asked"]:
             happened, asked = event["happened"], event["asked"]
@@ -276,7 +286,8 @@ class Model(_linkwright.Model):
             t_end=t_end, method=method, rtol=rtol, atol=atol, steps=steps, step=step, projection=projection, until=until
         )
         given = repeated("set", parameters) + repeated("initial", initial) + repeated("input", inputs)
-        return Simulation(self._simulated(["run", self.source, *settings, *given]))
+        model = self._with_declared(parameters, inputs)
+        return Simulation(model._simulated(["run", self._word, *settings, *given]))
 
     def equations(self, notation: str = "text") -> str:
         """The equations of motion as ``"text"``, ``"latex"`` or ``"mathml"``."""
@@ -291,7 +302,12 @@ class Model(_linkwright.Model):
         self, command: str, words: list[str], parameters: Values | None, initial: Values | None
     ) -> _linkwright.Answer:
         given = repeated("set", parameters) + repeated("initial", initial)
-        return self._answer([command, self.source, *words, *given])
+        return self._with_declared(parameters)._answer([command, self._word, *words, *given])
+
+    @property
+    def _word(self) -> str:
+        """The source as a word of a command line, which is no option."""
+        return f"./{self.source}" if self.source.startswith("-") else self.source
 
     def _summary(
         self, command: str, words: list[str], parameters: Values | None, initial: Values | None

@@ -94,7 +94,10 @@ class Motion(Mapping[str, np.ndarray]):
         return frame
 
     def report(self) -> str | None:
-        """The report as a page: the mechanism in motion, plots and tables. None of a motion that has no report."""
+        """The report as a page: the mechanism in motion, plots and tables. None of a motion that has no report.
+
+        A motion that was pickled has one if it was drawn before.
+        """
         if self._report is None and self._answer is not None:
             self._report = self._answer.report()
         return self._report
@@ -119,7 +122,8 @@ class Motion(Mapping[str, np.ndarray]):
         )
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "_report": self.report(), "_answer": None}
+        """A motion that is pickled keeps its report if that has been drawn before."""
+        return {**self.__dict__, "_answer": None}
 
 
 @dataclass(frozen=True)

@@ -28,10 +28,15 @@ def written(value: Value) -> str:
 
 
 def assignments(values: Mapping[str, Value | None] | None) -> list[str]:
-    """``NAME=VALUE`` each. A value that is None is as declared."""
+    """``NAME=VALUE`` each. Those that are None are left out: see ``declared``."""
     if values is not None and not isinstance(values, Mapping):
         raise ArgumentError(f"{values!r}: values by name are needed, such as {{'a': 0.2}}")
     return [f"{name}={written(value)}" for name, value in (values or {}).items() if value is not None]
+
+
+def declared(values: Mapping[str, Value | None] | None) -> list[str]:
+    """The names whose value is None: they are as declared."""
+    return [name for name, value in (values or {}).items() if value is None]
 
 
 def repeated(option: str, values: Mapping[str, Value | None] | None) -> list[str]:

@@ -30,7 +30,7 @@ use crate::model::{At, Differentiable};
 use crate::motion::Motion;
 use crate::motion::measures::Measures;
 use crate::motion::typed::Any;
-use crate::run::{Run, run};
+use crate::run::{Run, run_while};
 use crate::start::assemble::{Start, assemble};
 use crate::state::failure::Failure;
 use crate::state::settings::{Method, Settings, Stabilisation, Stepping, Tolerance};
@@ -91,11 +91,24 @@ const STATES: usize = 64;
 /// # Errors
 /// If no start can be assembled, the motion fails, or the declaration cannot be read.
 pub fn verify<M: Mechanism>(mechanism: M, start: &Start<M>, end: f64) -> Result<Vec<Check>, VerifyError> {
+    verify_while(mechanism, start, end, &|| true)
+}
+
+/// The same for as long as `goes_on` says so, which is asked after each step of a run.
+///
+/// # Errors
+/// As [`verify`], and [`What::Interrupted`](crate::What::Interrupted).
+pub fn verify_while<M: Mechanism>(
+    mechanism: M,
+    start: &Start<M>,
+    end: f64,
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Vec<Check>, VerifyError> {
     let end = span(&mechanism, start, end)?;
     let declared = Declared::of(&mechanism)?;
     let with = |method, stabilisation| {
         let settings = Settings { stabilisation, ..Settings::adaptive(method, end, TOLERANCE) };
-        let found = run(mechanism.clone(), start, &settings)?;
+        let found = run_while(mechanism.clone(), start, &settings, &mut |_| goes_on())?;
         match found.trajectory.failure {
             Some(failure) => Err(VerifyError::Run(failure)),
             None => Ok(found),

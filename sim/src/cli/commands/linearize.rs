@@ -9,11 +9,12 @@ use crate::cli::{Stop, print, unknown};
 use crate::output::formats::numpy::write_matrices;
 use crate::{
     Control, Description, Linearization, Mode, Provenance, Settings, Start, State, WriteError, assemble, equilibrium,
-    linearize, run, write_json,
+    linearize, run_while, write_json,
 };
 use nalgebra::{Complex, DMatrix};
 use serde_json::{Map, Value, json};
 use sim_kernel::Mechanism;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Linearises a mechanism, writes the matrices and prints the modes.
 pub(in crate::cli) fn linearize_command<M: Mechanism>(
@@ -21,27 +22,29 @@ pub(in crate::cli) fn linearize_command<M: Mechanism>(
     arguments: &LinearizeArguments,
     voice: Voice,
 ) -> Result<(), Stop> {
-    linearized(mechanism, arguments, &|found| tell(found, arguments, voice))
+    linearized(mechanism, arguments, &AtomicBool::new(false), &|found| tell(found, arguments, voice))
 }
 
-/// The same as a value.
+/// The same as a value. Where `interrupted` is set, a motion on the way to a time ends.
 pub(in crate::cli) fn linearized_summary<M: Mechanism>(
     mechanism: M,
     arguments: &LinearizeArguments,
+    interrupted: &AtomicBool,
 ) -> Result<Value, Stop> {
-    linearized(mechanism, arguments, &|found| Ok(summary(found, &arguments.at)))
+    linearized(mechanism, arguments, interrupted, &|found| Ok(summary(found, &arguments.at)))
 }
 
 /// Linearises a mechanism, and tells what is found.
 fn linearized<M: Mechanism, T>(
     mechanism: M,
     arguments: &LinearizeArguments,
+    interrupted: &AtomicBool,
     tell: &dyn Fn(&Found) -> Result<T, Stop>,
 ) -> Result<T, Stop> {
     let description = mechanism.description();
     let (mechanism, start) = as_given(&mechanism, &arguments.start.set, &arguments.start.initial)?;
     let inputs = controls(description, &arguments.input)?;
-    let state = state_at(&mechanism, &start, &arguments.at)?;
+    let state = state_at(&mechanism, &start, &arguments.at, interrupted)?;
     let State { time, positions, speeds, .. } = &state;
     let Linearization { independent, independent_speeds, unsteady, a, b, c, d, eigenvalues, modes, .. } =
         linearize(&mechanism, &state, &inputs)?;
@@ -120,12 +123,18 @@ fn controls(description: &'static Description, named: &[String]) -> Result<Vec<C
     named.iter().map(control).collect()
 }
 
-fn state_at<M: Mechanism>(mechanism: &M, start: &Start<M>, place: &str) -> Result<State<M>, Stop> {
+fn state_at<M: Mechanism>(
+    mechanism: &M,
+    start: &Start<M>,
+    place: &str,
+    interrupted: &AtomicBool,
+) -> Result<State<M>, Stop> {
     match place {
         "equilibrium" => Ok(equilibrium(mechanism, start)?.state),
         "initial" => Ok(assemble(mechanism, start)?),
         time => {
-            let run = run(mechanism.clone(), start, &Settings::new(positive("--at", time)?))?;
+            let settings = Settings::new(positive("--at", time)?);
+            let run = run_while(mechanism.clone(), start, &settings, &mut |_| !interrupted.load(Ordering::Relaxed))?;
             match (run.trajectory.failure, run.trajectory.samples.last()) {
                 (Some(failure), _) => Err(failure.into()),
                 (None, Some(sample)) => Ok(sample.state),

@@ -1,6 +1,6 @@
 //! `sim verify`.
 
-use crate::analysis::verify::{Check, verify};
+use crate::analysis::verify::{Check, verify_while};
 use crate::cli::Stop;
 use crate::cli::arguments::{VerifyArguments, Voice};
 use crate::cli::given::as_given;
@@ -8,6 +8,7 @@ use crate::cli::said::Said;
 use crate::cli::settings::positive;
 use serde_json::{Value, json};
 use sim_kernel::Mechanism;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Prints one row for each check; fails if one does.
 pub(in crate::cli) fn verify_command<M: Mechanism>(
@@ -15,19 +16,21 @@ pub(in crate::cli) fn verify_command<M: Mechanism>(
     arguments: &VerifyArguments,
     voice: Voice,
 ) -> Result<(), Stop> {
-    let (said, failing) = verified(mechanism, arguments)?;
+    let (said, failing) = verified(mechanism, arguments, &AtomicBool::new(false))?;
     said.tell(voice)?;
     failing.map_or(Ok(()), |failing| Err(Stop::Failed(anyhow::Error::msg(failing))))
 }
 
-/// All checks, and which of them fail.
+/// All checks, and which of them fail. Where `interrupted` is set, they end.
 pub(in crate::cli) fn verified<M: Mechanism>(
     mechanism: M,
     arguments: &VerifyArguments,
+    interrupted: &AtomicBool,
 ) -> Result<(Said, Option<String>), Stop> {
     let description = mechanism.description();
     let (mechanism, start) = as_given(&mechanism, &arguments.set, &arguments.initial)?;
-    let checks = verify(mechanism, &start, positive("--t-end", &arguments.t_end)?)?;
+    let end = positive("--t-end", &arguments.t_end)?;
+    let checks = verify_while(mechanism, &start, end, &|| !interrupted.load(Ordering::Relaxed))?;
     let failing: Vec<&str> = checks.iter().filter(|check| !Check::passes(check)).map(|check| check.name).collect();
     let failing = (!failing.is_empty())
         .then(|| format!("{} of {} checks fail: {}", failing.len(), checks.len(), failing.join(", ")));

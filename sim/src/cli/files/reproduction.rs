@@ -125,7 +125,7 @@ fn initial<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Vec<(&'static str, 
 }
 
 /// A value in the coherent SI unit, so that it reads back as the same number.
-fn in_si(quantity: &Quantity, value: f64) -> String {
+pub(in crate::cli) fn in_si(quantity: &Quantity, value: f64) -> String {
     let unit = Unit::parse(quantity.unit).map_or_else(|_| quantity.unit.to_owned(), |unit| unit.si_text());
     match unit.as_str() {
         // Degrees have the dimension 1; their coherent unit is the radian.

@@ -39,8 +39,11 @@ impl Changes {
     }
 
     fn add(&self, job: Job) {
-        *self.job.lock().unwrap_or_else(PoisonError::into_inner) = Some(job);
+        // Counted while it is put: whoever takes it gets the count that belongs to it.
+        let mut last = self.job.lock().unwrap_or_else(PoisonError::into_inner);
+        *last = Some(job);
         self.count.fetch_add(1, Ordering::Relaxed);
+        drop(last);
         self.came.notify_all();
     }
 
@@ -82,6 +85,8 @@ struct Followed {
     declaration: Stamp,
     digest: Option<u64>,
     tables: Vec<Seen>,
+    /// Whether one has changed since the last run.
+    tables_changed: bool,
     away_since: Option<Instant>,
     is_told: bool,
 }
@@ -91,11 +96,10 @@ impl Followed {
     fn look(&mut self, path: &Path) -> Option<Job> {
         let stamp = stamp(path);
         // Each table is looked at: two that change together are one change.
-        let mut tables_changed = false;
         for table in &mut self.tables {
-            tables_changed |= table.has_changed();
+            self.tables_changed |= table.has_changed();
         }
-        if stamp == self.declaration && !is_fresh(stamp) && self.away_since.is_none() && !tables_changed {
+        if stamp == self.declaration && !is_fresh(stamp) && self.away_since.is_none() && !self.tables_changed {
             return None;
         }
         let file = match DeclarationFile::read(path) {
@@ -104,6 +108,7 @@ impl Followed {
             Err(why) => return self.is_away(why.to_string()),
         };
         let digest = Some(Digest::of(file.text().as_bytes()));
+        let tables_changed = std::mem::take(&mut self.tables_changed);
         let is_new = digest != self.digest || self.is_told || tables_changed;
         (self.declaration, self.digest, self.away_since, self.is_told) = (stamp, digest, None, false);
         if !is_new {
@@ -192,6 +197,14 @@ mod tests {
             assert!(looked(&mut followed, &path).is_some(), "{rows}");
             assert_eq!(looked(&mut followed, &path), None);
         }
+        // A table changes while the file is away for a moment, and the same file comes back.
+        let text = fs::read(&path).unwrap();
+        fs::remove_file(&path).unwrap();
+        fs::write(folder.join("f.csv"), "0, 2\n").unwrap();
+        assert_eq!(looked(&mut followed, &path), None);
+        fs::write(&path, text).unwrap();
+        assert!(looked(&mut followed, &path).is_some());
+        assert_eq!(looked(&mut followed, &path), None);
         // Away for a moment, empty for a moment, and replaced by another file.
         fs::remove_file(&path).unwrap();
         assert_eq!(looked(&mut followed, &path), None);

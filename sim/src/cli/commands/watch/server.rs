@@ -27,6 +27,25 @@ pub(super) struct Server {
     open: AtomicUsize,
 }
 
+/// A place among the connections, which is free again when it is dropped.
+struct Place {
+    server: Arc<Server>,
+    /// How many were taken before it.
+    number: usize,
+}
+
+impl Place {
+    fn of(server: &Arc<Server>) -> Place {
+        Place { number: server.open.fetch_add(1, Ordering::SeqCst), server: Arc::clone(server) }
+    }
+}
+
+impl Drop for Place {
+    fn drop(&mut self) {
+        self.server.open.fetch_sub(1, Ordering::SeqCst);
+    }
+}
+
 impl Server {
     pub(super) fn new(gate: Gate, board: Arc<Board>) -> Server {
         Server { gate, board, open: AtomicUsize::new(0) }
@@ -40,19 +59,16 @@ impl Server {
                 std::thread::sleep(Duration::from_millis(20));
                 continue;
             };
-            if self.open.fetch_add(1, Ordering::SeqCst) >= CONNECTIONS {
-                self.open.fetch_sub(1, Ordering::SeqCst);
+            let place = Place::of(self);
+            if place.number >= CONNECTIONS {
                 continue;
             }
-            let server = Arc::clone(self);
             let answer = move || {
                 // A reader that goes away is no failure of the server.
-                let _ = server.answer(stream);
-                server.open.fetch_sub(1, Ordering::SeqCst);
+                let _ = place.server.answer(stream);
             };
-            if std::thread::Builder::new().stack_size(256 << 10).spawn(answer).is_err() {
-                self.open.fetch_sub(1, Ordering::SeqCst);
-            }
+            // A connection that no thread can be made for is closed.
+            let _ = std::thread::Builder::new().stack_size(256 << 10).spawn(answer);
         }
     }
 
