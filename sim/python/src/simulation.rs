@@ -123,7 +123,7 @@ impl Simulation {
     }
 
     fn save(&self, py: Python<'_>) -> PyResult<Vec<u8>> {
-        self.work(py, |simulated| Ok(simulated.save()))
+        self.work(py, |simulated| simulated.save())
     }
 
     fn restore(&self, py: Python<'_>, saved: &[u8]) -> PyResult<()> {

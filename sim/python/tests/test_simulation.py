@@ -58,3 +58,17 @@ def test_the_end_is_not_passed_without_a_word(oscillator):
     assert stopped.advance_to(2) is False and stopped.time == pytest.approx(math.pi / 4, abs=1e-9)
     with pytest.raises(TypeError, match="save"):
         pickle.dumps(stopped)
+
+
+def test_large_mechanisms_are_saved_too():
+    """Their vectors do not fit on a usual stack. A mass on a spring is the closed form."""
+    model = linkwright.load("""pub Chain; parameters { k [N/m] = 100; }
+        repeat i in 1..=70 { coordinates { x_[i] [m]; } bodies { m_[i]: mass 1 [kg] at [x_[i], 0]; }
+                             loads { spring k, rest 0 [m] on x_[i]; } }
+        initial { x_1 = 1; }""")
+    first, second = (model.simulation(t_end=1, rtol=1e-12) for _ in range(2))
+    first.advance_to(0.5)
+    second.restore(first.save())
+    assert first.advance_to(1) and second.advance_to(1)
+    assert (first.positions == second.positions).all() and first.positions[0] == pytest.approx(math.cos(10), abs=1e-9)
+    assert first.events == [] and first.accelerations[0] == pytest.approx(-100 * math.cos(10), abs=1e-6)

@@ -47,7 +47,10 @@ pub trait Simulated: Send {
     /// The names and times of past events.
     fn events(&self) -> Vec<(&'static str, f64)>;
     /// As [`Simulation::save`].
-    fn save(&self) -> Vec<u8>;
+    ///
+    /// # Errors
+    /// If no thread can be made that has room for a large mechanism.
+    fn save(&mut self) -> Result<Vec<u8>, Refusal>;
     /// As [`Simulation::restore`].
     ///
     /// # Errors
@@ -103,9 +106,14 @@ fn unit_of(kind: &str, name: &str, among: &[Quantity]) -> Result<&'static str, S
 
 /// On a stack that has room for the vectors of large mechanisms.
 fn with_room<S: Storage, T: Send>(work: impl FnOnce() -> Result<T, Failure> + Send) -> Result<T, Refusal> {
+    roomy::<S, _>(work)?.map_err(Refusal::Failure)
+}
+
+/// The same of work that does not fail as motions do.
+fn roomy<S: Storage, T: Send>(work: impl FnOnce() -> T + Send) -> Result<T, Refusal> {
     match S::MOST < Large::MOST {
-        true => work().map_err(Refusal::Failure),
-        false => deep(|| Ok(work()?)).map_err(Refusal::from),
+        true => Ok(work()),
+        false => deep(|| Ok(work())).map_err(Refusal::from),
     }
 }
 
@@ -153,10 +161,11 @@ where
     fn events(&self) -> Vec<(&'static str, f64)> {
         Simulation::events(self).iter().map(|found| (found.name, found.state.time)).collect()
     }
-    fn save(&self) -> Vec<u8> {
-        Simulation::save(self)
+    fn save(&mut self) -> Result<Vec<u8>, Refusal> {
+        let simulation: &mut Self = self;
+        roomy::<S, _>(move || Simulation::save(simulation))
     }
     fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
-        Simulation::restore(self, bytes).map_err(|why| Refusal::Usage(why.to_string()))
+        roomy::<S, _>(|| Simulation::restore(self, bytes).map_err(|why| Refusal::Usage(why.to_string())))?
     }
 }
