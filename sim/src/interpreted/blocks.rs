@@ -94,9 +94,7 @@ fn scatter(registers: &[Block], rows: &[Range<usize>], numbers: &mut [f64], widt
     let mut at = 0;
     for row in rows {
         for register in &registers[row.clone()] {
-            for (lane, state) in numbers.chunks_exact_mut(width).enumerate().take(STATES) {
-                state[at] = register.lane(lane);
-            }
+            put(register, at, width, numbers);
             at += 1;
         }
     }
@@ -119,9 +117,54 @@ fn gather(code: &Code, states: &States, first: usize, filled: usize, registers: 
         if width == 0 {
             continue;
         }
-        let of_each = numbers[first * width..].chunks_exact(width).take(filled);
-        for (lane, state) in of_each.enumerate() {
-            register.set_lane(lane, state[*at]);
+        take(register, *at, width, &numbers[first * width..][..filled * width]);
+    }
+}
+
+/// Calls a function with the width of a state as a constant, up to some: the numbers of all states then stand where the
+/// compiler knows, and it moves several at once.
+macro_rules! with_width {
+    ($function:ident, $width:expr, $arguments:tt) => {
+        with_width!($function, $width, $arguments, 1 2 3 4 5 6 7 8 9 10 11 12)
+    };
+    ($function:ident, $width:expr, $arguments:tt, $($constant:literal)*) => {
+        match $width {
+            $($constant => $function::<$constant> $arguments,)*
+            _ => None,
+        }
+    };
+}
+
+/// Takes a number of each state.
+#[inline(always)]
+fn take(register: &mut Block, at: usize, width: usize, numbers: &[f64]) {
+    if with_width!(take_of_all, width, (register, at, numbers)).is_none() {
+        for (lane, state) in numbers.chunks_exact(width).enumerate() {
+            register.set_lane(lane, state[at]);
         }
     }
+}
+
+/// The same of a whole block of states; nothing if it is none.
+#[inline(always)]
+fn take_of_all<const WIDTH: usize>(register: &mut Block, at: usize, numbers: &[f64]) -> Option<()> {
+    let states: &[[f64; WIDTH]; STATES] = numbers.as_chunks().0.first_chunk()?;
+    (at < WIDTH).then(|| *register = Block::from_fn(|lane| states[lane][at]))
+}
+
+/// Puts a number of each state.
+#[inline(always)]
+fn put(register: &Block, at: usize, width: usize, numbers: &mut [f64]) {
+    if with_width!(put_to_all, width, (register, at, numbers)).is_none() {
+        for (lane, state) in numbers.chunks_exact_mut(width).enumerate() {
+            state[at] = register.lane(lane);
+        }
+    }
+}
+
+/// The same to a whole block of states; nothing if it is none.
+#[inline(always)]
+fn put_to_all<const WIDTH: usize>(register: &Block, at: usize, numbers: &mut [f64]) -> Option<()> {
+    let states: &mut [[f64; WIDTH]; STATES] = numbers.as_chunks_mut().0.first_chunk_mut()?;
+    (at < WIDTH).then(|| (0..STATES).for_each(|lane| states[lane][at] = register.lane(lane)))
 }

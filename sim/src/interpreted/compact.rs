@@ -96,8 +96,8 @@ impl<R: Register> SumOfProduct<R> {
         self.to.write(file, self.a.read(file) + f64::from_bits(product.to_bits() ^ sign));
     }
 
-    /// On a block of states, of which operands take longer to read than a guess: -0 is not read. To multiply by 1 or -1 is
-    /// exact.
+    /// On a block of states, whose operands take longer to read than a wrong guess: -0 is not read. To multiply by 1 or -1
+    /// is exact.
     #[inline(always)]
     pub(super) fn execute_block<S: Scalar>(self, file: &mut R::File<S>) {
         let product = self.b.read(file) * self.c.read(file);
@@ -194,6 +194,6 @@ fn sum_of_product<R: Copy>(instruction: Instruction<R>, minus_zero: R, one: R) -
         Instruction::SubtractProduct { to, a, b, c } => (to, a, b, c, true),
         _ => return None,
     };
-    let is_product = matches!(instruction, Instruction::Multiply { .. });
+    let is_product = matches!(instruction, Instruction::Multiply { .. } | Instruction::Copy { .. });
     Some(SumOfProduct { to, a, b, c, is_negative, is_product })
 }
