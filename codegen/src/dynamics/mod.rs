@@ -27,6 +27,7 @@ mod inverse;
 mod kinematics;
 mod lagrange;
 mod linear;
+mod links;
 pub mod order;
 mod outputs;
 mod parts;
@@ -46,6 +47,7 @@ pub use intermediates::Intermediate;
 pub use inverse::Inverse;
 pub use kinematics::Kinematics;
 pub use lagrange::{Lagrange, lagrange};
+pub use links::{Link, Links, MassDistribution};
 pub use outputs::Outputs;
 pub use speeds::SpeedEquations;
 pub use tmt::{Tmt, TmtRow};
@@ -88,23 +90,26 @@ pub struct EquationsOfMotion {
     pub events: Events,
     /// Inverse dynamics, if requested and without intermediates.
     pub inverse: Option<Inverse>,
+    /// The bodies of space as a tree, if the equations are written to be cheap and without intermediates.
+    pub links: Option<Links>,
     /// The equations in generalised speeds, if there are any, in the coordinates alone.
     pub speeds: Option<SpeedEquations>,
 }
 
 /// Derives the equations of motion in the coordinates alone, for readers.
 pub fn derive(resolved: Resolved) -> EquationsOfMotion {
-    derive_as(resolved, |_, model, rows| Formulation::without(model, rows))
+    derive_as(resolved, |_, model, rows| Formulation::without(model, rows), |_, _, _, _| None)
 }
 
 /// Derives the equations of motion in whichever form costs less to solve.
 pub fn derive_cheapest(resolved: Resolved) -> EquationsOfMotion {
-    derive_as(resolved, cheapest)
+    derive_as(resolved, cheapest, Links::derive)
 }
 
 fn derive_as(
     resolved: Resolved,
     formulation: fn(&mut Graph, &Model, Vec<LoadRow>) -> Formulation,
+    links: fn(&mut Graph, &Model, &Variables, &mut Derivatives) -> Option<Links>,
 ) -> EquationsOfMotion {
     let Resolved { model, mut graph, displaced } = resolved;
     let rows = load_rows(&mut graph, &model);
@@ -132,6 +137,8 @@ fn derive_as(
     }
     // Last, so that nothing above notices.
     auxiliary::enter(&mut graph, &model, displaced, &mut outputs, &mut events);
+    let is_plain = intermediates.is_empty();
+    let links = is_plain.then(|| links(&mut graph, &model, &variables, &mut derivatives)).flatten();
     EquationsOfMotion {
         model,
         graph,
@@ -145,6 +152,7 @@ fn derive_as(
         outputs,
         events,
         inverse,
+        links,
         speeds,
     }
 }

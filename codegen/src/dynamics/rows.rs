@@ -76,7 +76,12 @@ impl LoadRow {
 
 /// The rows of bodies and loads.
 pub(super) fn load_rows(graph: &mut Graph, model: &Model) -> Vec<LoadRow> {
-    let mut rows = body_rows(graph, model);
+    load_rows_besides(graph, model, &[])
+}
+
+/// The same without those of some bodies.
+pub(super) fn load_rows_besides(graph: &mut Graph, model: &Model, bodies: &[usize]) -> Vec<LoadRow> {
+    let mut rows = body_rows(graph, model, bodies);
     let zero = graph.zero();
     rows.extend(model.norms.iter().map(|norm| LoadRow::new(Along::Position(norm.square), norm.inertia, zero)));
     add_loads(graph, model, &mut rows);
@@ -84,10 +89,10 @@ pub(super) fn load_rows(graph: &mut Graph, model: &Model) -> Vec<LoadRow> {
 }
 
 /// The rotation and position of each body, with the weight of its mass.
-fn body_rows(graph: &mut Graph, model: &Model) -> Vec<LoadRow> {
+fn body_rows(graph: &mut Graph, model: &Model, left_out: &[usize]) -> Vec<LoadRow> {
     let mut rows = Vec::new();
     let zero = graph.zero();
-    for body in &model.bodies {
+    for (_, body) in model.bodies.iter().enumerate().filter(|(at, _)| !left_out.contains(at)) {
         if let Some((inertia, angle)) = body.rotation {
             rows.push(LoadRow::new(Along::Position(angle), inertia, zero));
         }

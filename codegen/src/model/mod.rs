@@ -46,7 +46,7 @@ pub use dependence::{Dependence, Dependences};
 pub use dimension::Dimension;
 pub use resolve::resolve;
 pub use run::{METHODS, RunDefault};
-pub use space::{Attitude, Fall, Norm, Push, Pushed, Rates, Tensor, impossible_inertia};
+pub use space::{Attitude, Fall, FixedBody, Link, Norm, Push, Pushed, Rates, Tensor, impossible_inertia};
 pub use units::Unit;
 
 use crate::symbolic::{Differential, Expr, Graph, Symbol};
@@ -89,6 +89,8 @@ pub struct Model {
     pub named: Vec<(String, Expr)>,
     /// Bodies.
     pub bodies: Vec<Body>,
+    /// The frames that bodies of space are fixed in.
+    pub links: Vec<Link>,
     /// Acceleration of free fall of every mass.
     pub gravity: Option<Point>,
     /// Forces at points.

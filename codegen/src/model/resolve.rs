@@ -13,7 +13,7 @@ use super::quantities::{
 };
 use super::run::resolve_run;
 use super::scope::plain;
-use super::space::check_norms;
+use super::space::{check_norms, links};
 use super::speeds::resolve_speeds;
 use super::start::resolve_initial;
 use super::tables::resolve_tables;
@@ -55,6 +55,8 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
     if let Some(gravity) = &loads.falling {
         fall(&mut bodies, &turns, gravity, &mut interpreter);
     }
+    let Interpreter { graph, frames, dependences, .. } = &mut interpreter;
+    let links = links(graph, frames, dependences, &bodies, &turns);
     let (constraints, conditionals) = resolve_constraints(declaration, &forces, &mut interpreter);
     resolve_initial(declaration, &mut coordinates, &mut interpreter);
     let known = Known { coordinates: &coordinates, parameters: &parameters, conditionals: &conditionals };
@@ -80,6 +82,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         inputs,
         named,
         bodies: bodies.into_iter().flatten().collect(),
+        links,
         gravity: loads.gravity,
         forces: loads.forces,
         efforts: loads.efforts,

@@ -7,6 +7,7 @@ mod eliminate;
 mod kernels;
 mod latency;
 mod lifetimes;
+mod links;
 mod lower;
 mod motion;
 mod names;

@@ -1,14 +1,15 @@
 //! The equations of motion as a linear system of values, its solution, and the derivatives of that solution.
 
 use super::eliminate::{Factors, System, Unknown, factorise};
+use super::links::LinkTree;
 use super::lower::Lowering;
 use super::notes::Notes;
 use super::planner::variable_names;
 use super::results::Results;
 use super::turns::{derivatives_turned_back, turned_back};
-use super::values::Value;
+use super::values::{Input, Operation, Value};
 use crate::dynamics::order::Multipliers;
-use crate::dynamics::{Column, ConstraintForm, EquationsOfMotion, Intermediate};
+use crate::dynamics::{Column, ConstraintForm, EquationsOfMotion, Intermediate, Links};
 use crate::kernel_id::Record;
 use crate::symbolic::{Expr, Graph};
 
@@ -29,12 +30,19 @@ impl<'a> Motion<'a> {
     pub(super) fn solve(
         equations: &'a EquationsOfMotion,
         form: &'a ConstraintForm,
+        links: Option<&Links>,
         lowering: &mut Lowering,
     ) -> Motion<'a> {
         let names = unknown_names(equations, form);
         let mut notes = Notes::default();
-        let system = system(equations, form, lowering);
-        let rhs = right_hand_side(lowering, &equations.tmt.right_hand_side, &form.convective);
+        let tree = links.map(|links| (links, LinkTree::of(lowering, links, equations.model.coordinates.len())));
+        let (system, rhs) = match &tree {
+            None => {
+                let rhs = right_hand_side(lowering, &equations.tmt.right_hand_side, &form.convective);
+                (system(equations, form, lowering), rhs)
+            }
+            Some((links, tree)) => by_links(equations, form, links, tree, lowering),
+        };
         let constants = constants(equations, lowering);
         let factors = factorise(&mut lowering.values, &system, &names, &mut notes);
         let mut solved = match &factors {
@@ -56,7 +64,12 @@ impl<'a> Motion<'a> {
         }
         let multipliers = equations.model.constraints.iter().map(|c| c.multiplier);
         lowering.replace(multipliers.zip(solved[variables..].iter().copied()).collect());
-        let power = lowering.lower(equations.energy.power);
+        let power = match &tree {
+            Some((links, tree)) if equations.energy.power_along_variables.is_some() => {
+                power_by_links(links, tree, lowering)
+            }
+            _ => lowering.lower(equations.energy.power),
+        };
         let intermediates = equations.model.coordinates.len()..variables;
         let unknowns = solved.into_iter().enumerate().filter(|(i, _)| !intermediates.contains(i)).map(|(_, x)| x);
         Motion { equations, form, unknowns: unknowns.collect(), power, factors, notes }
@@ -135,6 +148,36 @@ impl<'a> Motion<'a> {
     }
 }
 
+/// The system and its right-hand side by recursions over a tree of links.
+fn by_links(
+    equations: &EquationsOfMotion,
+    form: &ConstraintForm,
+    links: &Links,
+    tree: &LinkTree,
+    lowering: &mut Lowering,
+) -> (System, Vec<Value>) {
+    let mut system = system_with(equations, &links.rest.mass_matrix, form, lowering);
+    system.entries.extend(tree.mass_matrix(&mut lowering.values));
+    let mut rhs = right_hand_side(lowering, &links.rest.right_hand_side, &form.convective);
+    for (force, needed) in rhs.iter_mut().zip(tree.forces(&mut lowering.values, None)) {
+        *force = lowering.values.sum(vec![(false, *force), (true, needed)]);
+    }
+    (system, rhs)
+}
+
+/// The power of loads and weights, by the forces along the coordinates.
+fn power_by_links(links: &Links, tree: &LinkTree, lowering: &mut Lowering) -> Value {
+    let weights = tree.weights(&mut lowering.values);
+    let forces = lowering.lower_all(&links.rest.generalized_forces);
+    let powers = forces.into_iter().zip(weights).enumerate().map(|(i, (force, weight))| {
+        let speed = lowering.values.add(Operation::Input(Input::Speed(i)));
+        let force = lowering.values.sum(vec![(false, force), (false, weight)]);
+        (false, lowering.values.product(vec![force, speed]))
+    });
+    let powers = powers.collect();
+    lowering.values.sum(powers)
+}
+
 fn unknown_names(equations: &EquationsOfMotion, form: &ConstraintForm) -> Vec<String> {
     let mut names = variable_names(equations);
     names.extend(equations.model.constraints.iter().map(|c| format!("lambda_{}", c.name)));
@@ -152,9 +195,19 @@ fn unknown_count(equations: &EquationsOfMotion) -> usize {
 /// for the multiplier of a constraint that events switch, so that it is 0 where the constraint is released, and -1 for
 /// that of a row that nothing moves.
 pub(super) fn system(equations: &EquationsOfMotion, form: &ConstraintForm, lowering: &mut Lowering) -> System {
-    let EquationsOfMotion { model, intermediates, tmt, .. } = equations;
+    system_with(equations, &equations.tmt.mass_matrix, form, lowering)
+}
+
+/// The same with another mass matrix.
+fn system_with(
+    equations: &EquationsOfMotion,
+    mass_matrix: &[Vec<Expr>],
+    form: &ConstraintForm,
+    lowering: &mut Lowering,
+) -> System {
+    let EquationsOfMotion { model, intermediates, .. } = equations;
     let activities = model.constraints.iter().map(|constraint| constraint.activity);
-    let entries = entries(lowering, &equations.graph, &tmt.mass_matrix, &form.jacobian, activities);
+    let entries = entries(lowering, &equations.graph, mass_matrix, &form.jacobian, activities);
     let mut unknowns: Vec<Unknown> = model.coordinates.iter().map(|_| Unknown::Coordinate).collect();
     for y in intermediates {
         unknowns.push(Unknown::Intermediate(definition(equations, lowering, y)));

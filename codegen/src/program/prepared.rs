@@ -1,6 +1,7 @@
 //! The kernels that run at each step, and the values that they need of the parameters, computed once for each set of
 //! parameters.
 
+use super::links::LinkTree;
 use super::lower::Lowering;
 use super::motion::Motion;
 use super::names::Names;
@@ -11,7 +12,9 @@ use super::schedule::derived_name;
 use super::speeds;
 use super::values::{Input, Leaves, Operation, Value, Values};
 use super::{Kernel, Name, Tree};
+use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::{KernelId, Record};
+use crate::symbolic::Expr;
 use indexmap::IndexMap;
 use std::collections::BTreeSet;
 
@@ -20,7 +23,10 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     let (mut lowering, mut motion) = cheapest(planner);
     let mut planned = vec![(KernelId::Dynamics, motion.dynamics())];
     if let Some(inverse) = &planner.equations.inverse {
-        planned.push((KernelId::InverseDynamics, Results::Vector(lowering.lower_all(&inverse.forces))));
+        planned.push((
+            KernelId::InverseDynamics,
+            Results::Vector(inverse_dynamics(planner, &inverse.forces, &mut lowering)),
+        ));
     }
     if let Some(columns) = &motion.form.by_state {
         planned.push((KernelId::DynamicsJacobian, motion.jacobian(&mut lowering, columns)));
@@ -61,20 +67,49 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
 
 /// The equations of motion solved in the form that takes fewer operations.
 fn cheapest<'a>(planner: &'a Planner) -> (Lowering<'a>, Motion<'a>) {
-    let solve = |form| {
+    let solve = |form, links| {
         let mut lowering = planner.lowering();
-        let motion = Motion::solve(planner.equations, form, &mut lowering);
+        let motion = Motion::solve(planner.equations, form, links, &mut lowering);
         (lowering, motion)
     };
     let cost = |(lowering, motion): &(Lowering, Motion)| match motion.is_planned() {
         true => operations(&lowering.values, motion.dynamics().entries()),
         false => usize::MAX,
     };
-    let declared = solve(&planner.equations.declared);
-    match planner.equations.turned.as_ref().map(solve) {
-        Some(turned) if cost(&turned) < cost(&declared) => turned,
-        _ => declared,
+    let EquationsOfMotion { declared, turned, links, .. } = planner.equations;
+    let mut best = solve(declared, None);
+    let forms = [Some(declared), turned.as_ref()].into_iter().flatten();
+    let others = forms.flat_map(|form| [(form, None), (form, links.as_ref())]).skip(1);
+    for (form, links) in others.filter(|(form, links)| !form.turns.is_empty() || links.is_some()) {
+        let other = solve(form, links);
+        if cost(&other) < cost(&best) {
+            best = other;
+        }
     }
+    best
+}
+
+/// Inverse dynamics, as equations of bodies or by a recursion over links.
+fn inverse_dynamics(planner: &Planner, forces: &[Expr], lowering: &mut Lowering) -> Vec<Value> {
+    let forces = lowering.lower_all(forces);
+    let Some(links) = &planner.equations.links else { return forces };
+    let n = planner.equations.model.coordinates.len();
+    let accelerations: Vec<Value> =
+        (0..n).map(|i| lowering.values.add(Operation::Input(Input::Acceleration(i)))).collect();
+    let tree = LinkTree::of(lowering, links, n);
+    let needed = tree.forces(&mut lowering.values, Some(&accelerations));
+    let mut by_links = Vec::with_capacity(n);
+    for (i, needed) in needed.into_iter().enumerate() {
+        let given = lowering.lower(links.rest.right_hand_side[i]);
+        let mut terms = vec![(false, needed), (true, given)];
+        for (entry, acceleration) in links.rest.mass_matrix[i].iter().zip(&accelerations) {
+            let entry = lowering.lower(*entry);
+            terms.push((false, lowering.values.product(vec![entry, *acceleration])));
+        }
+        by_links.push(lowering.values.sum(terms));
+    }
+    let cost = |forces: &[Value]| operations(&lowering.values, forces.iter().collect());
+    if cost(&by_links) < cost(&forces) { by_links } else { forces }
 }
 
 /// The number of operations that are not on parameters alone.

@@ -1,6 +1,7 @@
 //! The kernels that share nothing with others.
 
 use super::Kernel;
+use super::links::LinkTree;
 use super::lower::Lowering;
 use super::planner::Planner;
 use super::reduced;
@@ -34,10 +35,27 @@ fn term(planner: &Planner, kernel: KernelId, wanted: Wanted) -> Kernel {
 /// The terms of the equations of motion.
 fn terms(planner: &Planner) -> [Kernel; 3] {
     [
-        term(planner, KernelId::MassMatrix, reduced::mass_matrix),
+        mass_matrix(planner),
         term(planner, KernelId::ConvectiveForces, reduced::convective_forces),
         term(planner, KernelId::GeneralizedForces, reduced::generalized_forces),
     ]
+}
+
+/// The mass matrix, from rows of T or by composite bodies.
+fn mass_matrix(planner: &Planner) -> Kernel {
+    let by_rows = term(planner, KernelId::MassMatrix, reduced::mass_matrix);
+    let Some(links) = &planner.equations.links else { return by_rows };
+    let n = planner.equations.model.coordinates.len();
+    let by_links = planner.kernel(KernelId::MassMatrix, |lowering| {
+        let tree = LinkTree::of(lowering, links, n);
+        let mut matrix: Vec<Vec<Value>> = links.rest.mass_matrix.iter().map(|row| lowering.lower_all(row)).collect();
+        for (i, j, entry) in tree.mass_matrix(&mut lowering.values) {
+            matrix[i][j] = lowering.values.sum(vec![(false, matrix[i][j]), (false, entry)]);
+            matrix[j][i] = matrix[i][j];
+        }
+        Results::Matrix(n, matrix)
+    });
+    if by_links.operations.total() < by_rows.operations.total() { by_links } else { by_rows }
 }
 
 fn constraints(planner: &Planner) -> [Kernel; 6] {

@@ -171,6 +171,26 @@ impl Values {
         }
     }
 
+    /// A number with its sign.
+    pub(super) fn number(&self, value: Value) -> Option<f64> {
+        match self.operation(value) {
+            Operation::Constant(bits) => Some(f64::from_bits(*bits)),
+            Operation::Negate(inner) => self.number(*inner).map(|number| -number),
+            _ => None,
+        }
+    }
+
+    /// A sum of two, of which one depends on parameters alone: this one, then the other, each with whether it is subtracted.
+    pub(super) fn parametric_and_moving(&self, value: Value) -> Option<[(bool, Value); 2]> {
+        let Operation::Sum(terms) = self.operation(value) else { return None };
+        let [a, b] = terms[..] else { return None };
+        match [a, b].map(|(_, term)| self.is_parametric(term)) {
+            [true, false] => Some([a, b]),
+            [false, true] => Some([b, a]),
+            _ => None,
+        }
+    }
+
     /// The product of factors, with signs in front.
     pub(super) fn product(&mut self, factors: Vec<Value>) -> Value {
         let mut negative = false;

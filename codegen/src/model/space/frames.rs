@@ -82,6 +82,11 @@ impl Frames {
         self.frame(turn).spin_rate
     }
 
+    /// The last step of a rotation: S, its angular velocity in the frame that it turns to, and the rate of that.
+    pub(super) fn last_step(&self, turn: Turn) -> &Step {
+        &self.frame(turn).step
+    }
+
     /// The rotation of one step.
     pub(super) fn single(&mut self, graph: &mut Graph, step: Step) -> Turn {
         self.begin(graph);

@@ -1,0 +1,191 @@
+//! The mass matrix of a tree by composite bodies (Walker and Orin, J. Dyn. Syst. Meas. Control 104, 1982; Featherstone, Rigid
+//! Body Dynamics Algorithms, 2008, section 6.2): a speed accelerates all that follows its link as one body, and the momentum of
+//! that goes down to the world. Entries between branches are zero and not computed.
+
+use super::tree::{Column, LinkTree, LinkValues, Mass};
+use super::triple::{Matrix, Triple, add, apply, cross, difference, dot, inner, product, sum, transposed};
+use crate::program::values::{Value, Values};
+use indexmap::IndexMap;
+
+impl LinkTree {
+    /// The entries (i, j), j <= i, that are not always zero, as sums.
+    pub(in crate::program) fn mass_matrix(&self, values: &mut Values) -> Vec<(usize, usize, Value)> {
+        let composites = self.composites(values);
+        let mut terms: IndexMap<(usize, usize), Vec<Value>> = IndexMap::new();
+        for (at, link) in self.links.iter().enumerate() {
+            for column in &link.columns {
+                let momentum = link.momentum(values, &composites[at], column);
+                self.follow(values, at, column.coordinate, momentum, &mut terms);
+            }
+        }
+        let mut entries: Vec<_> = terms.into_iter().map(|((i, j), terms)| (i, j, sum(values, &terms))).collect();
+        entries.retain(|(_, _, value)| !values.is_zero(*value));
+        entries
+    }
+
+    /// The generalised forces of the weights.
+    pub(in crate::program) fn weights(&self, values: &mut Values) -> Vec<Value> {
+        let composites = self.composites(values);
+        let mut falls: Vec<Triple> = Vec::with_capacity(self.links.len());
+        let mut forces: Vec<Vec<Value>> = vec![vec![]; self.coordinates];
+        for (link, composite) in self.links.iter().zip(&composites) {
+            let fall_before = link.before.map_or(self.gravity, |before| falls[before]);
+            let fall = apply(values, &transposed(&link.turn), &fall_before);
+            for column in &link.columns {
+                let arm = cross(values, &column.spin, &composite.first);
+                let carried = column.shift.map(|x| product(values, composite.mass, x));
+                forces[column.coordinate].extend([dot(values, &arm, &fall), dot(values, &carried, &fall_before)]);
+            }
+            falls.push(fall);
+        }
+        forces.into_iter().map(|terms| sum(values, &terms)).collect()
+    }
+
+    /// Each link with all that follows it, about its origin.
+    fn composites(&self, values: &mut Values) -> Vec<Mass> {
+        let mut composites: Vec<Mass> = self.links.iter().map(|link| link.mass.clone()).collect();
+        for (at, link) in self.links.iter().enumerate().rev() {
+            if let Some(before) = link.before {
+                let seen = link.seen_from_before(values, &composites[at]);
+                composites[before].add(values, &seen);
+            }
+        }
+        composites
+    }
+
+    /// Enters what the momentum of a coordinate's speed, at a link, does to the coordinates of this link and those before.
+    fn follow(
+        &self,
+        values: &mut Values,
+        from: usize,
+        coordinate: usize,
+        [mut moment, mut force]: [Triple; 2],
+        terms: &mut IndexMap<(usize, usize), Vec<Value>>,
+    ) {
+        let mut at = from;
+        loop {
+            let link = &self.links[at];
+            let pushed = apply(values, &link.turn, &force);
+            for column in &link.columns {
+                let other = column.coordinate;
+                // At its own link every pair is met twice.
+                if at == from && other > coordinate {
+                    continue;
+                }
+                let parts = [dot(values, &column.spin, &moment), dot(values, &column.shift, &pushed)];
+                let place = (coordinate.max(other), coordinate.min(other));
+                let entry = terms.entry(place).or_default();
+                entry.extend(parts);
+                if at != from && other == coordinate {
+                    entry.extend(parts);
+                }
+            }
+            let Some(before) = link.before else { return };
+            let turned = apply(values, &link.turn, &moment);
+            let arm = cross(values, &link.offset[0], &pushed);
+            (moment, force) = (add(values, &turned, &arm), pushed);
+            at = before;
+        }
+    }
+}
+
+impl LinkValues {
+    /// The momenta about the origin that a coordinate's speed gives a composite body.
+    fn momentum(&self, values: &mut Values, body: &Mass, column: &Column) -> [Triple; 2] {
+        let shift = apply(values, &transposed(&self.turn), &column.shift);
+        let arm = cross(values, &body.first, &shift);
+        let p = &body.second;
+        let turned: Triple = std::array::from_fn(|i| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            // tr(P) - P.
+            let moment = sum(values, &[p[j][j], p[k][k]]);
+            let minus = [p[i][j], p[i][k]].map(|x| values.negate(x));
+            inner(values, &[(moment, column.spin[i]), (minus[0], column.spin[j]), (minus[1], column.spin[k])])
+        });
+        let swept = cross(values, &column.spin, &body.first);
+        let carried = shift.map(|x| product(values, body.mass, x));
+        [add(values, &turned, &arm), add(values, &swept, &carried)]
+    }
+
+    /// A mass distribution of its frame, about the origin of the frame before: h + M r, P + r s' + s r' with s = h + M r/2.
+    fn seen_from_before(&self, values: &mut Values, own: &Mass) -> Mass {
+        let (r, turned) = (&self.offset[0], apply(values, &self.turn, &own.first));
+        let (half, two) = (values.constant(0.5), values.constant(2.0));
+        let carried = r.map(|x| product(values, own.mass, x));
+        let middle: Triple = std::array::from_fn(|i| {
+            let half = product(values, half, carried[i]);
+            sum(values, &[turned[i], half])
+        });
+        let rotated = self.rotated(values, &own.second);
+        let second = symmetric(|(i, j)| {
+            let mixed = if i == j {
+                let doubled = product(values, two, r[i]);
+                product(values, doubled, middle[i])
+            } else {
+                inner(values, &[(r[i], middle[j]), (r[j], middle[i])])
+            };
+            sum(values, &[rotated[i][j], mixed])
+        });
+        Mass { mass: own.mass, first: add(values, &turned, &carried), second }
+    }
+
+    /// S P S'. About an axis of the frame, by the double angle.
+    fn rotated(&self, values: &mut Values, p: &Matrix) -> Matrix {
+        let s = &self.turn;
+        let Some(axis) = self.axis(values) else {
+            let half: Matrix = std::array::from_fn(|i| apply(values, s, &p[i]));
+            return symmetric(|(i, j)| {
+                inner(values, &[(s[i][0], half[0][j]), (s[i][1], half[1][j]), (s[i][2], half[2][j])])
+            });
+        };
+        let (i, j, k) = ((axis + 1) % 3, (axis + 2) % 3, axis);
+        let (cos, sin) = (s[i][i], s[j][i]);
+        // t = sin (sin (a - b) + 2 cos h) goes from a to b, and h becomes cos (sin (a - b) + 2 cos h) - h.
+        let (a, b, h) = (p[i][i], p[j][j], p[i][j]);
+        let (apart, two) = (difference(values, a, b), values.constant(2.0));
+        let doubled = product(values, two, h);
+        let doubled = product(values, cos, doubled);
+        let swung = product(values, sin, apart);
+        let common = sum(values, &[swung, doubled]);
+        let (gone, turned) = (product(values, sin, common), product(values, cos, common));
+        let mut rotated = *p;
+        rotated[i][i] = difference(values, a, gone);
+        rotated[j][j] = sum(values, &[b, gone]);
+        rotated[i][j] = difference(values, turned, h);
+        rotated[j][i] = rotated[i][j];
+        let minus = values.negate(sin);
+        rotated[k][i] = inner(values, &[(cos, p[k][i]), (minus, p[k][j])]);
+        rotated[k][j] = inner(values, &[(sin, p[k][i]), (cos, p[k][j])]);
+        rotated[i][k] = rotated[k][i];
+        rotated[j][k] = rotated[k][j];
+        rotated
+    }
+
+    /// The axis of its frame that its turning leaves where it is, if there is one.
+    fn axis(&self, values: &Values) -> Option<usize> {
+        let s = &self.turn;
+        (0..3).find(|axis| {
+            let others = [(axis + 1) % 3, (axis + 2) % 3];
+            let [i, j] = others;
+            values.is_constant(s[*axis][*axis], 1.0)
+                && others.iter().all(|other| values.is_zero(s[*axis][*other]) && values.is_zero(s[*other][*axis]))
+                && s[i][i] == s[j][j]
+                && (values.opposite(s[i][j]) == Some(s[j][i]) || values.opposite(s[j][i]) == Some(s[i][j]))
+                && !values.is_parametric(s[i][i])
+        })
+    }
+}
+
+impl Mass {
+    fn add(&mut self, values: &mut Values, other: &Mass) {
+        self.mass = sum(values, &[self.mass, other.mass]);
+        self.first = add(values, &self.first, &other.first);
+        self.second = symmetric(|(i, j)| sum(values, &[self.second[i][j], other.second[i][j]]));
+    }
+}
+
+/// A symmetric matrix, each entry computed once.
+fn symmetric(entry: impl FnMut((usize, usize)) -> Value) -> Matrix {
+    let entries = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)].map(entry);
+    std::array::from_fn(|i| std::array::from_fn(|j| entries[if i == j { i } else { 6 - i - j }]))
+}

@@ -1,0 +1,8 @@
+//! Recursions over a tree of links, in the links' own frames.
+
+mod composite;
+mod newton_euler;
+mod tree;
+mod triple;
+
+pub(super) use tree::LinkTree;
