@@ -38,8 +38,8 @@ impl<'a> Motion<'a> {
         let tree = links.map(|links| (links, LinkTree::of(lowering, links, equations.model.coordinates.len())));
         let (system, rhs) = match &tree {
             None => {
-                let rhs = right_hand_side(lowering, &equations.tmt.right_hand_side, &form.convective);
-                (system(equations, form, lowering), rhs)
+                let system = system(equations, form, lowering);
+                (system, right_hand_side(lowering, &equations.tmt.right_hand_side, &form.convective))
             }
             Some((links, tree)) => by_links(equations, form, links, tree, lowering),
         };

@@ -129,8 +129,8 @@ impl<S: sim_kernel::Scalar> ::core::convert::From<PendulumOutputRates<S>> for [S
     ::core::cmp::PartialEq
 )]
 pub struct PendulumPrepared<S = ::core::primitive::f64> {
-    k: S,
     mass_phi_phi: S,
+    k: S,
     inverse_phi: S,
 }
 #[allow(non_snake_case, unused_variables, unused_parens, clippy::all, clippy::pedantic)]
@@ -140,10 +140,10 @@ impl<S: sim_kernel::Scalar> Pendulum<S> {
     /// Operations: 4 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> PendulumPrepared<S> {
-        let mass_phi_phi = self.m * self.l * self.l;
+        let mass_phi_phi = self.l * self.l * self.m;
         PendulumPrepared {
-            k: self.l * self.m * self.g,
             mass_phi_phi: mass_phi_phi,
+            k: self.l * self.m * self.g,
             inverse_phi: S::from_f64(1.0) / mass_phi_phi,
         }
     }

@@ -281,23 +281,23 @@ impl<S: sim_kernel::Scalar> ::core::convert::From<QuickReturnOutputRates<S>> for
     ::core::cmp::PartialEq
 )]
 pub struct QuickReturnPrepared<S = ::core::primitive::f64> {
-    T: S,
+    O2A: S,
+    mass_alpha_alpha: S,
     O4B: S,
+    mass_beta_beta: S,
     BG5: S,
     BC: S,
     k: S,
+    mass_gamma_gamma: S,
+    O4O2: S,
+    T: S,
     k_2: S,
     k_3: S,
     k_4: S,
     k_5: S,
     k_6: S,
     k_7: S,
-    O2A: S,
-    O4O2: S,
     k_8: S,
-    mass_alpha_alpha: S,
-    mass_beta_beta: S,
-    mass_gamma_gamma: S,
     inverse_gamma: S,
     inverse_alpha: S,
     k_9: S,
@@ -315,43 +315,43 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
     /// Operations: 12 additions, 25 multiplications, 2 divisions.
     #[inline]
     pub fn prepare(&self) -> QuickReturnPrepared<S> {
-        let w = self.O4B * self.m5;
-        let w_2 = self.O4B * self.m6;
-        let w_3 = self.BG5 * w;
         let mass_alpha_alpha = self.J2 + self.O2A * self.O2A * self.m3;
         let O4B_squared = self.O4B * self.O4B;
-        let w_4 = self.m5 * O4B_squared;
-        let w_5 = self.m6 * O4B_squared;
+        let w = O4B_squared * self.m5;
+        let w_2 = O4B_squared * self.m6;
+        let w_3 = self.O4B * self.m5;
+        let w_4 = self.BG5 * w_3;
+        let w_5 = self.O4B * self.m6;
         let w_6 = self.m5 * self.BG5 * self.BG5;
         let w_7 = self.m6 * self.BC * self.BC;
         let mass_gamma_gamma = self.J5 + w_6 + w_7;
         let inverse_mass_alpha_alpha = S::from_f64(1.0) / mass_alpha_alpha;
         let w_8 = self.BC * S::from_f64(2.0);
         QuickReturnPrepared {
-            T: self.T,
+            O2A: self.O2A,
+            mass_alpha_alpha: mass_alpha_alpha,
             O4B: self.O4B,
+            mass_beta_beta: self.J3 + self.J4 + self.O4G4 * self.O4G4 * self.m4 + w
+                + w_2,
             BG5: self.BG5,
             BC: self.BC,
-            k: w,
-            k_2: w_2,
-            k_3: self.O4B * self.F,
-            k_4: w_3 + self.BC * w_2,
+            k: w_4 + self.BC * w_5,
+            mass_gamma_gamma: mass_gamma_gamma,
+            O4O2: self.O4O2,
+            T: self.T,
+            k_2: w_3,
+            k_3: w_5,
+            k_4: self.O4B * self.F,
             k_5: self.m5 * self.BG5,
             k_6: self.m6 * self.BC,
             k_7: self.BC * self.F,
-            O2A: self.O2A,
-            O4O2: self.O4O2,
             k_8: self.O2A * S::from_f64(2.0),
-            mass_alpha_alpha: mass_alpha_alpha,
-            mass_beta_beta: self.J3 + self.J4 + self.O4G4 * self.O4G4 * self.m4 + w_4
-                + w_5,
-            mass_gamma_gamma: mass_gamma_gamma,
             inverse_gamma: S::from_f64(1.0) / mass_gamma_gamma,
             inverse_alpha: inverse_mass_alpha_alpha,
             k_9: self.T * inverse_mass_alpha_alpha,
-            k_10: w_4 + w_5,
+            k_10: w + w_2,
             k_11: w_6 + w_7,
-            k_12: w_3 * S::from_f64(2.0) + w_2 * w_8,
+            k_12: w_4 * S::from_f64(2.0) + w_5 * w_8,
             k_13: self.O4B * S::from_f64(2.0),
             k_14: S::from_f64(1.0) + S::from_f64(1.0),
             k_15: w_8,
@@ -778,7 +778,7 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
     ///
     /// by an elimination planned from the structure of the system. Where `refused` is set a pivot was too small and nothing else holds: solve that state from the other kernels.
     ///
-    /// Operations: 33 additions, 74 multiplications, 3 divisions, 3 sine-cosine pairs.
+    /// Operations: 33 additions, 73 multiplications, 3 divisions, 3 sine-cosine pairs.
     #[inline(always)]
     pub fn dynamics(
         &self,
@@ -794,15 +794,14 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
             alpha,
         ]);
         let beta_dot_squared = beta_dot * beta_dot;
-        let w = sin_beta * beta_dot_squared;
-        let rhs_gamma = cos_gamma * self.k_4 * w
-            - sin_gamma * (self.k_7 + beta_dot_squared * cos_beta * self.k_4);
+        let w = self.k * beta_dot_squared;
+        let rhs_gamma = sin_beta * cos_gamma * w - sin_gamma * (self.k_7 + cos_beta * w);
         let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_2 = gamma_dot_squared * self.k_4;
-        let mass_gamma_beta = self.k_4 * (sin_beta * sin_gamma + cos_beta * cos_gamma);
+        let w_2 = self.k * gamma_dot_squared;
+        let mass_gamma_beta = self.k * (sin_beta * sin_gamma + cos_beta * cos_gamma);
         let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let rhs_beta = cos_beta * sin_gamma * w_2
-            - sin_beta * (self.k_3 + cos_gamma * w_2) - rhs_gamma * l_beta_gamma;
+        let rhs_beta = sin_gamma * cos_beta * w_2
+            - sin_beta * (self.k_4 + cos_gamma * w_2) - rhs_gamma * l_beta_gamma;
         let guide_by_gamma = cos_gamma * self.BC;
         let l_lambda_guide_gamma = guide_by_gamma * self.inverse_gamma;
         let pivot_beta = self.mass_beta_beta - mass_gamma_beta * l_beta_gamma;
@@ -811,7 +810,7 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
         let inverse_beta = S::from_f64(1.0) / pivot_beta;
         let l_lambda_guide_beta = inverse_beta * k_lambda_guide_beta;
         let rhs_lambda_guide = self.O4B * sin_beta * beta_dot_squared
-            + gamma_dot_squared * self.BC * sin_gamma - rhs_gamma * l_lambda_guide_gamma
+            + sin_gamma * self.BC * gamma_dot_squared - rhs_gamma * l_lambda_guide_gamma
             - l_lambda_guide_beta * rhs_beta;
         let minus_pivot_lambda_guide = guide_by_gamma * l_lambda_guide_gamma
             + k_lambda_guide_beta * l_lambda_guide_beta;
@@ -821,19 +820,20 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
         let slot_by_alpha = self.O2A * (w_3 + sin_beta * sin_alpha);
         let minus_l_lambda_slot_beta = minus_slot_by_beta * inverse_beta;
         let k_lambda_slot_lambda_guide = k_lambda_guide_beta * minus_l_lambda_slot_beta;
-        let w_4 = sin_beta * cos_alpha - cos_beta * sin_alpha;
-        let w_5 = self.O2A * (alpha_dot * alpha_dot * w_4 + w * cos_alpha)
-            - self.k_8 * beta_dot * alpha_dot * w_4 - beta_dot_squared * cos_beta * A_y;
+        let w_4 = sin_beta * cos_alpha;
+        let w_5 = w_4 - cos_beta * sin_alpha;
+        let w_6 = self.O2A * (alpha_dot * alpha_dot * w_5 + beta_dot_squared * w_4)
+            - self.k_8 * beta_dot * alpha_dot * w_5 - cos_beta * A_y * beta_dot_squared;
         let l_lambda_slot_alpha = slot_by_alpha * self.inverse_alpha;
-        let w_6 = minus_slot_by_beta * minus_l_lambda_slot_beta
+        let w_7 = minus_slot_by_beta * minus_l_lambda_slot_beta
             + slot_by_alpha * l_lambda_slot_alpha;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let minus_l_lambda_slot_lambda_guide = k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
         let pivot_lambda_slot = k_lambda_slot_lambda_guide
-            * minus_l_lambda_slot_lambda_guide - w_6;
+            * minus_l_lambda_slot_lambda_guide - w_7;
         let lambda_slot = S::from_f64(1.0) / pivot_lambda_slot
-            * (minus_l_lambda_slot_beta * rhs_beta - w_5 - self.T * l_lambda_slot_alpha
+            * (minus_l_lambda_slot_beta * rhs_beta - w_6 - self.T * l_lambda_slot_alpha
                 + minus_l_lambda_slot_lambda_guide * rhs_lambda_guide);
         let lambda_guide = minus_l_lambda_slot_lambda_guide * lambda_slot
             - minus_inverse_lambda_guide * rhs_lambda_guide;
@@ -847,8 +847,8 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
                     - l_lambda_guide_gamma * lambda_guide,
             ],
             multipliers: [lambda_guide, lambda_slot],
-            power: self.T * alpha_dot - sin_beta * beta_dot * self.k_3
-                - gamma_dot * sin_gamma * self.k_7,
+            power: self.T * alpha_dot - sin_beta * beta_dot * self.k_4
+                - sin_gamma * gamma_dot * self.k_7,
             refused: sim_kernel::pivot_is_refused(
                 self.mass_gamma_gamma,
                 self.mass_gamma_gamma,
@@ -860,7 +860,7 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
                 | sim_kernel::pivot_is_refused(
                     -minus_pivot_lambda_guide,
                     minus_pivot_lambda_guide,
-                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_6),
+                ) | sim_kernel::pivot_is_refused(pivot_lambda_slot, w_7),
         }
     }
     /// The derivatives of accelerations (3 rows) and multipliers (2 rows) with respect to coordinates and speeds (3 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
@@ -875,24 +875,25 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
     ) -> sim_kernel::DynamicsJacobian<S, [[S; 3]; 3], [[S; 3]; 2]> {
         let [alpha, beta, gamma] = *q;
         let [alpha_dot, beta_dot, gamma_dot] = *qd;
+        let beta_dot_squared = beta_dot * beta_dot;
         let ([sin_beta, sin_gamma, sin_alpha], [cos_beta, cos_gamma, cos_alpha]) = S::sin_cos_each([
             beta,
             gamma,
             alpha,
         ]);
-        let beta_dot_squared = beta_dot * beta_dot;
-        let w = sin_beta * beta_dot_squared;
-        let w_2 = beta_dot_squared * cos_beta;
-        let rhs_gamma = cos_gamma * w * self.k_4
-            - sin_gamma * (self.k_7 + w_2 * self.k_4);
+        let w = sin_beta * cos_gamma;
+        let w_2 = cos_beta * beta_dot_squared;
+        let rhs_gamma = self.k * beta_dot_squared * w
+            - sin_gamma * (self.k_7 + self.k * w_2);
+        let w_24 = sin_gamma * cos_beta - w;
         let gamma_dot_squared = gamma_dot * gamma_dot;
-        let w_3 = gamma_dot_squared * sin_gamma;
-        let w_4 = gamma_dot_squared * cos_gamma;
-        let mass_gamma_beta = self.k_4 * (sin_beta * sin_gamma + cos_beta * cos_gamma);
+        let w_3 = sin_gamma * gamma_dot_squared;
+        let w_4 = cos_gamma * gamma_dot_squared;
+        let mass_gamma_beta = self.k * (sin_beta * sin_gamma + cos_beta * cos_gamma);
         let l_beta_gamma = mass_gamma_beta * self.inverse_gamma;
-        let rhs_beta = cos_beta * w_3 * self.k_4 - sin_beta * (self.k_3 + w_4 * self.k_4)
+        let rhs_beta = cos_beta * self.k * w_3 - sin_beta * (self.k_4 + self.k * w_4)
             - rhs_gamma * l_beta_gamma;
-        let w_5 = self.O4B * w;
+        let w_5 = self.O4B * sin_beta * beta_dot_squared;
         let w_6 = w_5 + self.BC * w_3;
         let w_20 = w_5 + self.BG5 * w_3;
         let guide_by_gamma = cos_gamma * self.BC;
@@ -914,17 +915,17 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
         let k_lambda_slot_lambda_guide = k_lambda_guide_beta * minus_l_lambda_slot_beta;
         let w_8 = sin_beta * cos_alpha;
         let w_9 = w_8 - cos_beta * sin_alpha;
-        let w_19 = cos_beta * A_y - self.O2A * w_8;
         let l_lambda_slot_alpha = slot_by_alpha * self.inverse_alpha;
         let minus_inverse_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide;
         let minus_l_lambda_slot_lambda_guide = k_lambda_slot_lambda_guide
             * minus_inverse_lambda_guide;
         let rhs_lambda_slot = minus_l_lambda_slot_beta * rhs_beta
-            - (self.O2A * (alpha_dot * alpha_dot * w_9 + w * cos_alpha)
-                - self.k_8 * beta_dot * alpha_dot * w_9 - w_2 * A_y)
+            - (self.O2A * (alpha_dot * alpha_dot * w_9 + beta_dot_squared * w_8)
+                - self.k_8 * beta_dot * alpha_dot * w_9 - A_y * w_2)
             - self.T * l_lambda_slot_alpha
             + minus_l_lambda_slot_lambda_guide * rhs_lambda_guide;
         let w_11 = self.O2A * w_9;
+        let w_19 = cos_beta * A_y - self.O2A * w_8;
         let w_10 = minus_slot_by_beta * minus_l_lambda_slot_beta
             + slot_by_alpha * l_lambda_slot_alpha;
         let pivot_lambda_slot = k_lambda_slot_lambda_guide
@@ -941,7 +942,7 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
         let w_13 = self.inverse_alpha * w_12;
         let alpha_ddot = self.k_9 - l_lambda_slot_alpha * lambda_slot;
         let w_14 = alpha_dot - beta_dot;
-        let w_15 = w_14 * slot_by_alpha;
+        let w_15 = slot_by_alpha * w_14;
         let w_16 = l_lambda_slot_alpha * w_12;
         let w_17 = l_lambda_guide_beta * w_12;
         let w_18 = inverse_lambda_slot
@@ -954,22 +955,21 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
             + minus_l_lambda_slot_beta * w_18;
         let w_21 = self.O4B * w_2;
         let w_22 = w_21 + self.BG5 * w_4;
-        let w_23 = w_21 + w_4 * self.BC;
-        let w_24 = cos_beta * sin_gamma - sin_beta * cos_gamma;
-        let w_25 = self.k_4 * w_24;
+        let w_23 = w_21 + self.BC * w_4;
+        let w_25 = self.k * w_24;
         let w_46 = w_24 * self.k_12;
         let w_26 = gamma_ddot * w_25;
         let w_27 = sin_beta
-            * (self.O4B * lambda_guide - (w_20 * self.k + w_6 * self.k_2))
-            - cos_beta * (self.k_3 + w_22 * self.k + w_23 * self.k_2) - w_26
+            * (self.O4B * lambda_guide - (w_20 * self.k_2 + w_6 * self.k_3))
+            - cos_beta * (self.k_4 + w_22 * self.k_2 + w_23 * self.k_3) - w_26
             + lambda_slot * w_19 + beta_dot_squared * self.k_10;
         let w_28 = beta_ddot * w_25;
-        let w_29 = beta_dot_squared * mass_gamma_beta - w_28;
+        let w_29 = mass_gamma_beta * beta_dot_squared - w_28;
         let w_30 = w_27 - l_beta_gamma * w_29;
         let w_31 = self.O4B * (sin_beta * beta_ddot + w_2) - l_lambda_guide_gamma * w_29
             - l_lambda_guide_beta * w_30;
         let w_32 = alpha_ddot * w_11 - alpha_dot * w_15
-            + beta_dot * (alpha_dot * slot_by_alpha - beta_dot * minus_slot_by_beta)
+            + beta_dot * (slot_by_alpha * alpha_dot - minus_slot_by_beta * beta_dot)
             + beta_ddot * w_19 + minus_l_lambda_slot_beta * w_30 - w_16
             + minus_l_lambda_slot_lambda_guide * w_31;
         let w_33 = inverse_lambda_slot * w_32;
@@ -982,7 +982,7 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
         let w_34 = w_28 - cos_gamma * (self.k_7 + w_22 * self.k_5 + w_23 * self.k_6)
             + sin_gamma * (self.BC * lambda_guide - (w_20 * self.k_5 + w_6 * self.k_6))
             + gamma_dot_squared * self.k_11;
-        let w_35 = w_26 + gamma_dot_squared * mass_gamma_beta - l_beta_gamma * w_34;
+        let w_35 = w_26 + mass_gamma_beta * gamma_dot_squared - l_beta_gamma * w_34;
         let w_36 = self.BC * (sin_gamma * gamma_ddot + w_4) - l_lambda_guide_gamma * w_34
             - l_lambda_guide_beta * w_35;
         let w_37 = inverse_lambda_slot
@@ -1005,7 +1005,7 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
             - minus_inverse_lambda_guide * w_49;
         let w_57 = inverse_beta * w_48 - l_lambda_guide_beta * w_56
             + minus_l_lambda_slot_beta * w_50;
-        let w_52 = gamma_dot * sin_gamma * self.k_15 - l_lambda_guide_beta * w_51;
+        let w_52 = sin_gamma * gamma_dot * self.k_15 - l_lambda_guide_beta * w_51;
         let w_53 = inverse_lambda_slot
             * (minus_l_lambda_slot_beta * w_51
                 + minus_l_lambda_slot_lambda_guide * w_52);

@@ -169,9 +169,9 @@ pub struct SkatePrepared<S = ::core::primitive::f64> {
     m: S,
     a: S,
     k: S,
+    mass_phi_phi: S,
     k_2: S,
     k_3: S,
-    mass_phi_phi: S,
     inverse_x: S,
     k_4: S,
 }
@@ -182,15 +182,15 @@ impl<S: sim_kernel::Scalar> Skate<S> {
     /// Operations: 1 addition, 8 multiplications, 1 division, 1 sine-cosine pair.
     #[inline]
     pub fn prepare(&self) -> SkatePrepared<S> {
-        let ([sin_slope], [_]) = S::sin_cos_each([self.slope]);
         let w = self.m * self.a;
+        let ([sin_slope], [_]) = S::sin_cos_each([self.slope]);
         SkatePrepared {
             m: self.m,
             a: self.a,
-            k: self.m * self.g * sin_slope,
-            k_2: w,
-            k_3: self.g * sin_slope * w,
+            k: w,
             mass_phi_phi: self.J + self.m * self.a * self.a,
+            k_2: self.m * self.g * sin_slope,
+            k_3: w * self.g * sin_slope,
             inverse_x: S::from_f64(1.0) / self.m,
             k_4: w * S::from_f64(2.0),
         }
@@ -446,12 +446,12 @@ impl<S: sim_kernel::Scalar> SkatePrepared<S> {
         let [_, _, phi] = *q;
         let [x_dot, y_dot, phi_dot] = *qd;
         let ([along_y], [along_x]) = S::sin_cos_each([phi]);
-        let w = phi_dot * phi_dot * self.k_2;
-        let rhs_x = self.k + along_x * w;
-        let rhs_y = w * along_y;
-        let minus_mass_phi_x = self.k_2 * along_y;
+        let w = self.k * phi_dot * phi_dot;
+        let rhs_x = self.k_2 + along_x * w;
+        let rhs_y = along_y * w;
+        let minus_mass_phi_x = along_y * self.k;
         let minus_l_phi_x = minus_mass_phi_x * self.inverse_x;
-        let mass_phi_y = along_x * self.k_2;
+        let mass_phi_y = self.k * along_x;
         let l_phi_y = mass_phi_y * self.inverse_x;
         let rhs_phi = rhs_x * minus_l_phi_x - along_y * self.k_3 - rhs_y * l_phi_y;
         let minus_l_lambda_blade_x = along_y * self.inverse_x;
@@ -480,7 +480,7 @@ impl<S: sim_kernel::Scalar> SkatePrepared<S> {
                 phi_ddot,
             ],
             multipliers: [-minus_lambda_blade],
-            power: self.k * (x_dot - phi_dot * self.a * along_y),
+            power: self.k_2 * (x_dot - self.a * along_y * phi_dot),
             refused: sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(self.m, self.m)
                 | sim_kernel::pivot_is_refused(pivot_phi, self.mass_phi_phi)
@@ -504,12 +504,12 @@ impl<S: sim_kernel::Scalar> SkatePrepared<S> {
         let [x_dot, y_dot, phi_dot] = *qd;
         let ([along_y], [along_x]) = S::sin_cos_each([phi]);
         let phi_dot_squared = phi_dot * phi_dot;
-        let w = phi_dot_squared * self.k_2;
-        let rhs_x = self.k + along_x * w;
-        let rhs_y = w * along_y;
-        let minus_mass_phi_x = self.k_2 * along_y;
+        let w = self.k * phi_dot_squared;
+        let rhs_x = self.k_2 + along_x * w;
+        let rhs_y = along_y * w;
+        let minus_mass_phi_x = along_y * self.k;
         let minus_l_phi_x = minus_mass_phi_x * self.inverse_x;
-        let mass_phi_y = along_x * self.k_2;
+        let mass_phi_y = self.k * along_x;
         let l_phi_y = mass_phi_y * self.inverse_x;
         let rhs_phi = rhs_x * minus_l_phi_x - along_y * self.k_3 - rhs_y * l_phi_y;
         let w_2 = along_y * y_dot + along_x * x_dot;
@@ -534,20 +534,20 @@ impl<S: sim_kernel::Scalar> SkatePrepared<S> {
             - minus_l_lambda_blade_x * minus_lambda_blade;
         let y_ddot = rhs_y * self.inverse_x - l_phi_y * phi_ddot
             + l_lambda_blade_y * minus_lambda_blade;
-        let w_3 = self.k_2 * (along_x * phi_ddot - phi_dot_squared * along_y)
+        let w_3 = self.k * (along_x * phi_ddot - along_y * phi_dot_squared)
             - along_x * minus_lambda_blade;
-        let w_4 = self.k_2 * (phi_dot_squared * along_x + along_y * phi_ddot)
+        let w_4 = self.k * (along_x * phi_dot_squared + along_y * phi_ddot)
             - along_y * minus_lambda_blade;
-        let w_5 = along_x * (self.k_2 * x_ddot - self.k_3) + minus_mass_phi_x * y_ddot
+        let w_5 = along_x * (self.k * x_ddot - self.k_3) + minus_mass_phi_x * y_ddot
             + minus_l_phi_x * w_3 - l_phi_y * w_4;
         let w_6 = minus_inverse_lambda_blade
             * (along_x * (x_ddot + phi_dot * y_dot)
                 + along_y * (y_ddot - phi_dot * x_dot) + minus_l_lambda_blade_x * w_3
                 - l_lambda_blade_y * w_4 + minus_l_lambda_blade_phi * w_5);
         let w_7 = inverse_phi * w_5 - minus_l_lambda_blade_phi * w_6;
-        let w_8 = minus_inverse_lambda_blade * phi_dot * along_x;
+        let w_8 = minus_inverse_lambda_blade * along_x * phi_dot;
         let w_9 = minus_l_lambda_blade_phi * w_8;
-        let w_10 = minus_inverse_lambda_blade * phi_dot * along_y;
+        let w_10 = minus_inverse_lambda_blade * along_y * phi_dot;
         let w_11 = minus_l_lambda_blade_phi * w_10;
         let w_12 = phi_dot * self.k_4;
         let w_13 = along_x * w_12;

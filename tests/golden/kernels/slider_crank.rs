@@ -203,10 +203,12 @@ impl<S: sim_kernel::Scalar> ::core::convert::From<SliderCrankOutputRates<S>> for
     ::core::cmp::PartialEq
 )]
 pub struct SliderCrankPrepared<S = ::core::primitive::f64> {
-    T: S,
     r: S,
+    mass_theta_theta: S,
     l: S,
     k: S,
+    mass_phi_phi: S,
+    T: S,
     k_2: S,
     k_3: S,
     k_4: S,
@@ -215,8 +217,6 @@ pub struct SliderCrankPrepared<S = ::core::primitive::f64> {
     k_7: S,
     k_8: S,
     k_9: S,
-    mass_theta_theta: S,
-    mass_phi_phi: S,
     inverse_theta: S,
     k_10: S,
     k_11: S,
@@ -234,50 +234,50 @@ impl<S: sim_kernel::Scalar> SliderCrank<S> {
     /// Operations: 15 additions, 34 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> SliderCrankPrepared<S> {
-        let w = self.r * S::from_f64(2.0);
-        let w_2 = self.r * S::from_f64(0.5);
-        let w_3 = self.r * self.g;
-        let w_4 = self.m1 * w_3;
-        let w_5 = self.m2 * w_3;
-        let w_6 = self.m3 * w_3;
-        let w_7 = self.m3 * self.l;
-        let w_8 = self.r * w_7;
-        let w_9 = self.l * self.m2;
-        let w_10 = w_2 * w_9;
-        let w_11 = self.g * w_9;
-        let w_12 = self.g * w_7;
         let r_squared = self.r * self.r;
-        let w_13 = self.m2 * r_squared;
-        let w_14 = self.m3 * r_squared;
-        let mass_theta_theta = self.m1 * S::from_f64(0.3333333333333333) * r_squared
-            + w_13 + w_14;
+        let w = r_squared * self.m2;
+        let w_2 = r_squared * self.m3;
+        let mass_theta_theta = S::from_f64(0.3333333333333333) * r_squared * self.m1 + w
+            + w_2;
+        let w_3 = self.m3 * self.l;
+        let w_4 = self.r * w_3;
+        let w_5 = self.m2 * self.l;
+        let w_6 = self.r * S::from_f64(0.5);
+        let w_7 = w_5 * w_6;
         let l_squared = self.l * self.l;
-        let w_15 = self.m2 * l_squared;
-        let w_16 = self.m3 * l_squared;
-        let w_17 = w * w_7;
-        let w_18 = self.r * w_9;
+        let w_8 = self.m2 * l_squared;
+        let w_9 = self.m3 * l_squared;
+        let w_10 = self.r * S::from_f64(2.0);
+        let w_11 = self.r * self.g;
+        let w_12 = self.m1 * w_11;
+        let w_13 = self.m2 * w_11;
+        let w_14 = self.m3 * w_11;
+        let w_15 = w_5 * self.g;
+        let w_16 = w_3 * self.g;
+        let w_17 = w_3 * w_10;
+        let w_18 = self.r * w_5;
         SliderCrankPrepared {
-            T: self.T,
             r: self.r,
-            l: self.l,
-            k: w,
-            k_2: self.r * self.m3,
-            k_3: self.m2 * w_2,
-            k_4: S::from_f64(0.5) * w_4 + w_5 + w_6,
-            k_5: w_8 + w_10,
-            k_6: w_10 + w_8,
-            k_7: w_7,
-            k_8: w_9 * S::from_f64(0.25),
-            k_9: S::from_f64(0.5) * w_11 + w_12,
             mass_theta_theta: mass_theta_theta,
-            mass_phi_phi: S::from_f64(0.3333333333333333) * w_15 + w_16,
+            l: self.l,
+            k: w_4 + w_7,
+            mass_phi_phi: S::from_f64(0.3333333333333333) * w_8 + w_9,
+            T: self.T,
+            k_2: w_10,
+            k_3: self.r * self.m3,
+            k_4: self.m2 * w_6,
+            k_5: S::from_f64(0.5) * w_12 + w_13 + w_14,
+            k_6: w_7 + w_4,
+            k_7: w_3,
+            k_8: w_5 * S::from_f64(0.25),
+            k_9: S::from_f64(0.5) * w_15 + w_16,
             inverse_theta: S::from_f64(1.0) / mass_theta_theta,
             k_10: self.T * S::from_f64(2.0),
-            k_11: w_4 + S::from_f64(2.0) * w_5 + S::from_f64(2.0) * w_6,
-            k_12: w_11 + S::from_f64(2.0) * w_12,
+            k_11: w_12 + S::from_f64(2.0) * w_13 + S::from_f64(2.0) * w_14,
+            k_12: w_15 + S::from_f64(2.0) * w_16,
             k_13: w_17 + w_18,
-            k_14: w_14 + w_13,
-            k_15: S::from_f64(0.25) * w_15 + w_16,
+            k_14: w_2 + w,
+            k_15: w_8 * S::from_f64(0.25) + w_9,
             k_16: w_18 + w_17,
             k_17: self.l * S::from_f64(2.0),
         }
@@ -606,13 +606,13 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let ([sin_theta, rod_y], [cos_theta, rod_x]) = S::sin_cos_each([theta, phi]);
         let phi_dot_squared = phi_dot * phi_dot;
         let rhs_theta = self.T
-            + cos_theta * (phi_dot_squared * rod_y * self.k_6 - self.k_4)
-            - sin_theta * phi_dot_squared * rod_x * self.k_5;
+            + cos_theta * (rod_y * phi_dot_squared * self.k_6 - self.k_5)
+            - sin_theta * rod_x * self.k * phi_dot_squared;
         let theta_dot_squared = theta_dot * theta_dot;
-        let mass_phi_theta = self.k_5 * (sin_theta * rod_y + cos_theta * rod_x);
+        let mass_phi_theta = self.k * (sin_theta * rod_y + cos_theta * rod_x);
         let l_phi_theta = mass_phi_theta * self.inverse_theta;
         let rhs_phi = rod_x * (sin_theta * theta_dot_squared * self.k_6 - self.k_9)
-            - theta_dot_squared * cos_theta * rod_y * self.k_5 - rhs_theta * l_phi_theta;
+            - rod_y * cos_theta * self.k * theta_dot_squared - rhs_theta * l_phi_theta;
         let A_x = self.r * cos_theta;
         let l_lambda_guide_theta = A_x * self.inverse_theta;
         let pivot_phi = self.mass_phi_phi - mass_phi_theta * l_phi_theta;
@@ -622,7 +622,7 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let minus_pivot_lambda_guide = A_x * l_lambda_guide_theta
             + k_lambda_guide_phi * l_lambda_guide_phi;
         let minus_lambda_guide = S::from_f64(1.0) / minus_pivot_lambda_guide
-            * (phi_dot_squared * self.l * rod_y + self.r * sin_theta * theta_dot_squared
+            * (self.l * rod_y * phi_dot_squared + self.r * sin_theta * theta_dot_squared
                 - rhs_theta * l_lambda_guide_theta - l_lambda_guide_phi * rhs_phi);
         let phi_ddot = inverse_phi * rhs_phi + l_lambda_guide_phi * minus_lambda_guide;
         sim_kernel::Dynamics {
@@ -647,7 +647,7 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
     }
     /// The derivatives of accelerations (2 rows) and multipliers (1 rows) with respect to coordinates and speeds (2 columns each): with the equations of motion as `K z = r`, the solutions of `K dz = dr - dK z`. Where `refused` is set a pivot was too small and nothing else holds.
     ///
-    /// Operations: 66 additions, 115 multiplications, 2 divisions, 2 sine-cosine pairs.
+    /// Operations: 66 additions, 114 multiplications, 2 divisions, 2 sine-cosine pairs.
     #[inline]
     pub fn dynamics_jacobian(
         &self,
@@ -659,30 +659,30 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let [theta_dot, phi_dot] = *qd;
         let ([sin_theta, rod_y], [cos_theta, rod_x]) = S::sin_cos_each([theta, phi]);
         let phi_dot_squared = phi_dot * phi_dot;
-        let w = sin_theta * rod_x;
-        let rhs_theta = self.T
-            + cos_theta * (phi_dot_squared * rod_y * self.k_6 - self.k_4)
-            - phi_dot_squared * self.k_5 * w;
+        let w = rod_y * phi_dot_squared;
+        let w_2 = sin_theta * rod_x;
+        let rhs_theta = self.T + cos_theta * (w * self.k_6 - self.k_5)
+            - self.k * phi_dot_squared * w_2;
+        let w_7 = self.l * w;
         let theta_dot_squared = theta_dot * theta_dot;
-        let w_2 = sin_theta * theta_dot_squared;
-        let w_3 = theta_dot_squared * cos_theta;
-        let w_4 = sin_theta * rod_y;
-        let w_5 = cos_theta * rod_x;
-        let mass_phi_theta = self.k_5 * (w_4 + w_5);
-        let w_17 = self.k_5 * w_4 + self.k_6 * w_5;
+        let w_3 = sin_theta * theta_dot_squared;
+        let w_4 = rod_y * cos_theta;
+        let w_5 = sin_theta * rod_y;
+        let w_6 = cos_theta * rod_x;
+        let mass_phi_theta = self.k * (w_5 + w_6);
+        let w_17 = self.k * w_5 + w_6 * self.k_6;
         let l_phi_theta = mass_phi_theta * self.inverse_theta;
-        let rhs_phi = rod_x * (w_2 * self.k_6 - self.k_9) - w_3 * rod_y * self.k_5
-            - rhs_theta * l_phi_theta;
-        let w_6 = phi_dot_squared * self.l;
-        let w_7 = w_6 * rod_y;
-        let w_10 = rod_x * w_6;
-        let w_8 = w_7 + self.r * w_2;
-        let w_9 = self.k * w_2 + w_7;
+        let rhs_phi = rod_x * (w_3 * self.k_6 - self.k_9)
+            - self.k * theta_dot_squared * w_4 - rhs_theta * l_phi_theta;
+        let w_8 = w_7 + self.r * w_3;
+        let w_9 = self.k_2 * w_3 + w_7;
         let A_x = self.r * cos_theta;
         let l_lambda_guide_theta = A_x * self.inverse_theta;
         let pivot_phi = self.mass_phi_phi - mass_phi_theta * l_phi_theta;
-        let k_lambda_guide_phi = self.l * rod_x - mass_phi_theta * l_lambda_guide_theta;
         let inverse_phi = S::from_f64(1.0) / pivot_phi;
+        let guide_by_phi = self.l * rod_x;
+        let k_lambda_guide_phi = guide_by_phi - mass_phi_theta * l_lambda_guide_theta;
+        let w_11 = guide_by_phi * phi_dot_squared;
         let l_lambda_guide_phi = inverse_phi * k_lambda_guide_phi;
         let minus_pivot_lambda_guide = A_x * l_lambda_guide_theta
             + k_lambda_guide_phi * l_lambda_guide_phi;
@@ -692,19 +692,19 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         let phi_ddot = inverse_phi * rhs_phi + l_lambda_guide_phi * minus_lambda_guide;
         let theta_ddot = rhs_theta * self.inverse_theta - l_phi_theta * phi_ddot
             + l_lambda_guide_theta * minus_lambda_guide;
-        let w_11 = self.r * w_3 + w_10;
-        let w_12 = w_10 + w_3 * self.k;
-        let w_13 = cos_theta * rod_y;
-        let w_14 = S::from_f64(0.5) * self.k_13 * (w_13 - w);
+        let w_10 = cos_theta * theta_dot_squared;
+        let w_12 = self.r * w_10 + w_11;
+        let w_13 = w_11 + w_10 * self.k_2;
+        let w_14 = S::from_f64(0.5) * self.k_13 * (w_4 - w_2);
         let w_15 = phi_ddot * w_14;
         let w_18 = theta_ddot * w_14;
         let w_16 = sin_theta
-            * (self.k_4 - w_9 * self.k_3 - w_8 * self.k_2 - self.r * minus_lambda_guide)
-            - cos_theta * (w_11 * self.k_2 + w_12 * self.k_3) - w_15
+            * (self.k_5 - w_9 * self.k_4 - w_8 * self.k_3 - self.r * minus_lambda_guide)
+            - cos_theta * (w_12 * self.k_3 + w_13 * self.k_4) - w_15
             + theta_dot_squared * self.k_14;
         let w_19 = theta_dot_squared * w_17 - w_18 - l_phi_theta * w_16;
         let w_20 = minus_inverse_lambda_guide
-            * (self.r * (sin_theta * theta_ddot + w_3) - l_lambda_guide_theta * w_16
+            * (self.r * (sin_theta * theta_ddot + w_10) - l_lambda_guide_theta * w_16
                 - l_lambda_guide_phi * w_19);
         let w_21 = inverse_phi * w_19 + l_lambda_guide_phi * w_20;
         let w_22 = w_15 + phi_dot_squared * w_17;
@@ -712,20 +712,20 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
             + rod_y
                 * (self.k_9 - w_9 * self.k_8 - w_8 * self.k_7
                     - self.l * minus_lambda_guide) + phi_dot_squared * self.k_15
-            - rod_x * (w_11 * self.k_7 + w_12 * self.k_8);
+            - rod_x * (w_12 * self.k_7 + w_13 * self.k_8);
         let w_24 = w_23 - l_phi_theta * w_22;
         let w_25 = minus_inverse_lambda_guide
-            * (self.l * (rod_y * phi_ddot + phi_dot_squared * rod_x)
+            * (self.l * (rod_y * phi_ddot + rod_x * phi_dot_squared)
                 - l_lambda_guide_theta * w_22 - l_lambda_guide_phi * w_24);
         let w_26 = inverse_phi * w_24 + l_lambda_guide_phi * w_25;
-        let w_27 = theta_dot * (w * self.k_16 - self.k_13 * w_13);
-        let w_30 = phi_dot * (w_13 * self.k_16 - w * self.k_13);
+        let w_27 = theta_dot * (w_2 * self.k_16 - w_4 * self.k_13);
+        let w_30 = phi_dot * (w_4 * self.k_16 - w_2 * self.k_13);
         let w_28 = minus_inverse_lambda_guide
-            * (sin_theta * theta_dot * self.k - l_lambda_guide_phi * w_27);
+            * (sin_theta * theta_dot * self.k_2 - l_lambda_guide_phi * w_27);
         let w_29 = inverse_phi * w_27 + l_lambda_guide_phi * w_28;
         let w_31 = l_phi_theta * w_30;
         let w_32 = minus_inverse_lambda_guide
-            * (phi_dot * rod_y * self.k_17 - l_lambda_guide_theta * w_30
+            * (rod_y * phi_dot * self.k_17 - l_lambda_guide_theta * w_30
                 + l_lambda_guide_phi * w_31);
         let w_33 = l_lambda_guide_phi * w_32 - inverse_phi * w_31;
         sim_kernel::DynamicsJacobian {

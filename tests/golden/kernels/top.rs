@@ -185,17 +185,17 @@ impl<S: sim_kernel::Scalar> ::core::convert::From<TopOutputRates<S>> for [S; 4] 
 pub struct TopPrepared<S = ::core::primitive::f64> {
     C: S,
     A: S,
-    k: S,
-    k_2: S,
     l: S,
-    g: S,
+    k: S,
+    inertia_about_pivot: S,
+    k_2: S,
     k_3: S,
+    g: S,
     k_4: S,
     k_5: S,
     k_6: S,
     k_7: S,
     k_8: S,
-    inertia_about_pivot: S,
     inverse_theta: S,
     k_9: S,
 }
@@ -206,27 +206,27 @@ impl<S: sim_kernel::Scalar> Top<S> {
     /// Operations: 9 additions, 8 multiplications, 1 division.
     #[inline]
     pub fn prepare(&self) -> TopPrepared<S> {
-        let w = self.m * self.l;
-        let w_2 = self.C * S::from_f64(2.0);
         let l_squared = self.l * self.l;
-        let w_3 = self.m * l_squared;
-        let inertia_about_pivot = self.A + w_3;
+        let w = self.m * l_squared;
+        let inertia_about_pivot = self.A + w;
+        let w_2 = self.m * self.l;
+        let w_3 = self.C * S::from_f64(2.0);
         TopPrepared {
             C: self.C,
             A: self.A,
-            k: self.C - self.A,
-            k_2: self.A - self.C,
             l: self.l,
-            g: self.g,
-            k_3: w,
-            k_4: w_2,
-            k_5: w_2 - self.A * S::from_f64(2.0) - self.m * S::from_f64(2.0) * l_squared,
-            k_6: self.g * w,
-            k_7: w_3,
-            k_8: self.A - self.C + w_3,
+            k: w,
             inertia_about_pivot: inertia_about_pivot,
+            k_2: self.C - self.A,
+            k_3: self.A - self.C,
+            g: self.g,
+            k_4: w_2,
+            k_5: w_3,
+            k_6: w_3 - self.A * S::from_f64(2.0) - self.m * l_squared * S::from_f64(2.0),
+            k_7: self.g * w_2,
+            k_8: self.A - self.C + w,
             inverse_theta: S::from_f64(1.0) / inertia_about_pivot,
-            k_9: self.C - self.A - w_3,
+            k_9: self.C - self.A - w,
         }
     }
     /// Mass matrix `T_q' M T_q`, 3 x 3, symmetric, in SI units.
@@ -528,7 +528,7 @@ impl<S: sim_kernel::Scalar> TopPrepared<S> {
         let [psi_dot, theta_dot, phi_dot] = *qd;
         let ([sin_theta], [cos_theta]) = S::sin_cos_each([theta]);
         let rhs_psi = sin_theta * theta_dot
-            * (psi_dot * cos_theta * self.k_5 + self.C * phi_dot);
+            * (cos_theta * psi_dot * self.k_6 + self.C * phi_dot);
         let w = self.C * psi_dot;
         let mass_phi_psi = self.C * cos_theta;
         let mass_psi_psi = self.C * cos_theta * cos_theta
@@ -542,12 +542,12 @@ impl<S: sim_kernel::Scalar> TopPrepared<S> {
             accelerations: [
                 rhs_psi * inverse_psi - l_phi_psi * phi_ddot,
                 sin_theta
-                    * (self.k_6 + cos_theta * psi_dot * psi_dot * self.k_8 - phi_dot * w)
+                    * (self.k_7 + cos_theta * psi_dot * psi_dot * self.k_8 - phi_dot * w)
                     * self.inverse_theta,
                 phi_ddot,
             ],
             multipliers: [],
-            power: sin_theta * theta_dot * self.k_6,
+            power: sin_theta * theta_dot * self.k_7,
             refused: sim_kernel::pivot_is_refused(mass_psi_psi, mass_psi_psi)
                 | sim_kernel::pivot_is_refused(
                     self.inertia_about_pivot,
@@ -568,73 +568,72 @@ impl<S: sim_kernel::Scalar> TopPrepared<S> {
         let [_, theta, phi] = *q;
         let [psi_dot, theta_dot, phi_dot] = *qd;
         let ([sin_theta, sin_phi], [cos_theta, cos_phi]) = S::sin_cos_each([theta, phi]);
-        let w = psi_dot * cos_theta;
-        let rhs_psi = sin_theta * theta_dot * (w * self.k_5 + self.C * phi_dot);
+        let w = cos_theta * psi_dot;
+        let rhs_psi = sin_theta * theta_dot * (w * self.k_6 + self.C * phi_dot);
         let w_2 = psi_dot * theta_dot;
-        let w_3 = sin_theta * self.C;
+        let w_3 = self.C * sin_theta;
         let mass_phi_psi = self.C * cos_theta;
         let sin_theta_squared = sin_theta * sin_theta;
         let mass_psi_psi = self.C * cos_theta * cos_theta
             + sin_theta_squared * self.inertia_about_pivot;
         let inverse_psi = S::from_f64(1.0) / mass_psi_psi;
         let l_phi_psi = mass_phi_psi * inverse_psi;
-        let w_4 = cos_phi * cos_theta;
+        let w_4 = cos_theta * cos_phi;
         let w_5 = sin_theta * sin_phi;
         let w_6 = phi_dot * w_4 - theta_dot * w_5;
         let w_7 = phi_dot + w;
-        let w_34 = w - phi_dot;
         let w_8 = sin_theta * cos_phi;
         let w_9 = sin_phi * theta_dot;
         let w_10 = psi_dot * w_8 - w_9;
         let w_11 = sin_theta * w_10;
-        let w_12 = self.k_3
+        let w_12 = self.k_4
             * (w_4 * self.g - self.l * psi_dot * (w_6 - w_7 * w_4 + w_11));
-        let w_13 = w_7 * self.k;
+        let w_13 = w_7 * self.k_2;
         let w_14 = w_12
-            - (psi_dot * (w_13 * w_4 + self.k_2 * w_11) + self.A * psi_dot * w_6);
-        let w_15 = sin_phi * cos_theta;
-        let w_16 = w_7 * self.k_2;
+            - (psi_dot * (w_13 * w_4 + self.k_3 * w_11) + self.A * psi_dot * w_6);
+        let w_15 = cos_theta * sin_phi;
+        let w_16 = w_7 * self.k_3;
         let w_17 = cos_phi * theta_dot;
         let w_18 = w_17 + psi_dot * w_5;
         let w_19 = sin_theta * w_18;
         let w_20 = phi_dot * w_15 + theta_dot * w_8;
-        let w_21 = self.k_3
+        let w_21 = self.k_4
             * (w_15 * self.g - self.l * psi_dot * (w_20 - w_7 * w_15 + w_19));
-        let w_22 = psi_dot * (w_15 * w_16 + self.k * w_19) - self.A * psi_dot * w_20
+        let w_22 = psi_dot * (w_15 * w_16 + self.k_2 * w_19) - self.A * psi_dot * w_20
             + w_21;
         let pivot_phi = self.C - mass_phi_psi * l_phi_psi;
         let inverse_phi = S::from_f64(1.0) / pivot_phi;
         let phi_ddot = inverse_phi * (w_2 * w_3 - rhs_psi * l_phi_psi);
         let psi_ddot = rhs_psi * inverse_psi - l_phi_psi * phi_ddot;
         let w_23 = w_15 * w_2;
-        let w_24 = phi_dot - w_7;
-        let w_30 = self.k_7 * (w_5 * w_24 - cos_theta * (w_17 + w_18))
-            - (self.k_2 * (w_7 * w_5 + cos_theta * w_18)
-                - self.A * (phi_dot * w_5 - theta_dot * w_4));
         let w_25 = w_2 * w_4;
+        let w_24 = phi_dot - w_7;
         let w_26 = cos_phi
             * (w_18 * w_16 - self.A * (phi_dot * w_18 - w_25)
-                + (w_5 * self.g - self.l * (w_18 * w_24 - w_25)) * self.k_3);
+                + (w_5 * self.g - self.l * (w_18 * w_24 - w_25)) * self.k_4);
         let w_27 = cos_theta
             * (sin_phi
-                * ((w_8 * self.g - self.l * (w_23 + w_10 * w_24)) * self.k_3
+                * ((w_8 * self.g - self.l * (w_23 + w_10 * w_24)) * self.k_4
                     - (w_10 * w_13 + self.A * (w_10 * phi_dot + w_23))) - w_26);
         let w_28 = sin_theta * (sin_phi * w_14 - cos_phi * w_22 + self.C * phi_ddot)
-            + w_27 + psi_dot * theta_dot * (self.C - self.k_4 * sin_theta_squared)
-            + S::from_f64(2.0) * psi_ddot * sin_theta * cos_theta * self.k_9;
+            + w_27 + psi_dot * theta_dot * (self.C - sin_theta_squared * self.k_5)
+            + S::from_f64(2.0) * psi_ddot * cos_theta * sin_theta * self.k_9;
         let w_29 = inverse_phi
-            * (self.C * (cos_theta * w_2 + sin_theta * psi_ddot) - l_phi_psi * w_28);
-        let w_31 = self.k * (w_8 * w_7 + w_10 * cos_theta)
+            * (self.C * (theta_dot * w + sin_theta * psi_ddot) - l_phi_psi * w_28);
+        let w_31 = self.k_2 * (w_8 * w_7 + cos_theta * w_10)
             + self.A * (w_8 * phi_dot + theta_dot * w_15)
-            + self.k_7 * (cos_theta * (w_9 - w_10) + w_8 * w_24);
-        let w_35 = w_7 + w_34;
-        let w_36 = sin_phi * w_13 - self.A * sin_phi * w_34 - self.k_7 * sin_phi * w_35;
-        let w_37 = cos_phi * w_16 + self.A * cos_phi * w_34 + self.k_7 * cos_phi * w_35;
+            + self.k * (cos_theta * (w_9 - w_10) + w_8 * w_24);
+        let w_30 = self.k * (w_5 * w_24 - cos_theta * (w_17 + w_18))
+            - (self.k_3 * (w_7 * w_5 + cos_theta * w_18)
+                - self.A * (phi_dot * w_5 - theta_dot * w_4));
         let w_32 = sin_theta
-            * (cos_phi * w_30 - sin_phi * w_31 + theta_dot * mass_phi_psi);
-        let w_38 = sin_theta
-            * (sin_phi * w_36 - cos_phi * w_37 + psi_dot * mass_phi_psi);
+            * (cos_phi * w_30 - sin_phi * w_31 + mass_phi_psi * theta_dot);
         let w_33 = inverse_phi * (theta_dot * w_3 - l_phi_psi * w_32);
+        let w_34 = w - phi_dot;
+        let w_35 = w_7 + w_34;
+        let w_36 = sin_phi * w_13 - self.A * sin_phi * w_34 - self.k * sin_phi * w_35;
+        let w_37 = cos_phi * w_16 + self.A * cos_phi * w_34 + self.k * cos_phi * w_35;
+        let w_38 = sin_theta * (sin_phi * w_36 - cos_phi * w_37 + self.C * w);
         let w_39 = inverse_phi * (psi_dot * w_3 - l_phi_psi * w_38);
         let w_40 = w_3 * (cos_phi * w_18 - sin_phi * w_10);
         let w_41 = inverse_phi * l_phi_psi * w_40;

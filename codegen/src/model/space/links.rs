@@ -44,6 +44,9 @@ pub(in crate::model) fn links(
     bodies: &[Option<Body>],
     turns: &[TurnedBody],
 ) -> Vec<Link> {
+    if turns.iter().all(Option::is_none) {
+        return vec![];
+    }
     let moves = Dependence::COORDINATE.or(Dependence::TIME).or(Dependence::INPUT);
     let mut tree = Tree { frames, zero: zero(graph), links: vec![], known: FxHashMap::default() };
     for (at, (body, turned)) in bodies.iter().zip(turns).enumerate() {
