@@ -63,13 +63,14 @@ fn add_norms(norms: &mut Vec<Norm>, turn: Turn, inertia: &Tensor, interpreter: &
     }
 }
 
-/// Lets bodies fall: gravity in the frame of each.
+/// Lets bodies fall, if there is gravity: in the frame of each.
 pub(super) fn fall(
     bodies: &mut [Option<Body>],
     turns: &[TurnedBody],
-    gravity: &Spatial,
+    gravity: Option<&Spatial>,
     interpreter: &mut Interpreter,
 ) {
+    let Some(gravity) = gravity else { return };
     let Interpreter { graph, motion, frames, .. } = interpreter;
     let up = gravity.clone().map(|x| graph.neg(x));
     for (body, turn) in bodies.iter_mut().zip(turns) {

@@ -52,11 +52,8 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
     let named = resolve_lets(declaration, &mut interpreter);
     let ResolvedBodies { mut bodies, turns, names: body_names, norms } = resolve_bodies(declaration, &mut interpreter);
     let loads = resolve_loads(declaration, &moving, &bodies, &turns, &body_names, &mut interpreter);
-    if let Some(gravity) = &loads.falling {
-        fall(&mut bodies, &turns, gravity, &mut interpreter);
-    }
-    let Interpreter { graph, frames, dependences, .. } = &mut interpreter;
-    let links = links(graph, frames, dependences, &bodies, &turns);
+    fall(&mut bodies, &turns, loads.falling.as_ref(), &mut interpreter);
+    let links = links(&bodies, &turns, &mut interpreter);
     let (constraints, conditionals) = resolve_constraints(declaration, &forces, &mut interpreter);
     resolve_initial(declaration, &mut coordinates, &mut interpreter);
     let known = Known { coordinates: &coordinates, parameters: &parameters, conditionals: &conditionals };

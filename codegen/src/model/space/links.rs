@@ -7,7 +7,8 @@ use super::frames::Step;
 use super::triple::{Matrix, Triple, identity, zero};
 use super::{Frames, Spatial, Turn};
 use crate::model::bodies::TurnedBody;
-use crate::model::{Body, Dependence, Dependences};
+use crate::model::interpreter::Interpreter;
+use crate::model::{Body, Dependence};
 use crate::symbolic::Graph;
 use rustc_hash::FxHashMap;
 
@@ -38,15 +39,14 @@ pub struct FixedBody {
 /// The links of those bodies with attitudes whose centres of mass are given in the frames of their rotations; links come after
 /// those before them.
 pub(in crate::model) fn links(
-    graph: &mut Graph,
-    frames: &Frames,
-    dependences: &mut Dependences,
     bodies: &[Option<Body>],
     turns: &[TurnedBody],
+    interpreter: &mut Interpreter,
 ) -> Vec<Link> {
     if turns.iter().all(Option::is_none) {
         return vec![];
     }
+    let Interpreter { graph, frames, dependences, .. } = interpreter;
     let moves = Dependence::COORDINATE.or(Dependence::TIME).or(Dependence::INPUT);
     let mut tree = Tree { frames, zero: zero(graph), links: vec![], known: FxHashMap::default() };
     for (at, (body, turned)) in bodies.iter().zip(turns).enumerate() {
