@@ -1,20 +1,18 @@
 //! Bodies of space as a tree of links, with their inertial parameters regrouped.
 //!
-//! A link's mass distribution is its mass M, its first moment h and its second moments P about its origin. What the motion of
-//! a joint cannot tell apart moves to the link before: all of it, if the link is fixed there; P, where it moves without turning;
-//! and where it turns about an axis k, the mass, h_k and P_kk, as a rod along the axis does not notice the turning (Gautier, J. Robotic Systems 8, 1991; Khalil
-//! and Dombre, Modeling, Identification and Control of Robots, 2002, section 9.4.2; they write inertias in place of second
-//! moments, which takes two entries where P_kk is one). What reaches the world is at rest. Forces along the coordinates stay
-//! what they are.
+//! A link's mass distribution is its mass M, its first moment h and its second moments P about its origin. What the motion
+//! of a joint cannot tell apart moves to the link before: all of it, if the link is fixed there; P, where it moves without
+//! turning; and where it turns about an axis k, the mass, h_k and P_kk, as a rod along the axis does not notice the turning
+//! (Gautier, J. Robotic Systems 8, 1991; Khalil and Dombre, Modeling, Identification and Control of Robots, 2002, section
+//! 9.4.2; they write inertias in place of second moments, which takes two entries where P_kk is one). What reaches the world
+//! is at rest. Forces along the coordinates stay what they are.
 
 use super::rows::load_rows_besides;
 use super::tmt::Tmt;
 use super::variables::{Derivatives, Variables};
+use crate::model::triple::{Matrix, Triple, add, apply, identity, product, scaled, transposed};
 use crate::model::{Body, Dependence, Dependences, FixedBody, Model};
 use crate::symbolic::{Differential, Expr, Graph, Number, substitute};
-
-/// Three components.
-type Triple = [Expr; 3];
 
 /// A tree of links, and what else moves.
 pub struct Links {
@@ -31,7 +29,7 @@ pub struct Link {
     /// The link before it, by index; none if that is the world.
     pub before: Option<usize>,
     /// S, from its own frame to the one before.
-    pub turn: [Triple; 3],
+    pub turn: Matrix,
     /// Its angular velocity in the frame before, in its own; and the rate of these components where q'' = 0.
     pub spin: [Triple; 2],
     /// Its origin in the frame before, r, with r'; and r'' where q'' = 0.
@@ -50,7 +48,7 @@ pub struct MassDistribution {
     /// h, the integral of r.
     pub first: Triple,
     /// P, the integral of r r', by rows.
-    pub second: [Triple; 3],
+    pub second: Matrix,
 }
 
 impl Links {
@@ -138,11 +136,8 @@ fn regroup(graph: &mut Graph, dependences: &mut Dependences, links: &mut [Link])
 impl Link {
     /// Whether its turning leaves an axis of its frame at rest.
     fn turns_about(&self, graph: &mut Graph, axis: usize) -> bool {
-        let (one, zero) = (graph.one(), graph.zero());
-        (0..3).all(|i| {
-            let entry = if i == axis { one } else { zero };
-            self.turn[i][axis] == entry && self.turn[axis][i] == entry
-        })
+        let unit = identity(graph)[axis];
+        self.turn[axis] == unit && transposed(&self.turn)[axis] == unit
     }
 }
 
@@ -154,12 +149,8 @@ impl MassDistribution {
 
     fn add(&mut self, graph: &mut Graph, other: &MassDistribution) {
         self.mass = graph.add(self.mass, other.mass);
-        for i in 0..3 {
-            self.first[i] = graph.add(self.first[i], other.first[i]);
-            for j in 0..3 {
-                self.second[i][j] = graph.add(self.second[i][j], other.second[i][j]);
-            }
-        }
+        self.first = add(graph, self.first, other.first);
+        self.second = std::array::from_fn(|i| add(graph, self.second[i], other.second[i]));
     }
 
     /// P = tr(J)/2 - J + m c c' with the inertia J about the centre of mass c.
@@ -193,25 +184,17 @@ impl MassDistribution {
         rod
     }
 
-    /// The same in the frame before, where only what is fixed there may be left of it.
-    fn seen_from(&self, graph: &mut Graph, turn: &[Triple; 3], offset: &Triple) -> MassDistribution {
-        let apply = |graph: &mut Graph, matrix: &[Triple; 3], v: &Triple| {
-            matrix.map(|row| {
-                let products: Vec<Expr> = row.iter().zip(v).map(|(a, b)| graph.mul(*a, *b)).collect();
-                graph.sum(&products)
-            })
-        };
+    /// The same in the frame before, where it has to be fixed: S h, S P S', about the origin there.
+    fn seen_from(&self, graph: &mut Graph, turn: &Matrix, offset: &Triple) -> MassDistribution {
         let first = apply(graph, turn, &self.first);
-        // S P S': P is symmetric.
-        let half = self.second.map(|row| apply(graph, turn, &row));
-        let columns: [Triple; 3] = std::array::from_fn(|j| std::array::from_fn(|i| half[i][j]));
-        let second = columns.map(|column| apply(graph, turn, &column));
+        let half = product(graph, turn, &self.second);
+        let second = product(graph, &half, &transposed(turn));
         MassDistribution { mass: self.mass, first, second }.moved(graph, offset)
     }
 
     /// The same about another origin, from which this one is at r: h + M r, P + r h' + h r' + M r r'.
     fn moved(&self, graph: &mut Graph, r: &Triple) -> MassDistribution {
-        let carried = r.map(|x| graph.mul(self.mass, x));
+        let carried = scaled(graph, self.mass, *r);
         let second = std::array::from_fn(|i| {
             std::array::from_fn(|j| {
                 let terms = [
@@ -223,10 +206,6 @@ impl MassDistribution {
                 graph.sum(&terms)
             })
         });
-        MassDistribution {
-            mass: self.mass,
-            first: std::array::from_fn(|i| graph.add(self.first[i], carried[i])),
-            second,
-        }
+        MassDistribution { mass: self.mass, first: add(graph, self.first, carried), second }
     }
 }

@@ -46,6 +46,7 @@ pub use dependence::{Dependence, Dependences};
 pub use dimension::Dimension;
 pub use resolve::resolve;
 pub use run::{METHODS, RunDefault};
+pub(crate) use space::triple;
 pub use space::{Attitude, Fall, FixedBody, Link, Norm, Push, Pushed, Rates, Tensor, impossible_inertia};
 pub use units::Unit;
 

@@ -4,6 +4,7 @@
 mod collect;
 mod diagram;
 mod eliminate;
+mod entries;
 mod kernels;
 mod latency;
 mod lifetimes;

@@ -1,17 +1,18 @@
 //! The equations of motion as a linear system of values, its solution, and the derivatives of that solution.
 
 use super::eliminate::{Factors, System, Unknown, factorise};
-use super::links::LinkTree;
+use super::entries::{constraint_entries, mass_entries};
+use super::links::LinkTerms;
 use super::lower::Lowering;
 use super::notes::Notes;
 use super::planner::variable_names;
 use super::results::Results;
 use super::turns::{derivatives_turned_back, turned_back};
-use super::values::{Input, Operation, Value};
+use super::values::Value;
 use crate::dynamics::order::Multipliers;
 use crate::dynamics::{Column, ConstraintForm, EquationsOfMotion, Intermediate, Links};
 use crate::kernel_id::Record;
-use crate::symbolic::{Expr, Graph};
+use crate::symbolic::Expr;
 
 /// The equations of motion solved at one state.
 pub(super) struct Motion<'a> {
@@ -35,13 +36,13 @@ impl<'a> Motion<'a> {
     ) -> Motion<'a> {
         let names = unknown_names(equations, form);
         let mut notes = Notes::default();
-        let tree = links.map(|links| (links, LinkTree::of(lowering, links, equations.model.coordinates.len())));
-        let (system, rhs) = match &tree {
+        let links = links.map(|links| LinkTerms::of(lowering, links));
+        let (system, rhs) = match &links {
             None => {
                 let system = system(equations, form, lowering);
                 (system, right_hand_side(lowering, &equations.tmt.right_hand_side, &form.convective))
             }
-            Some((links, tree)) => by_links(equations, form, links, tree, lowering),
+            Some(links) => by_links(equations, form, links, lowering),
         };
         let constants = constants(equations, lowering);
         let factors = factorise(&mut lowering.values, &system, &names, &mut notes);
@@ -64,10 +65,8 @@ impl<'a> Motion<'a> {
         }
         let multipliers = equations.model.constraints.iter().map(|c| c.multiplier);
         lowering.replace(multipliers.zip(solved[variables..].iter().copied()).collect());
-        let power = match &tree {
-            Some((links, tree)) if equations.energy.power_along_variables.is_some() => {
-                power_by_links(links, tree, lowering)
-            }
+        let power = match &links {
+            Some(links) if equations.energy.power_along_variables.is_some() => links.power(lowering),
             _ => lowering.lower(equations.energy.power),
         };
         let intermediates = equations.model.coordinates.len()..variables;
@@ -148,34 +147,18 @@ impl<'a> Motion<'a> {
     }
 }
 
-/// The system and its right-hand side by recursions over a tree of links.
+/// The system and its right-hand side by recursions over links.
 fn by_links(
     equations: &EquationsOfMotion,
     form: &ConstraintForm,
-    links: &Links,
-    tree: &LinkTree,
+    links: &LinkTerms,
     lowering: &mut Lowering,
 ) -> (System, Vec<Value>) {
-    let mut system = system_with(equations, &links.rest.mass_matrix, form, lowering);
-    system.entries.extend(tree.mass_matrix(&mut lowering.values));
-    let mut rhs = right_hand_side(lowering, &links.rest.right_hand_side, &form.convective);
-    for (force, needed) in rhs.iter_mut().zip(tree.forces(&mut lowering.values, None)) {
-        *force = lowering.values.sum(vec![(false, *force), (true, needed)]);
-    }
+    let entries = links.mass_matrix(&equations.graph, lowering);
+    let system = system_with(equations, entries, form, lowering);
+    let mut rhs = links.right_hand_side(lowering);
+    rhs.extend(negated(lowering, &form.convective));
     (system, rhs)
-}
-
-/// The power of loads and weights, by the forces along the coordinates.
-fn power_by_links(links: &Links, tree: &LinkTree, lowering: &mut Lowering) -> Value {
-    let weights = tree.weights(&mut lowering.values);
-    let forces = lowering.lower_all(&links.rest.generalized_forces);
-    let powers = forces.into_iter().zip(weights).enumerate().map(|(i, (force, weight))| {
-        let speed = lowering.values.add(Operation::Input(Input::Speed(i)));
-        let force = lowering.values.sum(vec![(false, force), (false, weight)]);
-        (false, lowering.values.product(vec![force, speed]))
-    });
-    let powers = powers.collect();
-    lowering.values.sum(powers)
 }
 
 fn unknown_names(equations: &EquationsOfMotion, form: &ConstraintForm) -> Vec<String> {
@@ -195,19 +178,20 @@ fn unknown_count(equations: &EquationsOfMotion) -> usize {
 /// for the multiplier of a constraint that events switch, so that it is 0 where the constraint is released, and -1 for
 /// that of a row that nothing moves.
 pub(super) fn system(equations: &EquationsOfMotion, form: &ConstraintForm, lowering: &mut Lowering) -> System {
-    system_with(equations, &equations.tmt.mass_matrix, form, lowering)
+    let entries = mass_entries(lowering, &equations.graph, &equations.tmt.mass_matrix);
+    system_with(equations, entries, form, lowering)
 }
 
-/// The same with another mass matrix.
+/// The same with the entries of the mass matrix given.
 fn system_with(
     equations: &EquationsOfMotion,
-    mass_matrix: &[Vec<Expr>],
+    mut entries: Vec<(usize, usize, Value)>,
     form: &ConstraintForm,
     lowering: &mut Lowering,
 ) -> System {
-    let EquationsOfMotion { model, intermediates, .. } = equations;
+    let EquationsOfMotion { model, intermediates, graph, variables, .. } = equations;
     let activities = model.constraints.iter().map(|constraint| constraint.activity);
-    let entries = entries(lowering, &equations.graph, mass_matrix, &form.jacobian, activities);
+    entries.extend(constraint_entries(lowering, graph, variables.len(), &form.jacobian, activities));
     let mut unknowns: Vec<Unknown> = model.coordinates.iter().map(|_| Unknown::Coordinate).collect();
     for y in intermediates {
         unknowns.push(Unknown::Intermediate(definition(equations, lowering, y)));
@@ -215,42 +199,6 @@ fn system_with(
     unknowns.extend(model.constraints.iter().map(|_| Unknown::Multiplier));
     let multipliers = if form.turns.is_empty() { Multipliers::Last } else { Multipliers::Soon };
     System { unknowns, entries, multipliers }
-}
-
-/// The entries of a mass matrix, and below it those of a constraint Jacobian with what switching adds to its diagonal.
-pub(super) fn entries(
-    lowering: &mut Lowering,
-    graph: &Graph,
-    mass_matrix: &[Vec<Expr>],
-    jacobian: &[Vec<Expr>],
-    activities: impl Iterator<Item = Option<Expr>>,
-) -> Vec<(usize, usize, Value)> {
-    let variables = mass_matrix.len();
-    let mut entries = Vec::new();
-    let mut enter = |i: usize, j: usize, expr: Expr| {
-        if !graph.is_zero(expr) {
-            entries.push((i, j, lowering.lower(expr)));
-        }
-    };
-    for (i, row) in mass_matrix.iter().enumerate() {
-        row[..=i].iter().enumerate().for_each(|(j, expr)| enter(i, j, *expr));
-    }
-    for (i, row) in jacobian.iter().enumerate() {
-        row.iter().enumerate().for_each(|(j, expr)| enter(variables + i, j, *expr));
-    }
-    for (i, activity) in activities.enumerate() {
-        let inactivity = match activity {
-            Some(activity) => {
-                let (one, activity) = (lowering.values.constant(1.0), lowering.lower(activity));
-                lowering.values.sum(vec![(false, one), (true, activity)])
-            }
-            None if jacobian[i].iter().all(|expr| graph.is_zero(*expr)) => lowering.values.constant(1.0),
-            None => continue,
-        };
-        let place = variables + i;
-        entries.push((place, place, lowering.values.negate(inactivity)));
-    }
-    entries
 }
 
 /// The variables that an intermediate is defined by, with their coefficients.

@@ -1,7 +1,7 @@
 //! The kernels that run at each step, and the values that they need of the parameters, computed once for each set of
 //! parameters.
 
-use super::links::LinkTree;
+use super::links::LinkTerms;
 use super::lower::Lowering;
 use super::motion::Motion;
 use super::names::Names;
@@ -77,37 +77,17 @@ fn cheapest<'a>(planner: &'a Planner) -> (Lowering<'a>, Motion<'a>) {
         false => usize::MAX,
     };
     let EquationsOfMotion { declared, turned, links, .. } = planner.equations;
-    let mut best = solve(declared, None);
     let forms = [Some(declared), turned.as_ref()].into_iter().flatten();
-    let others = forms.flat_map(|form| [(form, None), (form, links.as_ref())]).skip(1);
-    for (form, links) in others.filter(|(form, links)| !form.turns.is_empty() || links.is_some()) {
-        let other = solve(form, links);
-        if cost(&other) < cost(&best) {
-            best = other;
-        }
-    }
-    best
+    let ways = forms.flat_map(|form| [Some((form, None)), links.as_ref().map(|links| (form, Some(links)))]).flatten();
+    let others = ways.skip(1).map(|(form, links)| solve(form, links));
+    others.fold(solve(declared, None), |best, other| if cost(&other) < cost(&best) { other } else { best })
 }
 
 /// Inverse dynamics, as equations of bodies or by a recursion over links.
 fn inverse_dynamics(planner: &Planner, forces: &[Expr], lowering: &mut Lowering) -> Vec<Value> {
     let forces = lowering.lower_all(forces);
     let Some(links) = &planner.equations.links else { return forces };
-    let n = planner.equations.model.coordinates.len();
-    let accelerations: Vec<Value> =
-        (0..n).map(|i| lowering.values.add(Operation::Input(Input::Acceleration(i)))).collect();
-    let tree = LinkTree::of(lowering, links, n);
-    let needed = tree.forces(&mut lowering.values, Some(&accelerations));
-    let mut by_links = Vec::with_capacity(n);
-    for (i, needed) in needed.into_iter().enumerate() {
-        let given = lowering.lower(links.rest.right_hand_side[i]);
-        let mut terms = vec![(false, needed), (true, given)];
-        for (entry, acceleration) in links.rest.mass_matrix[i].iter().zip(&accelerations) {
-            let entry = lowering.lower(*entry);
-            terms.push((false, lowering.values.product(vec![entry, *acceleration])));
-        }
-        by_links.push(lowering.values.sum(terms));
-    }
+    let by_links = LinkTerms::of(lowering, links).inverse_dynamics(lowering);
     let cost = |forces: &[Value]| operations(&lowering.values, forces.iter().collect());
     if cost(&by_links) < cost(&forces) { by_links } else { forces }
 }

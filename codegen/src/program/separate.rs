@@ -1,7 +1,7 @@
 //! The kernels that share nothing with others.
 
 use super::Kernel;
-use super::links::LinkTree;
+use super::links::LinkTerms;
 use super::lower::Lowering;
 use super::planner::Planner;
 use super::reduced;
@@ -47,9 +47,8 @@ fn mass_matrix(planner: &Planner) -> Kernel {
     let Some(links) = &planner.equations.links else { return by_rows };
     let n = planner.equations.model.coordinates.len();
     let by_links = planner.kernel(KernelId::MassMatrix, |lowering| {
-        let tree = LinkTree::of(lowering, links, n);
-        let mut matrix: Vec<Vec<Value>> = links.rest.mass_matrix.iter().map(|row| lowering.lower_all(row)).collect();
-        for (i, j, entry) in tree.mass_matrix(&mut lowering.values) {
+        let mut matrix = vec![vec![lowering.values.constant(0.0); n]; n];
+        for (i, j, entry) in LinkTerms::of(lowering, links).mass_matrix(&planner.equations.graph, lowering) {
             matrix[i][j] = lowering.values.sum(vec![(false, matrix[i][j]), (false, entry)]);
             matrix[j][i] = matrix[i][j];
         }

@@ -1,8 +1,9 @@
 //! The kernels of generalised speeds: q' = N u + n, and u' with the remaining multipliers.
 
 use super::eliminate::{Factors, System, Unknown, factorise};
+use super::entries::{constraint_entries, mass_entries};
 use super::lower::Lowering;
-use super::motion::{entries, right_hand_side};
+use super::motion::right_hand_side;
 use super::notes::Notes;
 use super::results::Results;
 use super::values::Value;
@@ -64,7 +65,7 @@ fn factorise_block(
     notes: &mut Notes,
 ) -> Option<Factors> {
     let names: Vec<String> = block.coordinates.iter().map(|j| format!("{}_dot", model.coordinates[*j].name)).collect();
-    let entries = entries(lowering, graph, &block.matrix, &[], std::iter::empty());
+    let entries = mass_entries(lowering, graph, &block.matrix);
     let unknowns = names.iter().map(|_| Unknown::Coordinate).collect();
     factorise(&mut lowering.values, &System { unknowns, entries, multipliers: Multipliers::Last }, &names, notes)
 }
@@ -90,7 +91,8 @@ fn dynamics(
     let multipliers = rows.iter().map(|row| format!("lambda_{}", model.constraints[*row].name));
     let names: Vec<String> = speeds.chain(multipliers).collect();
     let activities = rows.iter().map(|row| model.constraints[*row].activity);
-    let entries = entries(lowering, graph, &tmt.mass_matrix, jacobian, activities);
+    let mut entries = mass_entries(lowering, graph, &tmt.mass_matrix);
+    entries.extend(constraint_entries(lowering, graph, tmt.mass_matrix.len(), jacobian, activities));
     let coordinates = model.generalized_speeds.iter().map(|_| Unknown::Coordinate);
     let unknowns = coordinates.chain(rows.iter().map(|_| Unknown::Multiplier)).collect();
     let rhs = right_hand_side(lowering, &tmt.right_hand_side, convective);

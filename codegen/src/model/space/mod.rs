@@ -17,7 +17,7 @@ mod norms;
 mod parts;
 mod quaternion;
 mod rotation;
-pub(super) mod triple;
+pub(crate) mod triple;
 mod vector;
 
 pub(super) use basis::Bases;

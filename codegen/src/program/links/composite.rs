@@ -9,7 +9,7 @@ use indexmap::IndexMap;
 
 impl LinkTree {
     /// The entries (i, j), j <= i, that are not always zero, as sums.
-    pub(in crate::program) fn mass_matrix(&self, values: &mut Values) -> Vec<(usize, usize, Value)> {
+    pub(super) fn mass_matrix(&self, values: &mut Values) -> Vec<(usize, usize, Value)> {
         let composites = self.composites(values);
         let mut terms: IndexMap<(usize, usize), Vec<Value>> = IndexMap::new();
         for (at, link) in self.links.iter().enumerate() {
@@ -24,7 +24,7 @@ impl LinkTree {
     }
 
     /// The generalised forces of the weights.
-    pub(in crate::program) fn weights(&self, values: &mut Values) -> Vec<Value> {
+    pub(super) fn weights(&self, values: &mut Values) -> Vec<Value> {
         let composites = self.composites(values);
         let mut falls: Vec<Triple> = Vec::with_capacity(self.links.len());
         let mut forces: Vec<Vec<Value>> = vec![vec![]; self.coordinates];

@@ -2,7 +2,8 @@
 
 mod composite;
 mod newton_euler;
+mod terms;
 mod tree;
 mod triple;
 
-pub(super) use tree::LinkTree;
+pub(super) use terms::LinkTerms;

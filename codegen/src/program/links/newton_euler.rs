@@ -27,7 +27,7 @@ struct Motion {
 
 impl LinkTree {
     /// M q'' + h - Q of the links and their weights; without accelerations h - Q.
-    pub(in crate::program) fn forces(&self, values: &mut Values, accelerations: Option<&[Value]>) -> Vec<Value> {
+    pub(super) fn forces(&self, values: &mut Values, accelerations: Option<&[Value]>) -> Vec<Value> {
         let none = zero(values);
         let mut motions: Vec<Motion> = Vec::with_capacity(self.links.len());
         for link in &self.links {

@@ -7,7 +7,7 @@ use crate::program::values::Value;
 use crate::symbolic::Expr;
 
 /// Links of values, as [`Links`] has them of expressions.
-pub(in crate::program) struct LinkTree {
+pub(super) struct LinkTree {
     /// Each after the one before it.
     pub(super) links: Vec<LinkValues>,
     /// g in the world.
@@ -47,8 +47,8 @@ pub(super) struct Mass {
 }
 
 impl LinkTree {
-    pub(in crate::program) fn of(lowering: &mut Lowering, links: &Links, coordinates: usize) -> LinkTree {
-        let gravity = triple(lowering, &links.gravity);
+    pub(super) fn of(lowering: &mut Lowering, links: &Links) -> LinkTree {
+        let (gravity, coordinates) = (triple(lowering, &links.gravity), links.rest.mass_matrix.len());
         LinkTree { links: links.links.iter().map(|own| link(lowering, own)).collect(), gravity, coordinates }
     }
 }

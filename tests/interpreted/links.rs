@@ -1,0 +1,195 @@
+//! Recursions over links, which write `dynamics`, `inverse_dynamics` and `mass_matrix` of these mechanisms, against kernels that
+//! come from rows of T: kinetic energy, convective and generalised forces, power. They share the resolved model alone.
+
+use sim::{At, DeclarationFile, Kernel, Model};
+use std::path::Path;
+use std::sync::Arc;
+use tests::Random;
+
+/// Branches and a prismatic joint; axes that are skew, fixed turns, centres of mass beside their frames; parameters for masses,
+/// so that regrouping is symbolic.
+const BRANCHES: &str = "
+    pub Branches;
+    coordinates { a [rad]; b [rad]; c [m]; d [rad]; h [rad]; f [rad]; g [rad]; }
+    parameters { L [m] = 1; m [kg] = 1; k [N/m] = 20; }
+    let A = rotation(z, a);
+    let B = A*axes([0, 0, -1], [0, 1, 0], [1, 0, 0])*rotation(y, b);
+    let PB = A*[0.2*L, 0.1*L, 0.3*L];
+    let PC = PB + B*[0, 0.1*L, 0.4*L + c];
+    let D = B*rotation([0.6, 0, 0.8], d)*rotation(x, 0.3);
+    let E = A*rotation(x, h);
+    let PE = A*[-0.3*L, 0, 0.1*L];
+    let F = E*euler(zxz, f, 0.4, g);
+    let PF = PE + E*[0.1*L, -0.5*L, 0];
+    bodies {
+        first: mass 2*m at A*[0.1*L, 0.2*L, -0.1*L], inertia [0.3*m*L^2, 0.2*m*L^2, 0.25*m*L^2, 0.01*m*L^2, 0.02*m*L^2, 0.03*m*L^2], attitude A;
+        second: mass m at PB + B*[0.05*L, 0.1*L, 0.2*L], inertia [0.1*m*L^2, 0.09*m*L^2, 0.05*m*L^2], attitude B;
+        third: mass 0.5*m at PC + B*[0.02*L, 0, 0], inertia [0.01*m*L^2, 0.012*m*L^2, 0.008*m*L^2], attitude B;
+        fourth: mass 0.3*m at PC + D*[0, 0.1*L, 0.05*L], inertia [0.011*m*L^2, 0.012*m*L^2, 0.013*m*L^2, 0.001*m*L^2, 0, 0.002*m*L^2], attitude D;
+        fifth: mass m at PE + E*[0, -0.2*L, 0.1*L], inertia [0.1*m*L^2, 0.04*m*L^2, 0.09*m*L^2], attitude E;
+        sixth: mass 0.4*m at PF + F*[0.03*L, 0.02*L, 0.2*L], inertia [0.02*m*L^2, 0.03*m*L^2, 0.015*m*L^2], attitude F;
+        wheel: inertia [0.001*m*L^2, 0.001*m*L^2, 0.002*m*L^2], attitude F;
+    }
+    loads { gravity [1 [m/s^2], -2 [m/s^2], -9.81 [m/s^2]]; spring k, length 0.1*L from PC to PF; torque 0.1*m*L^2*t/(1 [s^3]) on h; }
+    kernels { inverse_dynamics; }";
+
+/// A base that moves freely, and one limb.
+const FREE: &str = "
+    pub Floating;
+    parameters { L [m] = 1; m [kg] = 1; k [N/m] = 20; }
+    bodies { base: free, mass 3*m, inertia [0.3*m*L^2, 0.4*m*L^2, 0.35*m*L^2, 0.01*m*L^2, 0.02*m*L^2, 0.03*m*L^2]; }
+    coordinates { a [rad]; b [rad]; }
+    let A = attitude(base)*rotation(y, a);
+    let PA = on(base, [0.1*L, 0.2*L, -0.3*L]);
+    let B = A*rotation(y, b);
+    let PB = PA + A*[0, 0.1*L, -0.4*L];
+    bodies {
+        upper: mass m at PA + A*[0.01*L, 0.03*L, -0.2*L], inertia [0.05*m*L^2, 0.06*m*L^2, 0.03*m*L^2], attitude A;
+        lower: mass 0.7*m at PB + B*[0.02*L, 0, -0.15*L], inertia [0.02*m*L^2, 0.03*m*L^2, 0.015*m*L^2], attitude B;
+    }
+    loads { gravity [0, 0, -9.81 [m/s^2]]; spring k, length 0.1*L from PA to PB; }
+    kernels { inverse_dynamics; }";
+
+/// A table that time turns and lifts carries an arm: the power is that of loads and drives.
+const DRIVEN: &str = "
+    pub Driven;
+    coordinates { a [rad]; b [rad]; }
+    parameters { L [m] = 1; m [kg] = 1; w [1/s] = 2; }
+    let R = rotation(z, 0.3*sin(w*t));
+    let A = R*rotation(x, a);
+    let PA = [0, 0, 0.2*L*sin(w*t)] + R*[0.3*L, 0, 0.1*L];
+    let B = A*rotation(y, b);
+    let PB = PA + A*[0, 0.5*L, 0];
+    bodies {
+        arm: mass m at PA + A*[0.05*L, 0.25*L, 0], inertia [0.08*m*L^2, 0.01*m*L^2, 0.07*m*L^2, 0.002*m*L^2, 0, 0], attitude A;
+        hand: mass 0.5*m at PB + B*[0.1*L, 0.05*L, 0.02*L], inertia [0.01*m*L^2, 0.02*m*L^2, 0.015*m*L^2], attitude B;
+    }
+    loads { gravity [0, 0, -9.81 [m/s^2]]; }
+    kernels { inverse_dynamics; }";
+
+fn called(model: &dyn Model, kernel: Kernel, at: At<f64>) -> Vec<Vec<f64>> {
+    let mut found = Vec::new();
+    assert!(!model.call(kernel, at, &mut |_, row| found.push(row.to_vec())), "{kernel:?} is refused");
+    found
+}
+
+fn vector(model: &dyn Model, kernel: Kernel, at: At<f64>) -> Vec<f64> {
+    called(model, kernel, at).concat()
+}
+
+/// Lengths are multiples of L and masses of m: of a mechanism of a millimetre as of one of 100 m.
+fn scaled(text: &str, length: f64, mass: f64) -> Arc<dyn Model> {
+    let model = DeclarationFile::of(Path::new("links.mech"), text.to_owned()).model(None).unwrap();
+    let mut values = model.values();
+    values.parameters[0] = length;
+    values.parameters[1] = mass;
+    model.with_values(&values)
+}
+
+/// Of mass matrices: 100 bodies of one size would be worse.
+const CONDITION: f64 = 1e3;
+
+/// The magnitudes that meet add up to `size`. Some hundred roundings, of what is at most a few times as large.
+fn assert_close(what: &str, found: f64, expected: f64, size: f64) {
+    assert!((found - expected).abs() <= 1e-13 * size, "{what}: {found:e} is not {expected:e} beside {size:e}");
+}
+
+/// At random states of the mechanism in several sizes. The coordinates in `lengths` are lengths.
+fn agrees(text: &str, lengths: &[usize]) {
+    let random = &mut Random(7);
+    for (length, mass) in [(1.0, 1.0), (1e-3, 1e-3), (100.0, 1e3)] {
+        let model = scaled(text, length, mass);
+        let [start, _] = model.initial();
+        let multipliers = vec![0.0; model.description().constraints.len()];
+        for _ in 0..20 {
+            let size = |i: usize| if lengths.contains(&i) { length } else { 1.0 };
+            let [off, qd, a] = [(); 3]
+                .map(|()| -> Vec<f64> { (0..start.len()).map(|i| size(i) * random.between(-0.7, 0.7)).collect() });
+            // Quaternions off their norm, but not near 0, where they turn without bound.
+            let q: Vec<f64> = start.iter().zip(&off).map(|(start, off)| start + off).collect();
+            let at = At { time: 0.4, positions: &q, speeds: &qd, accelerations: &a, multipliers: &multipliers };
+            mass_matrix_is_that_of_the_kinetic_energy(&*model, at, &size);
+            inverse_dynamics_are_those_terms(&*model, at, lengths);
+            dynamics_solve_them(&*model, at, lengths);
+        }
+    }
+}
+
+/// Second differences of a quadratic function are exact.
+fn mass_matrix_is_that_of_the_kinetic_energy(model: &dyn Model, at: At<f64>, size: &impl Fn(usize) -> f64) {
+    let n = at.positions.len();
+    let energy = |moved: &[usize]| {
+        let mut speeds = vec![0.0; n];
+        moved.iter().for_each(|i| speeds[*i] += size(*i));
+        vector(model, Kernel::KineticEnergy, At { speeds: &speeds, ..at })[0]
+    };
+    for (i, row) in called(model, Kernel::MassMatrix, at).into_iter().enumerate() {
+        for (j, entry) in row.into_iter().enumerate() {
+            let energies = [energy(&[i, j]), -energy(&[i]), -energy(&[j]), energy(&[])];
+            let sum = energies.iter().map(|energy| energy.abs()).sum();
+            assert_close(&format!("mass {i} {j}"), size(i) * size(j) * entry, energies.iter().sum(), sum);
+        }
+    }
+}
+
+/// M q'' + h - Q by its terms.
+fn inverse_dynamics_are_those_terms(model: &dyn Model, at: At<f64>, lengths: &[usize]) {
+    let mass = called(model, Kernel::MassMatrix, at);
+    let (needed, rows) = (vector(model, Kernel::InverseDynamics, at), terms(model, at, &mass, at.accelerations));
+    for (i, force) in needed.into_iter().enumerate() {
+        assert_close(&format!("force {i}"), force, rows[i].iter().sum(), magnitude(&rows, i, lengths));
+    }
+}
+
+/// M q'' + h - Q + C_q' lambda = 0 for the accelerations and multipliers found, and their power.
+fn dynamics_solve_them(model: &dyn Model, at: At<f64>, lengths: &[usize]) {
+    let [accelerations, multipliers, power] = &called(model, Kernel::Dynamics, at)[..] else { panic!("three rows") };
+    let (mass, jacobian) = (called(model, Kernel::MassMatrix, at), called(model, Kernel::ConstraintJacobian, at));
+    let mut rows = terms(model, at, &mass, accelerations);
+    for (i, terms) in rows.iter_mut().enumerate() {
+        terms.extend(jacobian.iter().zip(multipliers).map(|(row, multiplier)| row[i] * multiplier));
+    }
+    for (i, terms) in rows.iter().enumerate() {
+        let size = CONDITION * magnitude(&rows, i, lengths);
+        assert_close(&format!("equation {i}"), terms.iter().sum(), 0.0, size);
+    }
+    let found = At { accelerations, multipliers, ..at };
+    let given = vector(model, Kernel::GeneralizedForces, at);
+    let powers: Vec<f64> = given.iter().zip(at.speeds).map(|(force, speed)| force * speed).collect();
+    let expected = vector(model, Kernel::Power, found)[0];
+    let size = powers.iter().map(|power| power.abs()).sum::<f64>() + expected.abs();
+    assert_close("power", power[0], expected, size);
+}
+
+/// The terms of M q'' + h - Q in each row.
+fn terms(model: &dyn Model, at: At<f64>, mass: &[Vec<f64>], accelerations: &[f64]) -> Vec<Vec<f64>> {
+    let [convective, given] =
+        [Kernel::ConvectiveForces, Kernel::GeneralizedForces].map(|kernel| vector(model, kernel, at));
+    let row = |i: usize| {
+        let inertial = mass[i].iter().zip(accelerations).map(|(entry, acceleration)| entry * acceleration);
+        inertial.chain([convective[i], -given[i]]).collect()
+    };
+    (0..mass.len()).map(row).collect()
+}
+
+/// The largest sum of magnitudes in rows of the same unit as this one: components of one force in another frame.
+fn magnitude(rows: &[Vec<f64>], of: usize, lengths: &[usize]) -> f64 {
+    let same = |i: &usize| lengths.contains(i) == lengths.contains(&of);
+    let sums = (0..rows.len()).filter(same).map(|i| rows[i].iter().map(|term| term.abs()).sum());
+    sums.fold(0.0, f64::max)
+}
+
+#[test]
+fn branches_with_a_prismatic_joint() {
+    agrees(BRANCHES, &[2]);
+}
+
+#[test]
+fn a_free_base() {
+    agrees(FREE, &[2, 3, 4]);
+}
+
+#[test]
+fn a_driven_base() {
+    agrees(DRIVEN, &[]);
+}
