@@ -6,8 +6,8 @@ use std::path::Path;
 use std::sync::Arc;
 use tests::Random;
 
-/// Branches and a prismatic joint; axes that are skew, fixed turns, centres of mass beside their frames; parameters for masses,
-/// so that regrouping is symbolic.
+/// Branches, a prismatic joint, a coordinate that turns two links, skew axes, fixed turns, and centres of mass beside their
+/// frames; parameters for masses, so that regrouping is symbolic.
 const BRANCHES: &str = "
     pub Branches;
     coordinates { a [rad]; b [rad]; c [m]; d [rad]; h [rad]; f [rad]; g [rad]; }
@@ -16,7 +16,7 @@ const BRANCHES: &str = "
     let B = A*axes([0, 0, -1], [0, 1, 0], [1, 0, 0])*rotation(y, b);
     let PB = A*[0.2*L, 0.1*L, 0.3*L];
     let PC = PB + B*[0, 0.1*L, 0.4*L + c];
-    let D = B*rotation([0.6, 0, 0.8], d)*rotation(x, 0.3);
+    let D = B*rotation([0.6, 0, 0.8], d)*rotation(x, 0.3 - 2*b);
     let E = A*rotation(x, h);
     let PE = A*[-0.3*L, 0, 0.1*L];
     let F = E*euler(zxz, f, 0.4, g);
