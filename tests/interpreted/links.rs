@@ -61,7 +61,7 @@ const DRIVEN: &str = "
     let B = A*rotation(y, b);
     let PB = PA + A*[0, 0.5*L, 0];
     bodies {
-        arm: mass m at PA + A*[0.05*L, 0.25*L, 0], inertia [0.08*m*L^2, 0.01*m*L^2, 0.07*m*L^2, 0.002*m*L^2, 0, 0], attitude A;
+        arm: mass m at PA + A*[0.05*L, 0.25*L, 0], inertia [0.075*m*L^2, 0.01*m*L^2, 0.07*m*L^2, 0.002*m*L^2, 0, 0], attitude A;
         hand: mass 0.5*m at PB + B*[0.1*L, 0.05*L, 0.02*L], inertia [0.01*m*L^2, 0.02*m*L^2, 0.015*m*L^2], attitude B;
     }
     loads { gravity [0, 0, -9.81 [m/s^2]]; }
