@@ -143,7 +143,7 @@ fn inverse_dynamics_are_those_terms(model: &dyn Model, at: At<f64>, lengths: &[u
 
 /// M q'' + h - Q + C_q' lambda = 0 for the accelerations and multipliers found, and their power.
 fn dynamics_solve_them(model: &dyn Model, at: At<f64>, lengths: &[usize]) {
-    let [accelerations, multipliers, power] = &called(model, Kernel::Dynamics, at)[..] else { panic!("three rows") };
+    let [accelerations, multipliers, power]: &[Vec<f64>; 3] = &called(model, Kernel::Dynamics, at).try_into().unwrap();
     let (mass, jacobian) = (called(model, Kernel::MassMatrix, at), called(model, Kernel::ConstraintJacobian, at));
     let mut rows = terms(model, at, &mass, accelerations);
     for (i, terms) in rows.iter_mut().enumerate() {
