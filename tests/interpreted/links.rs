@@ -50,6 +50,56 @@ const FREE: &str = "
     loads { gravity [0, 0, -9.81 [m/s^2]]; spring k, length 0.1*L from PA to PB; }
     kernels { inverse_dynamics; }";
 
+/// A base with loads on it, and a limb of so many joints that each is eliminated at its link: about axes of a frame and askew,
+/// one that slides, one with a rotor that turns with it, two on one link. And a second base, of which the first knows nothing.
+const LIMB: &str = "
+    pub Limb;
+    parameters { L [m] = 1; m [kg] = 1; k [N/m] = 20; }
+    bodies {
+        base: free, mass 3*m, inertia [0.3*m*L^2, 0.4*m*L^2, 0.35*m*L^2, 0.01*m*L^2, 0.02*m*L^2, 0.03*m*L^2];
+        other: free, mass 2*m, inertia [0.2*m*L^2, 0.1*m*L^2, 0.25*m*L^2];
+    }
+    coordinates { a [rad]; b [rad]; c [rad]; d [m]; s [rad]; f [rad]; g [rad]; h [rad]; i [rad]; o [rad]; }
+    let A = attitude(base)*rotation(y, a);
+    let PA = on(base, [0.1*L, 0.2*L, -0.3*L]);
+    let B = A*rotation(x, b);
+    let PB = PA + A*[0, 0.1*L, -0.4*L];
+    let C = B*rotation([0.6, 0, 0.8], c);
+    let PC = PB + B*[0.1*L, 0.1*L, -0.3*L];
+    let PD = PC + C*[0, 0.1*L, d];
+    let E = C*rotation(z, s);
+    let PE = PD + C*[0.1*L, 0, 0.2*L];
+    let F = E*axes([0, 1, 0], [0, 0, 1], [1, 0, 0])*rotation(y, f);
+    let PF = PE + E*[0, -0.3*L, 0.1*L];
+    let G = F*rotation(y, g);
+    let PG = PF + F*[0.2*L, 0.1*L, 0];
+    let H = G*rotation(x, h);
+    let PH = PG + G*[0.2*L, 0, 0.3*L];
+    let I = H*rotation(z, i);
+    let PI = PH + H*[0, 0.3*L, 0.1*L];
+    let O = attitude(other)*rotation(z, o);
+    bodies {
+        one: mass m at PA + A*[0.01*L, 0.03*L, -0.2*L], inertia [0.05*m*L^2, 0.06*m*L^2, 0.03*m*L^2], attitude A;
+        two: mass 0.7*m at PB + B*[0.02*L, 0, -0.15*L], inertia [0.02*m*L^2, 0.03*m*L^2, 0.015*m*L^2], attitude B;
+        three: mass 0.6*m at PC + C*[0.02*L, 0, -0.1*L], inertia [0.02*m*L^2, 0.03*m*L^2, 0.025*m*L^2, 0.001*m*L^2, 0.002*m*L^2, 0], attitude C;
+        four: mass 0.5*m at PD + C*[0.1*L, 0.02*L, 0], inertia [0.01*m*L^2, 0.012*m*L^2, 0.008*m*L^2], attitude C;
+        five: mass 0.5*m at PE + E*[0.1*L, 0.02*L, 0], inertia [0.01*m*L^2, 0.012*m*L^2, 0.009*m*L^2], attitude E;
+        six: mass 0.4*m at PF + F*[0.05*L, 0.1*L, 0.1*L], inertia [0.01*m*L^2, 0.011*m*L^2, 0.008*m*L^2], attitude F;
+        seven: mass 0.4*m at PG + G*[0.05*L, 0, 0.1*L], inertia [0.01*m*L^2, 0.012*m*L^2, 0.007*m*L^2], attitude G;
+        eight: mass 0.3*m at PH + H*[0, 0.1*L, 0.1*L], inertia [0.01*m*L^2, 0.012*m*L^2, 0.008*m*L^2], attitude H;
+        nine: mass 0.3*m at PI + I*[0.05*L, 0.1*L, 0.1*L], inertia [0.009*m*L^2, 0.012*m*L^2, 0.008*m*L^2], attitude I;
+        ten: mass m at on(other, [0.1*L, 0, 0.2*L]) + O*[0.1*L, 0.1*L, 0], inertia [0.1*m*L^2, 0.12*m*L^2, 0.08*m*L^2], attitude O;
+        rotor: inertia 0.02*m*L^2, angle b;
+    }
+    loads {
+        gravity [1 [m/s^2], 0, -9.81 [m/s^2]];
+        spring k, length 0.1*L from PA to PF;
+        spring k, length 0.2*L from [0, 0, L] to on(base, [0, 0.1*L, 0.2*L]);
+        torque [0.1*m*L^2/(1 [s^2]), 0, 0.2*m*L^2/(1 [s^2])] on base;
+        torque 0.1*m*L^2/(1 [s^2]) on g;
+    }
+    kernels { inverse_dynamics; dynamics_jacobian; }";
+
 /// A table that time turns and lifts carries an arm: the power is that of loads and drives.
 const DRIVEN: &str = "
     pub Driven;
@@ -187,6 +237,11 @@ fn branches_with_a_prismatic_joint() {
 #[test]
 fn a_free_base() {
     agrees(FREE, &[2, 3, 4]);
+}
+
+#[test]
+fn a_limb_of_many_joints() {
+    agrees(LIMB, &[3]);
 }
 
 #[test]

@@ -28,6 +28,7 @@ mod kinematics;
 mod lagrange;
 mod linear;
 mod links;
+mod open_tree;
 pub mod order;
 mod outputs;
 mod parts;
@@ -48,6 +49,7 @@ pub use inverse::Inverse;
 pub use kinematics::Kinematics;
 pub use lagrange::{Lagrange, lagrange};
 pub use links::{Link, Links, MassDistribution};
+pub use open_tree::{FreeBase, OpenTree};
 pub use outputs::Outputs;
 pub use speeds::SpeedEquations;
 pub use tmt::{Tmt, TmtRow};
@@ -98,7 +100,7 @@ pub struct EquationsOfMotion {
 
 /// Derives the equations of motion in the coordinates alone, for readers.
 pub fn derive(resolved: Resolved) -> EquationsOfMotion {
-    derive_as(resolved, |_, model, rows| Formulation::without(model, rows), |_, _, _, _| None)
+    derive_as(resolved, |_, model, rows| Formulation::without(model, rows), |_, _, _, _, _| None)
 }
 
 /// Derives the equations of motion in whichever form costs less to solve.
@@ -109,7 +111,7 @@ pub fn derive_cheapest(resolved: Resolved) -> EquationsOfMotion {
 fn derive_as(
     resolved: Resolved,
     formulation: fn(&mut Graph, &Model, Vec<LoadRow>) -> Formulation,
-    links: fn(&mut Graph, &Model, &Variables, &mut Derivatives) -> Option<Links>,
+    links: fn(&mut Graph, &Model, &Variables, &mut Derivatives, &Constraints) -> Option<Links>,
 ) -> EquationsOfMotion {
     let Resolved { model, mut graph, displaced } = resolved;
     let rows = load_rows(&mut graph, &model);
@@ -138,7 +140,7 @@ fn derive_as(
     // Last, so that nothing above notices.
     auxiliary::enter(&mut graph, &model, displaced, &mut outputs, &mut events);
     let is_plain = intermediates.is_empty();
-    let links = is_plain.then(|| links(&mut graph, &model, &variables, &mut derivatives)).flatten();
+    let links = is_plain.then(|| links(&mut graph, &model, &variables, &mut derivatives, &constraints)).flatten();
     EquationsOfMotion {
         model,
         graph,

@@ -27,6 +27,7 @@ mod sparsity;
 mod speeds;
 mod turns;
 mod values;
+mod ways;
 
 pub use diagram::{Diagram, Vertex};
 pub use kernels::plan;

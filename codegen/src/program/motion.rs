@@ -2,7 +2,7 @@
 
 use super::eliminate::{Factors, System, Unknown, factorise};
 use super::entries::{constraint_entries, mass_entries};
-use super::links::LinkTerms;
+use super::links::{Joints, LinkTerms, OpenTerms, Solved};
 use super::lower::Lowering;
 use super::notes::Notes;
 use super::planner::variable_names;
@@ -22,13 +22,16 @@ pub(super) struct Motion<'a> {
     /// Accelerations, then multipliers.
     unknowns: Vec<Value>,
     power: Value,
+    /// Each pivot with the scale for its cancellation; none where there is no order to solve in.
+    pivots: Option<Vec<(Value, Value)>>,
     factors: Option<Factors>,
     /// Names for what was computed, and its order.
     pub(super) notes: Notes,
 }
 
 impl<'a> Motion<'a> {
-    pub(super) fn solve(
+    /// By a factorisation of the system in one of its forms.
+    pub(super) fn factorised(
         equations: &'a EquationsOfMotion,
         form: &'a ConstraintForm,
         links: Option<&Links>,
@@ -71,12 +74,40 @@ impl<'a> Motion<'a> {
         };
         let intermediates = equations.model.coordinates.len()..variables;
         let unknowns = solved.into_iter().enumerate().filter(|(i, _)| !intermediates.contains(i)).map(|(_, x)| x);
-        Motion { equations, form, unknowns: unknowns.collect(), power, factors, notes }
+        let pivots = factors.as_ref().map(|factors| factors.pivots.clone());
+        Motion { equations, form, unknowns: unknowns.collect(), power, pivots, factors, notes }
+    }
+
+    /// From the tips of a tree to the world and back; nothing where it is not open.
+    pub(super) fn of_open_tree(
+        equations: &'a EquationsOfMotion,
+        links: &Links,
+        joints: Joints,
+        lowering: &mut Lowering,
+    ) -> Option<Motion<'a>> {
+        let terms = OpenTerms::of(lowering, equations, links)?;
+        let form = &equations.declared;
+        let mut notes = Notes::default();
+        let Solved { accelerations, multipliers, pivots } = terms.solve(lowering, joints, &mut notes);
+        let mut unknowns = accelerations;
+        unknowns.extend(multipliers);
+        let symbols = equations.variables.accelerations.iter().chain(&form.multipliers).copied();
+        lowering.replace(symbols.zip(unknowns.iter().copied()).collect());
+        let names = unknown_names(equations, form);
+        let n = equations.model.coordinates.len();
+        for (i, (value, name)) in unknowns.iter().zip(&names).enumerate() {
+            notes.name(*value, if i < n { format!("{name}_ddot") } else { name.clone() });
+        }
+        let power = match equations.energy.power_along_variables {
+            Some(_) => terms.power(lowering),
+            None => lowering.lower(equations.energy.power),
+        };
+        Some(Motion { equations, form, unknowns, power, pivots: Some(pivots), factors: None, notes })
     }
 
     /// Whether there is an order to solve them in; without one every state is refused.
     pub(super) fn is_planned(&self) -> bool {
-        self.factors.is_some()
+        self.pivots.is_some()
     }
 
     /// q'', lambda and power.
@@ -143,7 +174,7 @@ impl<'a> Motion<'a> {
     }
 
     fn refused(&self) -> Results<Value> {
-        Results::Refused(self.factors.as_ref().map(|factors| factors.pivots.clone()))
+        Results::Refused(self.pivots.clone())
     }
 }
 

@@ -21,6 +21,14 @@ impl Notes {
         self.order.push(value);
     }
 
+    /// More notes, after these.
+    pub(super) fn extend(&mut self, others: impl IntoIterator<Item = Notes>) {
+        for other in others {
+            self.names.extend(other.names);
+            self.order.extend(other.order);
+        }
+    }
+
     /// The names; if a value has several, the first counts.
     pub(super) fn names(&self) -> impl Iterator<Item = (Value, &String)> {
         self.names.iter().map(|(value, name)| (*value, name))

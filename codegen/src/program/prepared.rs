@@ -10,9 +10,9 @@ use super::planner::Planner;
 use super::results::Results;
 use super::schedule::derived_name;
 use super::speeds;
-use super::values::{Input, Leaves, Operation, Value, Values};
+use super::values::{Input, Leaves, Operation, Value};
+use super::ways::{Solution, operations};
 use super::{Kernel, Name, Tree};
-use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::{KernelId, Record};
 use crate::symbolic::Expr;
 use indexmap::IndexMap;
@@ -20,7 +20,9 @@ use std::collections::BTreeSet;
 
 /// `prepare`, and the kernels of what it returns.
 pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
-    let (mut lowering, mut motion) = cheapest(planner);
+    let Some(Solution { mut lowering, mut motion, mut differentiable }) = Solution::cheapest(planner) else {
+        return vec![];
+    };
     let mut planned = vec![(KernelId::Dynamics, motion.dynamics())];
     if let Some(inverse) = &planner.equations.inverse {
         planned.push((
@@ -28,13 +30,15 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
             Results::Vector(inverse_dynamics(planner, &inverse.forces, &mut lowering)),
         ));
     }
-    if let Some(columns) = &motion.form.by_state {
-        planned.push((KernelId::DynamicsJacobian, motion.jacobian(&mut lowering, columns)));
+    let differentiated = differentiable.as_ref().unwrap_or(&motion);
+    if let Some(columns) = &differentiated.form.by_state {
+        planned.push((KernelId::DynamicsJacobian, differentiated.jacobian(&mut lowering, columns)));
     }
-    if let Some(columns) = &motion.form.by_parameters {
-        planned.push((KernelId::DynamicsSensitivity, motion.sensitivity(&mut lowering, columns)));
+    if let Some(columns) = &differentiated.form.by_parameters {
+        planned.push((KernelId::DynamicsSensitivity, differentiated.sensitivity(&mut lowering, columns)));
     }
     let mut notes = std::mem::take(&mut motion.notes);
+    notes.extend(differentiable.as_mut().map(|motion| std::mem::take(&mut motion.notes)));
     if let Some(speeds) = &planner.equations.speeds {
         planned.extend(speeds::kernels(
             &planner.equations.graph,
@@ -65,24 +69,6 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     [prepare].into_iter().chain(kernels).collect()
 }
 
-/// The equations of motion solved in the form that takes fewer operations.
-fn cheapest<'a>(planner: &'a Planner) -> (Lowering<'a>, Motion<'a>) {
-    let solve = |form, links| {
-        let mut lowering = planner.lowering();
-        let motion = Motion::solve(planner.equations, form, links, &mut lowering);
-        (lowering, motion)
-    };
-    let cost = |(lowering, motion): &(Lowering, Motion)| match motion.is_planned() {
-        true => operations(&lowering.values, motion.dynamics().entries()),
-        false => usize::MAX,
-    };
-    let EquationsOfMotion { declared, turned, links, .. } = planner.equations;
-    let forms = [Some(declared), turned.as_ref()].into_iter().flatten();
-    let ways = forms.flat_map(|form| [Some((form, None)), links.as_ref().map(|links| (form, Some(links)))]).flatten();
-    let others = ways.skip(1).map(|(form, links)| solve(form, links));
-    others.fold(solve(declared, None), |best, other| if cost(&other) < cost(&best) { other } else { best })
-}
-
 /// Inverse dynamics, as equations of bodies or by a recursion over links.
 fn inverse_dynamics(planner: &Planner, forces: &[Expr], lowering: &mut Lowering) -> Vec<Value> {
     let forces = lowering.lower_all(forces);
@@ -90,14 +76,6 @@ fn inverse_dynamics(planner: &Planner, forces: &[Expr], lowering: &mut Lowering)
     let by_links = LinkTerms::of(lowering, links).inverse_dynamics(lowering);
     let cost = |forces: &[Value]| operations(&lowering.values, forces.iter().collect());
     if cost(&by_links) < cost(&forces) { by_links } else { forces }
-}
-
-/// The number of operations that are not on parameters alone.
-fn operations(values: &Values, roots: Vec<&Value>) -> usize {
-    let roots: Vec<Value> = roots.into_iter().copied().collect();
-    let needed = values.reachable(&roots, &Leaves::default());
-    let moving = needed.into_iter().filter(|value| !values.is_parametric(*value));
-    moving.map(|value| values.operands(value).count().saturating_sub(1)).sum()
 }
 
 /// Values that depend on parameters alone and that others need, and the parameters that are needed themselves.

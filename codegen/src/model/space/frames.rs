@@ -87,6 +87,12 @@ impl Frames {
         &self.frame(turn).step
     }
 
+    /// The quaternion of the last step, if that turns forward and its components are coordinates.
+    pub(super) fn last_quaternion(&self, turn: Turn) -> Option<[Expr; 4]> {
+        let frame = self.frame(turn);
+        frame.step.quaternion.filter(|_| !frame.last.1)
+    }
+
     /// The rotation of one step.
     pub(super) fn single(&mut self, graph: &mut Graph, step: Step) -> Turn {
         self.begin(graph);

@@ -1,15 +1,16 @@
 //! Links: the frames that bodies are fixed in, each with its place in the frame before, as a tree.
 //!
 //! They are found in what the declaration writes: the rotation of a body is a chain of steps, and its centre of mass is a sum
-//! of vectors in the frames of that chain. The vectors in the frames before a link's own lead to its origin.
+//! of vectors in the frames of that chain. The vectors in the frames before a link's own lead to its origin. Those parts of them
+//! that move are links of their own, which slide.
 
 use super::frames::Step;
 use super::triple::{Matrix, Triple, identity, zero};
 use super::{Frames, Spatial, Turn};
 use crate::model::bodies::TurnedBody;
 use crate::model::interpreter::Interpreter;
-use crate::model::{Body, Dependence};
-use crate::symbolic::Graph;
+use crate::model::{Body, Dependence, Dependences};
+use crate::symbolic::{Expr, Graph, Node, Number};
 use rustc_hash::FxHashMap;
 
 /// A frame with its motion in the one before.
@@ -24,6 +25,8 @@ pub struct Link {
     pub spin: Triple,
     /// The rate of these components.
     pub spin_rate: Triple,
+    /// The components of the quaternion that turns it, the scalar part first, if they are coordinates.
+    pub quaternion: Option<[Expr; 4]>,
     /// The bodies that are fixed in it.
     pub bodies: Vec<FixedBody>,
 }
@@ -47,13 +50,13 @@ pub(in crate::model) fn links(
         return vec![];
     }
     let Interpreter { graph, frames, dependences, .. } = interpreter;
-    let moves = Dependence::COORDINATE.or(Dependence::TIME).or(Dependence::INPUT);
-    let mut tree = Tree { frames, zero: zero(graph), links: vec![], known: FxHashMap::default() };
+    let zero = zero(graph);
+    let mut tree = Tree { frames, graph, dependences, zero, links: vec![], known: FxHashMap::default() };
     for (at, (body, turned)) in bodies.iter().zip(turns).enumerate() {
         let (Some(Body { attitude: Some(_), .. }), Some((turn, place))) = (body, turned) else { continue };
         let nowhere = Spatial::world(tree.zero);
         let place_terms = place.as_ref().map_or(&nowhere, |(place, _)| place).terms();
-        let chain = frames.chain(*turn);
+        let chain = tree.frames.chain(*turn);
         if place_terms.iter().any(|(frame, _)| *frame != Turn::NONE && !chain.contains(frame)) {
             continue;
         }
@@ -62,36 +65,21 @@ pub(in crate::model) fn links(
             tree.links[link].bodies.push(FixedBody { body: at, centre: None });
             continue;
         };
-        let centre = tree.within(*turn, place_terms);
-        match centre.iter().any(|x| dependences.of(graph, *x).meets(moves)) {
-            true => tree.links.push(shifted(graph, link, centre, at)),
-            false => tree.links[link].bodies.push(FixedBody { body: at, centre: Some(centre) }),
+        let (link, centre) = tree.slid(Some(link), tree.within(*turn, place_terms));
+        if let Some(link) = link {
+            tree.links[link].bodies.push(FixedBody { body: at, centre: Some(centre) });
         }
     }
     tree.links
 }
 
-/// A link at a place that moves in the frame of another, for a body there.
-fn shifted(graph: &mut Graph, before: usize, offset: Triple, body: usize) -> Link {
-    let zero = zero(graph);
-    Link {
-        before: Some(before),
-        offset,
-        turn: identity(graph),
-        spin: zero,
-        spin_rate: zero,
-        bodies: vec![FixedBody { body, centre: Some(zero) }],
-    }
-}
-
-/// The vectors that lead to an origin, each with its frame.
-type Way = Vec<(Turn, Triple)>;
-
 struct Tree<'a> {
     frames: &'a Frames,
+    graph: &'a mut Graph,
+    dependences: &'a mut Dependences,
     zero: Triple,
     links: Vec<Link>,
-    known: FxHashMap<(Turn, Way), usize>,
+    known: FxHashMap<(Option<usize>, Turn, Triple), usize>,
 }
 
 impl Tree<'_> {
@@ -101,20 +89,51 @@ impl Tree<'_> {
             return None;
         }
         let before = self.frames.before(turn);
-        let way = [Turn::NONE].into_iter().chain(self.frames.chain(before));
-        let way: Way =
-            way.map(|frame| (frame, self.within(frame, place))).filter(|(_, part)| *part != self.zero).collect();
-        let key = (turn, way);
-        if let Some(known) = self.known.get(&key) {
-            return Some(*known);
+        let mut offset = self.within(before, place);
+        let mut link = self.link(before, place);
+        let quaternion = self.frames.last_quaternion(turn);
+        // What a quaternion turns may move freely, and is one link then.
+        if quaternion.is_none() {
+            (link, offset) = self.slid(link, offset);
         }
         let Step { matrix, spin, spin_rate, .. } = *self.frames.last_step(turn);
-        let offset = self.within(before, place);
-        let before = self.link(before, place);
-        let link = Link { before, offset, turn: matrix, spin, spin_rate, bodies: vec![] };
-        self.links.push(link);
-        self.known.insert(key, self.links.len() - 1);
-        Some(self.links.len() - 1)
+        let bodies = vec![];
+        Some(self.found(turn, Link { before: link, offset, turn: matrix, spin, spin_rate, quaternion, bodies }))
+    }
+
+    /// What slides in a link is a link of its own, if the moving part of a place in it says so; with the rest of that place.
+    fn slid(&mut self, link: Option<usize>, place: Triple) -> (Option<usize>, Triple) {
+        let (moving, rest) = self.parted(place);
+        if moving == self.zero {
+            return (link, place);
+        }
+        let (turn, zero) = (identity(self.graph), self.zero);
+        let slid =
+            Link { before: link, offset: moving, turn, spin: zero, spin_rate: zero, quaternion: None, bodies: vec![] };
+        (Some(self.found(Turn::NONE, slid)), rest)
+    }
+
+    /// The same link as one that is known, or a new one.
+    fn found(&mut self, turn: Turn, link: Link) -> usize {
+        *self.known.entry((link.before, turn, link.offset)).or_insert_with(|| {
+            self.links.push(link);
+            self.links.len() - 1
+        })
+    }
+
+    /// The terms of a vector that move, and those that are fixed.
+    fn parted(&mut self, of: Triple) -> (Triple, Triple) {
+        let moves = Dependence::COORDINATE.or(Dependence::TIME).or(Dependence::INPUT);
+        let moving = of.map(|x| {
+            let terms = match self.graph.node(x) {
+                Node::Sum { terms, .. } => terms.to_vec(),
+                _ => vec![(x, Number::ONE)],
+            };
+            let mut terms = terms;
+            terms.retain(|(term, _)| self.dependences.of(self.graph, *term).meets(moves));
+            self.graph.linear_combination(&terms)
+        });
+        (moving, std::array::from_fn(|i| self.graph.sub(of[i], moving[i])))
     }
 
     fn within(&self, frame: Turn, place: &[(Turn, Triple)]) -> Triple {

@@ -29,7 +29,7 @@ impl LinkTree {
         let mut falls: Vec<Triple> = Vec::with_capacity(self.links.len());
         let mut forces: Vec<Vec<Value>> = vec![vec![]; self.coordinates];
         for (link, composite) in self.links.iter().zip(&composites) {
-            let fall_before = link.before.map_or(self.gravity, |before| falls[before]);
+            let fall_before = link.before.map_or(link.gravity, |before| falls[before]);
             let fall = apply(values, &transposed(&link.turn), &fall_before);
             for column in &link.columns {
                 let arm = cross(values, &column.spin, &composite.first);
@@ -42,7 +42,7 @@ impl LinkTree {
     }
 
     /// Each link with all that follows it, about its origin.
-    fn composites(&self, values: &mut Values) -> Vec<Mass> {
+    pub(super) fn composites(&self, values: &mut Values) -> Vec<Mass> {
         let mut composites: Vec<Mass> = self.links.iter().map(|link| link.mass.clone()).collect();
         for (at, link) in self.links.iter().enumerate().rev() {
             if let Some(before) = link.before {
@@ -91,7 +91,7 @@ impl LinkTree {
 
 impl LinkValues {
     /// The momenta about the origin that a coordinate's speed gives a composite body.
-    fn momentum(&self, values: &mut Values, body: &Mass, column: &Column) -> [Triple; 2] {
+    pub(super) fn momentum(&self, values: &mut Values, body: &Mass, column: &Column) -> [Triple; 2] {
         let shift = apply(values, &transposed(&self.turn), &column.shift);
         let arm = cross(values, &body.first, &shift);
         let p = &body.second;
@@ -108,7 +108,7 @@ impl LinkValues {
     }
 
     /// A mass distribution of its frame, about the origin of the frame before: h + M r, P + r s' + s r' with s = h + M r/2.
-    fn seen_from_before(&self, values: &mut Values, own: &Mass) -> Mass {
+    pub(super) fn seen_from_before(&self, values: &mut Values, own: &Mass) -> Mass {
         let (r, turned) = (&self.offset[0], apply(values, &self.turn, &own.first));
         let (half, two) = (values.constant(0.5), values.constant(2.0));
         let carried = r.map(|x| product(values, own.mass, x));
@@ -129,35 +129,46 @@ impl LinkValues {
         Mass { mass: own.mass, first: add(values, &turned, &carried), second }
     }
 
-    /// S P S'. About an axis of the frame, by the double angle.
-    fn rotated(&self, values: &mut Values, p: &Matrix) -> Matrix {
+    /// S A S'. About an axis of the frame, by the double angle.
+    pub(super) fn rotated(&self, values: &mut Values, a: &Matrix) -> Matrix {
         let s = &self.turn;
+        let is_symmetric = (0..3).all(|i| a[i][(i + 1) % 3] == a[(i + 1) % 3][i]);
         let Some(axis) = self.axis(values) else {
-            let half: Matrix = std::array::from_fn(|i| apply(values, s, &p[i]));
-            return symmetric(|(i, j)| {
+            let half: Matrix = std::array::from_fn(|i| apply(values, s, &a[i]));
+            let mut entry = |i: usize, j: usize| {
                 inner(values, &[(s[i][0], half[0][j]), (s[i][1], half[1][j]), (s[i][2], half[2][j])])
-            });
+            };
+            return match is_symmetric {
+                true => symmetric(|(i, j)| entry(i, j)),
+                false => std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j))),
+            };
         };
         let (i, j, k) = ((axis + 1) % 3, (axis + 2) % 3, axis);
         let (cos, sin) = (s[i][i], s[j][i]);
-        // t = sin (sin (a - b) + 2 cos h) goes from a to b, and h becomes cos (sin (a - b) + 2 cos h) - h.
-        let (a, b, h) = (p[i][i], p[j][j], p[i][j]);
-        let (apart, two) = (difference(values, a, b), values.constant(2.0));
-        let doubled = product(values, two, h);
+        // t = sin (sin (a - b) + 2 cos h) goes from a to b, and h becomes cos (sin (a - b) + 2 cos h) - h. Without symmetry 2 h
+        // is the sum of both, and each becomes what the other is less.
+        let apart = difference(values, a[i][i], a[j][j]);
+        let doubled = match a[i][j] == a[j][i] {
+            true => {
+                let two = values.constant(2.0);
+                product(values, two, a[i][j])
+            }
+            false => sum(values, &[a[i][j], a[j][i]]),
+        };
         let doubled = product(values, cos, doubled);
         let swung = product(values, sin, apart);
         let common = sum(values, &[swung, doubled]);
         let (gone, turned) = (product(values, sin, common), product(values, cos, common));
-        let mut rotated = *p;
-        rotated[i][i] = difference(values, a, gone);
-        rotated[j][j] = sum(values, &[b, gone]);
-        rotated[i][j] = difference(values, turned, h);
-        rotated[j][i] = rotated[i][j];
+        let mut rotated = *a;
+        rotated[i][i] = difference(values, a[i][i], gone);
+        rotated[j][j] = sum(values, &[a[j][j], gone]);
+        rotated[i][j] = difference(values, turned, a[j][i]);
+        rotated[j][i] = difference(values, turned, a[i][j]);
         let minus = values.negate(sin);
-        rotated[k][i] = inner(values, &[(cos, p[k][i]), (minus, p[k][j])]);
-        rotated[k][j] = inner(values, &[(sin, p[k][i]), (cos, p[k][j])]);
-        rotated[i][k] = rotated[k][i];
-        rotated[j][k] = rotated[k][j];
+        let mut turn =
+            |x: Value, y: Value| [inner(values, &[(cos, x), (minus, y)]), inner(values, &[(sin, x), (cos, y)])];
+        [rotated[k][i], rotated[k][j]] = turn(a[k][i], a[k][j]);
+        [rotated[i][k], rotated[j][k]] = turn(a[i][k], a[j][k]);
         rotated
     }
 
@@ -177,7 +188,7 @@ impl LinkValues {
 }
 
 impl Mass {
-    fn add(&mut self, values: &mut Values, other: &Mass) {
+    pub(super) fn add(&mut self, values: &mut Values, other: &Mass) {
         self.mass = sum(values, &[self.mass, other.mass]);
         self.first = add(values, &self.first, &other.first);
         self.second = symmetric(|(i, j)| sum(values, &[self.second[i][j], other.second[i][j]]));
@@ -185,7 +196,7 @@ impl Mass {
 }
 
 /// A symmetric matrix, each entry computed once.
-fn symmetric(entry: impl FnMut((usize, usize)) -> Value) -> Matrix {
+pub(super) fn symmetric(entry: impl FnMut((usize, usize)) -> Value) -> Matrix {
     let entries = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)].map(entry);
     std::array::from_fn(|i| std::array::from_fn(|j| entries[if i == j { i } else { 6 - i - j }]))
 }

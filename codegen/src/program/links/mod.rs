@@ -1,9 +1,14 @@
 //! Recursions over a tree of links, in the links' own frames.
 
 mod composite;
+mod forward;
+mod inertia;
 mod newton_euler;
+mod open;
 mod terms;
 mod tree;
 mod triple;
 
+pub(super) use forward::Joints;
+pub(super) use open::{OpenTerms, Solved};
 pub(super) use terms::LinkTerms;

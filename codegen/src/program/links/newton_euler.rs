@@ -15,7 +15,7 @@ use super::triple::{Matrix, Triple, add, apply, cross, difference, dot, inner, p
 use crate::program::values::{Value, Values};
 
 /// The motion of a link, in its own frame.
-struct Motion {
+pub(super) struct Motion {
     spin: Triple,
     /// B.
     turning: Matrix,
@@ -28,18 +28,7 @@ struct Motion {
 impl LinkTree {
     /// M q'' + h - Q of the links and their weights; without accelerations h - Q.
     pub(super) fn forces(&self, values: &mut Values, accelerations: Option<&[Value]>) -> Vec<Value> {
-        let none = zero(values);
-        let mut motions: Vec<Motion> = Vec::with_capacity(self.links.len());
-        for link in &self.links {
-            let world = Motion {
-                spin: none,
-                turning: [none; 3],
-                proper: self.gravity.map(|g| values.negate(g)),
-                spin_rate: none,
-            };
-            let before = link.before.map_or(&world, |before| &motions[before]);
-            motions.push(link.motion(values, before, accelerations));
-        }
+        let motions = self.motions(values, accelerations);
         let mut wrenches: Vec<[Vec<Triple>; 2]> = self.links.iter().map(|_| [vec![], vec![]]).collect();
         let mut forces: Vec<Vec<Value>> = vec![vec![]; self.coordinates];
         for (at, link) in self.links.iter().enumerate().rev() {
@@ -62,9 +51,26 @@ impl LinkTree {
         }
         forces.into_iter().map(|terms| sum(values, &terms)).collect()
     }
+
+    /// The motion of each link; without accelerations where q'' = 0.
+    pub(super) fn motions(&self, values: &mut Values, accelerations: Option<&[Value]>) -> Vec<Motion> {
+        let none = zero(values);
+        let mut motions: Vec<Motion> = Vec::with_capacity(self.links.len());
+        for link in &self.links {
+            let world = Motion {
+                spin: none,
+                turning: [none; 3],
+                proper: link.gravity.map(|g| values.negate(g)),
+                spin_rate: none,
+            };
+            let before = link.before.map_or(&world, |before| &motions[before]);
+            motions.push(link.motion(values, before, accelerations));
+        }
+        motions
+    }
 }
 
-fn total(values: &mut Values, all: &[Triple]) -> Triple {
+pub(super) fn total(values: &mut Values, all: &[Triple]) -> Triple {
     std::array::from_fn(|i| sum(values, &all.iter().map(|v| v[i]).collect::<Vec<_>>()))
 }
 
@@ -121,7 +127,7 @@ fn turning(values: &mut Values, w: &Triple, rate: &Triple) -> Matrix {
 
 impl Mass {
     /// The moment about the origin and the force that a motion takes.
-    fn wrench(&self, values: &mut Values, motion: &Motion) -> [Triple; 2] {
+    pub(super) fn wrench(&self, values: &mut Values, motion: &Motion) -> [Triple; 2] {
         let (b, p, w) = (&motion.turning, &self.second, &motion.spin);
         let arm = cross(values, &self.first, &motion.proper);
         let moment = std::array::from_fn(|i| {

@@ -10,14 +10,14 @@ use crate::symbolic::Expr;
 pub(super) struct LinkTree {
     /// Each after the one before it.
     pub(super) links: Vec<LinkValues>,
-    /// g in the world.
-    pub(super) gravity: Triple,
     /// How many coordinates there are.
     pub(super) coordinates: usize,
 }
 
 pub(super) struct LinkValues {
     pub(super) before: Option<usize>,
+    /// g in the frame before it, if that is at rest.
+    pub(super) gravity: Triple,
     /// S, from its own frame to the one before.
     pub(super) turn: Matrix,
     /// Its angular velocity in the frame before, in its own, with the convective part of its rate.
@@ -49,11 +49,11 @@ pub(super) struct Mass {
 impl LinkTree {
     pub(super) fn of(lowering: &mut Lowering, links: &Links) -> LinkTree {
         let (gravity, coordinates) = (triple(lowering, &links.gravity), links.rest.mass_matrix.len());
-        LinkTree { links: links.links.iter().map(|own| link(lowering, own)).collect(), gravity, coordinates }
+        LinkTree { links: links.links.iter().map(|own| link(lowering, gravity, own)).collect(), coordinates }
     }
 }
 
-fn link(lowering: &mut Lowering, link: &Link) -> LinkValues {
+fn link(lowering: &mut Lowering, gravity: Triple, link: &Link) -> LinkValues {
     let columns = link.columns.iter().map(|(coordinate, [spin, shift])| Column {
         coordinate: *coordinate,
         spin: triple(lowering, spin),
@@ -61,6 +61,7 @@ fn link(lowering: &mut Lowering, link: &Link) -> LinkValues {
     });
     LinkValues {
         before: link.before,
+        gravity,
         columns: columns.collect(),
         turn: link.turn.each_ref().map(|row| triple(lowering, row)),
         spin: link.spin.each_ref().map(|part| triple(lowering, part)),

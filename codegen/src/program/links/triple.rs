@@ -88,3 +88,8 @@ pub(super) fn transposed(a: &Matrix) -> Matrix {
 pub(super) fn zero(values: &mut Values) -> Triple {
     [values.constant(0.0); 3]
 }
+
+pub(super) fn identity(values: &mut Values) -> Matrix {
+    let (zero, one) = (values.constant(0.0), values.constant(1.0));
+    std::array::from_fn(|i| std::array::from_fn(|j| if i == j { one } else { zero }))
+}

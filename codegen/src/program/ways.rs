@@ -1,0 +1,93 @@
+//! The ways to solve the equations of motion, and the one that takes fewest operations.
+
+use super::links::Joints;
+use super::lower::Lowering;
+use super::motion::Motion;
+use super::planner::Planner;
+use super::values::{Leaves, Value, Values};
+use crate::dynamics::{ConstraintForm, EquationsOfMotion, Links};
+
+/// The motion solved at one state.
+pub(super) struct Solution<'a> {
+    pub(super) lowering: Lowering<'a>,
+    pub(super) motion: Motion<'a>,
+    /// The same by a factorisation, where derivatives are wanted and the motion has none.
+    pub(super) differentiable: Option<Motion<'a>>,
+}
+
+/// A way to solve the equations of motion.
+#[derive(Clone, Copy)]
+enum Way<'a> {
+    /// A factorisation of the system in this form, its terms from rows of T or by recursions over links.
+    Factorised(&'a ConstraintForm, Option<&'a Links>),
+    /// From the tips of an open tree to the world and back.
+    Open(&'a Links, Joints),
+}
+
+/// A way that was gone, with the number of operations.
+struct Trial<'a> {
+    way: Way<'a>,
+    cost: usize,
+    lowering: Lowering<'a>,
+    motion: Motion<'a>,
+}
+
+impl<'a> Way<'a> {
+    fn factorised(equations: &'a EquationsOfMotion) -> impl Iterator<Item = Way<'a>> {
+        let EquationsOfMotion { declared, turned, links, .. } = equations;
+        let forms = [Some(declared), turned.as_ref()].into_iter().flatten();
+        let terms = || [None].into_iter().chain(links.iter().map(Some));
+        forms.flat_map(move |form| terms().map(move |links| Way::Factorised(form, links)))
+    }
+
+    fn open(equations: &'a EquationsOfMotion) -> impl Iterator<Item = Way<'a>> {
+        let links = equations.links.iter().filter(|links| links.open.is_some());
+        links.flat_map(|links| [Joints::Together, Joints::OneByOne].map(|joints| Way::Open(links, joints)))
+    }
+
+    fn solve(self, equations: &'a EquationsOfMotion, lowering: &mut Lowering) -> Option<Motion<'a>> {
+        match self {
+            Way::Factorised(form, links) => Some(Motion::factorised(equations, form, links, lowering)),
+            Way::Open(links, joints) => Motion::of_open_tree(equations, links, joints, lowering),
+        }
+    }
+
+    fn tried(self, planner: &'a Planner<'a>) -> Option<Trial<'a>> {
+        let mut lowering = planner.lowering();
+        let motion = self.solve(planner.equations, &mut lowering)?;
+        let cost = match motion.is_planned() {
+            true => operations(&lowering.values, motion.dynamics().entries()),
+            false => usize::MAX,
+        };
+        Some(Trial { way: self, cost, lowering, motion })
+    }
+}
+
+impl<'a> Solution<'a> {
+    pub(super) fn cheapest(planner: &'a Planner<'a>) -> Option<Solution<'a>> {
+        let least = |ways: &mut dyn Iterator<Item = Way<'a>>| {
+            let trials = ways.filter_map(|way| way.tried(planner));
+            trials.reduce(|best, other| if other.cost < best.cost { other } else { best })
+        };
+        let factorised = least(&mut Way::factorised(planner.equations))?;
+        let open = least(&mut Way::open(planner.equations)).filter(|open| open.cost < factorised.cost);
+        let Some(Trial { mut lowering, motion, .. }) = open else {
+            let Trial { lowering, motion, .. } = factorised;
+            return Some(Solution { lowering, motion, differentiable: None });
+        };
+        let declared = &planner.equations.declared;
+        let differentiable = match declared.by_state.is_some() || declared.by_parameters.is_some() {
+            true => factorised.way.solve(planner.equations, &mut lowering),
+            false => None,
+        };
+        Some(Solution { lowering, motion, differentiable })
+    }
+}
+
+/// The number of operations that are not on parameters alone.
+pub(super) fn operations(values: &Values, roots: Vec<&Value>) -> usize {
+    let roots: Vec<Value> = roots.into_iter().copied().collect();
+    let needed = values.reachable(&roots, &Leaves::default());
+    let moving = needed.into_iter().filter(|value| !values.is_parametric(*value));
+    moving.map(|value| values.operands(value).count().saturating_sub(1)).sum()
+}
