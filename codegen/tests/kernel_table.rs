@@ -38,7 +38,7 @@ const SMALL: &str = "pub Small;
     bodies { block: mass m at [x, 0]; }
     loads { force [F, 0] at [x, 0]; }
     events { far: x = 1 [m] { set x = 0; } }
-    kernels { dynamics_jacobian; dynamics_sensitivity; inverse_dynamics; }";
+    kernels { dynamics_jacobian; dynamics_sensitivity; inverse_dynamics; speed_mass_matrix; }";
 
 /// Many rows, each of few coordinates.
 const SPARSE: &str = "pub Sparse;

@@ -1,6 +1,7 @@
 //! Recursions over links, which write `dynamics`, `inverse_dynamics` and `mass_matrix` of these mechanisms, against kernels that
 //! come from rows of T: kinetic energy, convective and generalised forces, power. They share the resolved model alone.
 
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use sim::{At, DeclarationFile, Kernel, Model};
 use std::path::Path;
 use std::sync::Arc;
@@ -59,7 +60,7 @@ const LIMB: &str = "
         base: free, mass 3*m, inertia [0.3*m*L^2, 0.4*m*L^2, 0.35*m*L^2, 0.01*m*L^2, 0.02*m*L^2, 0.03*m*L^2];
         other: free, mass 2*m, inertia [0.2*m*L^2, 0.1*m*L^2, 0.25*m*L^2];
     }
-    coordinates { a [rad]; b [rad]; c [rad]; d [m]; s [rad]; f [rad]; g [rad]; h [rad]; i [rad]; o [rad]; }
+    coordinates { a [rad]; b [rad]; c [rad]; d [m]; s [rad]; f [rad]; g [rad]; h [rad]; i [rad]; o [rad]; u [rad]; }
     let A = attitude(base)*rotation(y, a);
     let PA = on(base, [0.1*L, 0.2*L, -0.3*L]);
     let B = A*rotation(x, b);
@@ -75,7 +76,7 @@ const LIMB: &str = "
     let PG = PF + F*[0.2*L, 0.1*L, 0];
     let H = G*rotation(x, h);
     let PH = PG + G*[0.2*L, 0, 0.3*L];
-    let I = H*rotation(z, i);
+    let I = H*rotation(z, i + 2*u);
     let PI = PH + H*[0, 0.3*L, 0.1*L];
     let O = attitude(other)*rotation(z, o);
     bodies {
@@ -90,6 +91,7 @@ const LIMB: &str = "
         nine: mass 0.3*m at PI + I*[0.05*L, 0.1*L, 0.1*L], inertia [0.009*m*L^2, 0.012*m*L^2, 0.008*m*L^2], attitude I;
         ten: mass m at on(other, [0.1*L, 0, 0.2*L]) + O*[0.1*L, 0.1*L, 0], inertia [0.1*m*L^2, 0.12*m*L^2, 0.08*m*L^2], attitude O;
         rotor: inertia 0.02*m*L^2, angle b;
+        gear: inertia 0.03*m*L^2, angle u;
     }
     loads {
         gravity [1 [m/s^2], 0, -9.81 [m/s^2]];
@@ -98,7 +100,7 @@ const LIMB: &str = "
         torque [0.1*m*L^2/(1 [s^2]), 0, 0.2*m*L^2/(1 [s^2])] on base;
         torque 0.1*m*L^2/(1 [s^2]) on g;
     }
-    kernels { inverse_dynamics; dynamics_jacobian; }";
+    kernels { inverse_dynamics; speed_mass_matrix; }";
 
 /// A table that time turns and lifts carries an arm: the power is that of loads and drives.
 const DRIVEN: &str = "
@@ -182,6 +184,56 @@ fn mass_matrix_is_that_of_the_kinetic_energy(model: &dyn Model, at: At<f64>, siz
     }
 }
 
+/// The energy of its base at a velocity is a quadratic form of it. These rates are those of the coordinates.
+fn speed_mass_matrix_is_that_of_the_kinetic_energy(
+    model: &dyn Model,
+    at: At<f64>,
+    bases: &[usize],
+    size: &impl Fn(usize) -> f64,
+) {
+    let n = at.positions.len();
+    let mut rates: Vec<(f64, Vec<f64>)> = Vec::new();
+    for j in 0..n {
+        let mut rate = vec![0.0; n];
+        let Some(first) = bases.iter().copied().find(|first| (*first..*first + 7).contains(&j)) else {
+            rate[j] = size(j);
+            rates.push((size(j), rate));
+            continue;
+        };
+        let q = &at.positions[first + 3..first + 7];
+        let quaternion = Quaternion::new(q[0], q[1], q[2], q[3]);
+        let axis = |i: usize| Vector3::ith(i, 1.0);
+        match j - first {
+            i @ 0..3 => {
+                let velocity = UnitQuaternion::from_quaternion(quaternion) * axis(i) * size(j);
+                rate[first..first + 3].copy_from_slice(velocity.as_slice());
+                rates.push((size(j), rate));
+            }
+            // Seven coordinates have six speeds.
+            3 => {}
+            i => {
+                let Quaternion { coords: half } = quaternion * Quaternion::from_imag(axis(i - 4)) * 0.5;
+                rate[first + 3..first + 7].copy_from_slice(&[half.w, half.x, half.y, half.z]);
+                rates.push((1.0, rate));
+            }
+        }
+    }
+    let energy = |moved: &[usize]| {
+        let speeds: Vec<f64> = (0..n).map(|i| moved.iter().map(|of| rates[*of].1[i]).sum()).collect();
+        vector(model, Kernel::KineticEnergy, At { speeds: &speeds, ..at })[0]
+    };
+    let rows = called(model, Kernel::SpeedMassMatrix, at);
+    assert_eq!(rows.len(), n - bases.len());
+    for (i, row) in rows.into_iter().enumerate() {
+        assert_eq!(row.len(), n - bases.len());
+        for (j, entry) in row.into_iter().enumerate() {
+            let energies = [energy(&[i, j]), -energy(&[i]), -energy(&[j])];
+            let sum = energies.iter().map(|energy| energy.abs()).sum();
+            assert_close(&format!("mass {i} {j}"), rates[i].0 * rates[j].0 * entry, energies.iter().sum(), sum);
+        }
+    }
+}
+
 /// M q'' + h - Q by its terms.
 fn inverse_dynamics_are_those_terms(model: &dyn Model, at: At<f64>, lengths: &[usize]) {
     let mass = called(model, Kernel::MassMatrix, at);
@@ -239,9 +291,50 @@ fn a_free_base() {
     agrees(FREE, &[2, 3, 4]);
 }
 
+/// Derivatives come from a factorisation in q'', and are those of `dynamics`, which goes by the velocity of the base: by dual
+/// numbers where they are no kernel.
+#[test]
+fn derivatives_of_a_free_base() {
+    let with_kernel = FREE.replace("inverse_dynamics;", "dynamics_jacobian;");
+    let random = &mut Random(5);
+    let [kernel, duals] = [&with_kernel, FREE].map(|text| scaled(text, 1.0, 1.0));
+    assert_eq!(kernel.description().optional_kernels, ["dynamics_jacobian"]);
+    for _ in 0..5 {
+        let [start, _] = kernel.initial();
+        let q: Vec<f64> = start.iter().map(|start| start + random.between(-0.7, 0.7)).collect();
+        let qd: Vec<f64> = q.iter().map(|_| random.between(-0.7, 0.7)).collect();
+        let at = At { time: 0.0, positions: &q, speeds: &qd, accelerations: &[], multipliers: &[] };
+        let [found, expected] = [&kernel, &duals].map(|model| called(&**model, Kernel::DynamicsJacobian, at));
+        let size = CONDITION * expected.iter().flatten().fold(0.0, |size: f64, x| size.max(x.abs()));
+        for (found, expected) in found.iter().zip(&expected) {
+            found
+                .iter()
+                .zip(expected)
+                .for_each(|(found, expected)| assert_close("derivative", *found, *expected, size));
+        }
+    }
+}
+
 #[test]
 fn a_limb_of_many_joints() {
-    agrees(LIMB, &[3]);
+    agrees(LIMB, &[3, 11, 12, 13, 18, 19, 20]);
+    agrees_in_speeds(LIMB, &[3, 11, 12, 13, 18, 19, 20], &[11, 18]);
+}
+
+/// As `agrees`; free bodies begin at these coordinates.
+fn agrees_in_speeds(text: &str, lengths: &[usize], bases: &[usize]) {
+    let random = &mut Random(11);
+    for (length, mass) in [(1.0, 1.0), (1e-3, 1e-3), (100.0, 1e3)] {
+        let model = scaled(text, length, mass);
+        let [start, _] = model.initial();
+        for _ in 0..5 {
+            let size = |i: usize| if lengths.contains(&i) { length } else { 1.0 };
+            let off = |(i, start): (usize, &f64)| start + size(i) * random.between(-0.7, 0.7);
+            let q: Vec<f64> = start.iter().enumerate().map(off).collect();
+            let at = At { time: 0.0, positions: &q, speeds: &[], accelerations: &[], multipliers: &[] };
+            speed_mass_matrix_is_that_of_the_kinetic_energy(&*model, at, bases, &size);
+        }
+    }
 }
 
 #[test]

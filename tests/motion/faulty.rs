@@ -63,6 +63,8 @@ impl<M: Compiled> Mechanism for Faulty<M> {
     type L = M::L;
     type Z = M::Z;
     type QQ = M::QQ;
+    type V = M::V;
+    type VV = M::VV;
     type LQ = M::LQ;
     type LL = M::LL;
     type ZZ = M::ZZ;

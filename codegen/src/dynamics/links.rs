@@ -7,7 +7,7 @@
 //! 9.4.2; they write inertias in place of second moments, which takes two entries where P_kk is one). What reaches the world
 //! is at rest. Forces along the coordinates stay what they are.
 
-use super::constraints::Constraints;
+use super::free_base::FreeBase;
 use super::open_tree::OpenTree;
 use super::rows::load_rows_besides;
 use super::tmt::Tmt;
@@ -62,7 +62,7 @@ impl Links {
         model: &Model,
         variables: &Variables,
         derivatives: &mut Derivatives,
-        constraints: &Constraints,
+        bases: &[FreeBase],
     ) -> Option<Links> {
         if model.links.is_empty() {
             return None;
@@ -73,7 +73,7 @@ impl Links {
         regroup(graph, &mut model.dependences.clone(), &mut links);
         let fixed = model.links.iter().flat_map(|link| &link.bodies).map(|fixed| fixed.body).collect::<Vec<_>>();
         let rows = load_rows_besides(graph, model, &fixed);
-        let open = OpenTree::derive(graph, model, constraints, (variables, derivatives), &links, rows.clone());
+        let open = OpenTree::derive(graph, model, bases, (variables, derivatives), &links, rows.clone());
         let rest = Tmt::derive(graph, variables, derivatives, rows);
         let gravity = model.gravity.as_ref().map_or([zero; 3], |gravity| [gravity[0], gravity[1], gravity[2]]);
         Some(Links { links, gravity, rest, open })

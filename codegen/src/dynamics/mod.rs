@@ -22,6 +22,7 @@ mod constraints;
 mod energy;
 mod events;
 mod formulation;
+mod free_base;
 mod intermediates;
 mod inverse;
 mod kinematics;
@@ -44,12 +45,13 @@ pub use column::Column;
 pub use constraints::Constraints;
 pub use energy::Energy;
 pub use events::Events;
+pub use free_base::FreeBase;
 pub use intermediates::Intermediate;
 pub use inverse::Inverse;
 pub use kinematics::Kinematics;
 pub use lagrange::{Lagrange, lagrange};
 pub use links::{Link, Links, MassDistribution};
-pub use open_tree::{FreeBase, OpenTree};
+pub use open_tree::OpenTree;
 pub use outputs::Outputs;
 pub use speeds::SpeedEquations;
 pub use tmt::{Tmt, TmtRow};
@@ -92,6 +94,8 @@ pub struct EquationsOfMotion {
     pub events: Events,
     /// Inverse dynamics, if requested and without intermediates.
     pub inverse: Option<Inverse>,
+    /// The links that move freely.
+    pub free_bases: Vec<FreeBase>,
     /// The bodies of space as a tree, if the equations are written to be cheap and without intermediates.
     pub links: Option<Links>,
     /// The equations in generalised speeds, if there are any, in the coordinates alone.
@@ -111,7 +115,7 @@ pub fn derive_cheapest(resolved: Resolved) -> EquationsOfMotion {
 fn derive_as(
     resolved: Resolved,
     formulation: fn(&mut Graph, &Model, Vec<LoadRow>) -> Formulation,
-    links: fn(&mut Graph, &Model, &Variables, &mut Derivatives, &Constraints) -> Option<Links>,
+    links: fn(&mut Graph, &Model, &Variables, &mut Derivatives, &[FreeBase]) -> Option<Links>,
 ) -> EquationsOfMotion {
     let Resolved { model, mut graph, displaced } = resolved;
     let rows = load_rows(&mut graph, &model);
@@ -139,8 +143,9 @@ fn derive_as(
     }
     // Last, so that nothing above notices.
     auxiliary::enter(&mut graph, &model, displaced, &mut outputs, &mut events);
+    let free_bases = free_base::free_bases(&mut graph, &model, &constraints);
     let is_plain = intermediates.is_empty();
-    let links = is_plain.then(|| links(&mut graph, &model, &variables, &mut derivatives, &constraints)).flatten();
+    let links = is_plain.then(|| links(&mut graph, &model, &variables, &mut derivatives, &free_bases)).flatten();
     EquationsOfMotion {
         model,
         graph,
@@ -154,6 +159,7 @@ fn derive_as(
         outputs,
         events,
         inverse,
+        free_bases,
         links,
         speeds,
     }

@@ -30,6 +30,7 @@ macro_rules! kernels {
 const Q: Type = Type::Associated(Associated::Q);
 const L: Type = Type::Associated(Associated::L);
 const QQ: Type = Type::Associated(Associated::QQ);
+const VV: Type = Type::Associated(Associated::VV);
 const LQ: Type = Type::Associated(Associated::LQ);
 const QP: Type = Type::Associated(Associated::QP);
 const LP: Type = Type::Associated(Associated::LP);
@@ -93,6 +94,11 @@ kernels! {
 
     MassMatrix = mechanism("mass_matrix", Positions, QQ),
         "Mass matrix `T_q' M T_q`, {n} x {n}, symmetric, in SI units.";
+
+    SpeedMassMatrix = mechanism("speed_mass_matrix", Positions, VV).provided().optional(),
+        "Mass matrix `N' M N` in speeds, {v} x {v}, symmetric, in SI units: in the generalised speeds `u` of `q' = N u + n`, or, \
+         where none are declared, in `q'` with the velocities of free bodies. Those stand in the place of their coordinates: \
+         the velocity of the origin, then the angular velocity, both in the body's own frame.";
 
     ConvectiveForces = mechanism("convective_forces", Speeds, Q),
         "Convective forces `T_q' M g`, {n}, with `g = (T_q q' + T_t)_q q' + (..)_t`: joules per unit of each coordinate.";

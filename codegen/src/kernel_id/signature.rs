@@ -16,7 +16,7 @@ pub struct Signature {
     /// Whether it is made only where the block `kernels` names it, or where small mechanisms can afford it.
     pub is_optional: bool,
     /// What it computes: formula, shape, units. Sizes stand in braces: `{n}` coordinates, `{m}` constraints, `{p}` parameters,
-    /// `{k}` generalised speeds, `{r}` constraints that these leave, `{len}` entries of the result.
+    /// `{k}` generalised speeds, `{v}` velocities, `{r}` constraints that these leave, `{len}` entries of the result.
     pub documentation: &'static str,
 }
 
@@ -164,6 +164,10 @@ associated_types! {
     Z of Mechanism,
     /// A row for each coordinate, a column for each.
     QQ of Mechanism,
+    /// Velocities of the mass matrix in speeds.
+    V of Mechanism,
+    /// A row for each velocity, a column for each.
+    VV of Mechanism,
     /// A row for each constraint, a column for each coordinate.
     LQ of Mechanism,
     /// A row for each constraint, a column for each.

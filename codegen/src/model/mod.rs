@@ -127,6 +127,8 @@ pub struct Model {
     pub wants_sensitivity: bool,
     /// The same for inverse dynamics.
     pub wants_inverse: bool,
+    /// The same for the mass matrix in speeds.
+    pub wants_speed_mass_matrix: bool,
     /// How it is run where nothing else is said.
     pub run: Vec<RunDefault>,
     /// Auxiliary displacements, which are zero here.

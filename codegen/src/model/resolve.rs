@@ -98,6 +98,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         run,
         wants_jacobian: declaration.kernels.as_ref().map(|kernels| kernels.contains(&KernelId::DynamicsJacobian)),
         wants_inverse: wants(KernelId::InverseDynamics),
+        wants_speed_mass_matrix: wants(KernelId::SpeedMassMatrix),
         wants_sensitivity: wants(KernelId::DynamicsSensitivity),
     };
     mistakes.or((model, graph))

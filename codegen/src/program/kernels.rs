@@ -7,6 +7,7 @@ use super::reduced;
 use super::results::Results;
 use super::separate::separate_kernels;
 use super::sparsity::Sparsity;
+use super::speed_mass_matrix::speed_mass_matrix;
 use super::{Kernel, Program};
 use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::{KernelId, Record};
@@ -27,6 +28,7 @@ pub fn plan(equations: &mut EquationsOfMotion) -> Program {
     let sparsity = Sparsity::of(columns, planner.equations.model.coordinates.len());
     kernels.extend(sparsity.as_ref().map(|sparsity| sparse_linearization_kernel(&planner, sparsity)));
     kernels.extend(generalized_speeds_kernel(&planner));
+    kernels.extend(speed_mass_matrix(&planner));
     kernels.extend(event_values_kernel(&planner));
     kernels.extend(input_values_kernel(&planner));
     Program { kernels, sparsity }

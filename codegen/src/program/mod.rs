@@ -24,6 +24,7 @@ mod schedule;
 mod separate;
 mod shared_products;
 mod sparsity;
+mod speed_mass_matrix;
 mod speeds;
 mod turns;
 mod values;

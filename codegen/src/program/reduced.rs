@@ -20,6 +20,15 @@ pub(super) fn mass_matrix(equations: &EquationsOfMotion, lowering: &mut Lowering
     matrix(equations, lowering, 0..equations.model.coordinates.len())
 }
 
+/// The same with all of its zeros.
+pub(super) fn dense_mass_matrix(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Vec<Vec<Value>> {
+    let n = equations.model.coordinates.len();
+    let system = system(equations, &equations.declared, lowering);
+    let mut reduced = reduce(&mut lowering.values, &system);
+    let mut row = |i: usize| (0..n).map(|j| reduced.entry(&mut lowering.values, i, j)).collect();
+    (0..n).map(&mut row).collect()
+}
+
 /// C_q, m x n.
 pub(super) fn constraint_jacobian(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
     let first = equations.variables.len();

@@ -35,7 +35,13 @@ pub(super) fn kernels(
 }
 
 /// Sets the values of the rates that are solved for at run time, and of their derivatives.
-fn solve_blocks(graph: &Graph, model: &Model, blocks: &[Block], lowering: &mut Lowering, notes: &mut Notes) -> Pivots {
+pub(super) fn solve_blocks(
+    graph: &Graph,
+    model: &Model,
+    blocks: &[Block],
+    lowering: &mut Lowering,
+    notes: &mut Notes,
+) -> Pivots {
     let factors: Vec<Option<Factors>> =
         blocks.iter().map(|block| factorise_block(graph, model, block, lowering, notes)).collect();
     let mut solve = |factors: &Option<Factors>, solution: &Solution| {

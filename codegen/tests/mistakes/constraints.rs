@@ -42,7 +42,7 @@ fn constraints_and_events() {
         "initial {",
         "kernels { jacobian; } initial {",
         &["7:11 `jacobian` is not known here; expected one of `dynamics_jacobian`, `dynamics_sensitivity`, \
-             `inverse_dynamics`"],
+             `inverse_dynamics`, `speed_mass_matrix`"],
     );
     check(
         "initial {",

@@ -42,8 +42,8 @@ pub struct Description {
     pub rated_outputs: &'static [usize],
     /// Which outputs belong in one figure, in order.
     pub figures: &'static [Figure],
-    /// Which of `dynamics_jacobian`, `dynamics_sensitivity` and `inverse_dynamics` are kernels of their own; the others
-    /// come from other kernels, the derivatives by dual numbers.
+    /// Which of `dynamics_jacobian`, `dynamics_sensitivity`, `inverse_dynamics` and `speed_mass_matrix` are kernels of their
+    /// own. The others come from other kernels, the derivatives by dual numbers; only the last has to be requested.
     pub optional_kernels: &'static [&'static str],
     /// 2 if its vectors are planar, 3 if they are spatial.
     pub dimension: usize,

@@ -85,6 +85,9 @@ pub(crate) fn call<'py>(
     given: Given<'_, 'py>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let description = model.description();
+    if let Some(why) = kernel.missing_in(description) {
+        return Err(argument(py, &why));
+    }
     let n = description.coordinates.len();
     let widths = [n, n, n, description.constraints.len()];
     let levels = [

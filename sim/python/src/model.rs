@@ -102,6 +102,7 @@ fn levels<'a, 'py, const L: usize>(given: [&'a Bound<'py, PyAny>; L]) -> [Option
 
 kernels! {
     mass_matrix = MassMatrix(q);
+    speed_mass_matrix = SpeedMassMatrix(q);
     constraints = Constraints(q);
     constraint_magnitudes = ConstraintMagnitudes(q);
     constraint_jacobian = ConstraintJacobian(q);

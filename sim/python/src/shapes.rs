@@ -20,6 +20,7 @@ pub(crate) struct Part {
 
 /// The results of a kernel that gives rows of these lengths.
 pub(crate) fn parts(kernel: Kernel, description: &Description, rows: &[usize]) -> Vec<Part> {
+    let shapes = shapes(kernel, description, rows.len());
     let (mut from, mut rows) = (0, rows.iter());
     let part = |shape: Shape| {
         let length = match shape {
@@ -30,15 +31,16 @@ pub(crate) fn parts(kernel: Kernel, description: &Description, rows: &[usize]) -
         from = numbers.end;
         Part { shape, numbers }
     };
-    shapes(kernel, description).into_iter().map(part).collect()
+    shapes.into_iter().map(part).collect()
 }
 
-fn shapes(kernel: Kernel, description: &Description) -> Vec<Shape> {
+fn shapes(kernel: Kernel, description: &Description, rows: usize) -> Vec<Shape> {
     use Shape::{Matrix, Number, Vector};
     let [n, m, p] = [description.coordinates.len(), description.constraints.len(), description.parameters.len()];
     match kernel {
         Kernel::KineticEnergy | Kernel::Power => vec![Number],
         Kernel::MassMatrix => vec![Matrix(n, n)],
+        Kernel::SpeedMassMatrix => vec![Matrix(rows, rows)],
         Kernel::ConstraintJacobian => vec![Matrix(m, n)],
         Kernel::ConstraintLinearization => vec![Vector, Vector, Matrix(m, n)],
         Kernel::SparseLinearization => vec![Vector, Vector, Vector],

@@ -74,6 +74,18 @@ def test_every_kernel_has_its_shape(quick_return):
         assert all(np.array_equal(a[1], b) for a, b in zip(many, single)), name
 
 
+def test_the_mass_matrix_in_speeds_of_a_free_body():
+    body = """pub Body;
+    bodies { body: free, mass 2, inertia [1, 2, 3]; }
+    %s"""
+    one = linkwright.load(body % "kernels { speed_mass_matrix; }")
+    q, _ = one.initial()
+    np.testing.assert_allclose(one.speed_mass_matrix(0, q), np.diag([2, 2, 2, 1, 2, 3]), rtol=1e-15)
+    assert one.speed_mass_matrix(0, np.stack([q, q])).shape == (2, 6, 6)
+    with pytest.raises(ValueError, match=r"`body` has no `speed_mass_matrix`; write `kernels \{ speed_mass_matrix; \}`"):
+        linkwright.load(body % "").speed_mass_matrix(0, q)
+
+
 def test_derivatives_are_those_of_the_accelerations(quick_return):
     q, qd = quick_return.initial()
     by_q, by_qd, _, _ = quick_return.dynamics_jacobian(0, q, qd)

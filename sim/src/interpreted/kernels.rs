@@ -70,6 +70,7 @@ impl<'a, S: Number> Kernels<'a, S> {
             }
             Kernel::InverseDynamics => found(0, &self.inverse_dynamics(at)),
             Kernel::EventValues => found(0, &[]),
+            Kernel::SpeedMassMatrix => {}
             Kernel::VelocityVariables => found(0, &self.velocity_variables(at)),
             Kernel::Velocities => found(0, &self.speeds(at)),
             _ => return true,
@@ -147,6 +148,7 @@ pub(super) fn given<'a, S: Scalar>(
 pub(super) fn program(kernel: Kernel) -> Option<KernelId> {
     Some(match kernel {
         Kernel::MassMatrix => KernelId::MassMatrix,
+        Kernel::SpeedMassMatrix => KernelId::SpeedMassMatrix,
         Kernel::ConvectiveForces => KernelId::ConvectiveForces,
         Kernel::GeneralizedForces => KernelId::GeneralizedForces,
         Kernel::Constraints => KernelId::Constraints,

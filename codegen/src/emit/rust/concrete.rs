@@ -4,7 +4,7 @@ use super::names::prepared_name;
 use super::{ident, size};
 use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::{Argument, Arguments, Associated, KernelId, Trait, Type};
-use crate::program::{Program, Results, Sparsity};
+use crate::program::{Program, Results, Sparsity, Tree};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -25,6 +25,7 @@ struct Sizes {
     envelope: usize,
     generalized_speeds: usize,
     rows_left: usize,
+    velocities: usize,
 }
 
 /// Writes types down.
@@ -54,6 +55,7 @@ impl<'a> Concrete<'a> {
             envelope,
             generalized_speeds: model.generalized_speeds.len(),
             rows_left: equations.speeds.as_ref().map_or(0, |speeds| speeds.rows.len()),
+            velocities: rows(program, KernelId::SpeedMassMatrix),
         };
         let prepared = prepared_name(model);
         Concrete { sizes, prepared: quote! { #prepared<S> }, path }
@@ -109,6 +111,8 @@ impl<'a> Concrete<'a> {
             Associated::L => vector(m),
             Associated::Z => vector(n + m),
             Associated::QQ => matrix(n, n),
+            Associated::V => vector(s.velocities),
+            Associated::VV => matrix(s.velocities, s.velocities),
             Associated::LQ => matrix(m, n),
             Associated::LL => matrix(m, m),
             Associated::ZZ => matrix(n + m, n + m),
@@ -145,9 +149,19 @@ fn matrix(rows: usize, columns: usize) -> TokenStream {
     quote! { [[S; #columns]; #rows] }
 }
 
+fn rows(program: &Program, kernel: KernelId) -> usize {
+    match results(program, kernel) {
+        Some(Results::Matrix(_, rows)) => rows.len(),
+        _ => 0,
+    }
+}
+
+fn results(program: &Program, kernel: KernelId) -> Option<&Results<Tree>> {
+    program.kernels.iter().find(|found| found.id == kernel).map(|found| &found.results)
+}
+
 fn vector_len(program: &Program, kernel: KernelId) -> usize {
-    let found = program.kernels.iter().find(|found| found.id == kernel).map(|found| &found.results);
-    match found {
+    match results(program, kernel) {
         Some(Results::Vector(entries)) => entries.len(),
         _ => 0,
     }

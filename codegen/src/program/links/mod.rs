@@ -1,5 +1,6 @@
 //! Recursions over a tree of links, in the links' own frames.
 
+mod base;
 mod composite;
 mod forward;
 mod inertia;
@@ -9,6 +10,7 @@ mod terms;
 mod tree;
 mod triple;
 
+pub(super) use base::Base;
 pub(super) use forward::Joints;
 pub(super) use open::{OpenTerms, Solved};
 pub(super) use terms::LinkTerms;

@@ -12,6 +12,8 @@ pub trait Compiled<S: Scalar = f64>:
         L: FixedArray<S>,
         Z: FixedArray<S>,
         QQ: FixedArray<Self::Q>,
+        V: FixedArray<S>,
+        VV: FixedArray<Self::V>,
         LQ: FixedArray<Self::Q>,
         LL: FixedArray<Self::L>,
         ZZ: FixedArray<Self::Z>,

@@ -25,6 +25,10 @@ pub trait Mechanism<S: Scalar = f64>: Clone + Debug {
     type Z: Array<S>;
     /// n x n.
     type QQ: Array<Self::Q>;
+    /// Velocities of the mass matrix in speeds; none where the declaration does not request it.
+    type V: Array<S>;
+    /// As many rows as columns of these.
+    type VV: Array<Self::V>;
     /// m x n.
     type LQ: Array<Self::Q>;
     /// m x m.
@@ -111,6 +115,13 @@ pub trait Mechanism<S: Scalar = f64>: Clone + Debug {
 
     /// T_q' M T_q, n x n.
     fn mass_matrix(&self, t: S, q: &Self::Q) -> Self::QQ;
+    /// N' M N in speeds: in the generalised speeds u of q' = N u + n, or, where none are declared, in q' with the velocities
+    /// of free bodies. Those stand in the place of their coordinates: the velocity of the origin, then the angular velocity,
+    /// both in the body's own frame. Without rows if the declaration does not request it.
+    fn speed_mass_matrix(&self, t: S, q: &Self::Q) -> Self::VV {
+        let _ = (t, q);
+        Self::VV::repeat(0, Self::V::repeat(0, S::from_f64(0.0)))
+    }
     /// T_q' M g, n.
     fn convective_forces(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::Q;
     /// T_q' F, n.

@@ -83,6 +83,8 @@ class Model:
         """The declared start, not yet assembled: q and q', each (n,)."""
     def mass_matrix(self, t: _Times, q: ArrayLike) -> _Array:
         """M, (n, n)."""
+    def speed_mass_matrix(self, t: _Times, q: ArrayLike) -> _Array:
+        """The mass matrix in speeds, with free bodies by their velocities; the declaration has to request it."""
     def constraints(self, t: _Times, q: ArrayLike) -> _Array:
         """C, (m,)."""
     def constraint_magnitudes(self, t: _Times, q: ArrayLike) -> _Array:

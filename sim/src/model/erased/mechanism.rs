@@ -144,6 +144,8 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
     type L = Vector<K, S>;
     type Z = List<S>;
     type QQ = Matrix<K, S>;
+    type V = List<S>;
+    type VV = List<List<S>>;
     type LQ = Matrix<K, S>;
     type LL = Matrix<K, S>;
     type ZZ = List<List<S>>;
@@ -222,6 +224,14 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
 
     fn mass_matrix(&self, t: S, q: &Self::Q) -> Self::QQ {
         self.matrix(Kernel::MassMatrix, &Place::of(t, q), self.n())
+    }
+    fn speed_mass_matrix(&self, t: S, q: &Self::Q) -> List<List<S>> {
+        let mut rows: Vec<Vec<S>> = Vec::new();
+        self.call(Kernel::SpeedMassMatrix, &Place::of(t, q), |row, _, found| {
+            rows.resize(rows.len().max(row + 1), Vec::new());
+            rows[row].push(found);
+        });
+        List::with_len(rows.len(), |i| list(&rows[i]))
     }
     fn convective_forces(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::Q {
         self.vector(Kernel::ConvectiveForces, &Place::moving(t, q, qd), self.n())

@@ -32,6 +32,8 @@ macro_rules! kernels {
 kernels! {
     /// n rows of n.
     MassMatrix = "mass_matrix",
+    /// As many rows as columns; none where the declaration does not request it.
+    SpeedMassMatrix = "speed_mass_matrix",
     /// A row of n.
     ConvectiveForces = "convective_forces",
     /// A row of n.
@@ -76,6 +78,15 @@ kernels! {
     EventValues = "event_values",
     /// A row of the numbers of the drawing.
     Drawing = "drawing",
+}
+
+impl Kernel {
+    /// Why a mechanism cannot be asked for it, if it was not requested and nothing gives it in its place.
+    pub fn missing_in(self, description: &Description) -> Option<String> {
+        let (name, mechanism) = (self.name(), description.name);
+        let is_missing = self == Kernel::SpeedMassMatrix && !description.optional_kernels.contains(&name);
+        is_missing.then(|| format!("`{mechanism}` has no `{name}`; write `kernels {{ {name}; }}` in its declaration"))
+    }
 }
 
 /// What may be set of a mechanism, in the order of declaration.

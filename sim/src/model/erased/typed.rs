@@ -144,6 +144,7 @@ fn call<M: Mechanism>(mechanism: &M, kernel: Kernel, at: At<f64>, found: Found<f
     let multipliers = || array::<f64, M::L>(m, at.multipliers);
     match kernel {
         Kernel::MassMatrix => rows(0, &mechanism.mass_matrix(t, &q), found),
+        Kernel::SpeedMassMatrix => rows(0, &mechanism.speed_mass_matrix(t, &q), found),
         Kernel::ConvectiveForces => found(0, mechanism.convective_forces(t, &q, &qd).as_ref()),
         Kernel::GeneralizedForces => found(0, mechanism.generalized_forces(t, &q, &qd).as_ref()),
         Kernel::Constraints => found(0, mechanism.constraints(t, &q).as_ref()),

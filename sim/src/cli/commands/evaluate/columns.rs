@@ -36,6 +36,7 @@ fn is_matrix(kernel: Kernel) -> bool {
     matches!(
         kernel,
         Kernel::MassMatrix
+            | Kernel::SpeedMassMatrix
             | Kernel::ConstraintJacobian
             | Kernel::ConstraintLinearization
             | Kernel::SparseLinearization

@@ -16,6 +16,9 @@ pub(in crate::cli) fn evaluate(model: &dyn Model, arguments: &EvaluateArguments)
     let names = || Kernel::ALL.iter().map(|kernel| kernel.name());
     let kernel = Kernel::ALL.iter().copied().find(|kernel| kernel.name() == name);
     let kernel = kernel.ok_or_else(|| unknown("kernel", name, names()))?;
+    if let Some(why) = kernel.missing_in(model.description()) {
+        return Err(Stop::Usage(why));
+    }
     let table = Table::read(model.description(), kernel, arguments)?;
     let states = table.states();
     let results = model.call_each(kernel, &states);

@@ -75,6 +75,7 @@ fn by_state(columns: &[Vec<f64>], rows: usize) -> Vec<f64> {
 fn needs(kernel: Kernel) -> usize {
     match kernel {
         Kernel::MassMatrix
+        | Kernel::SpeedMassMatrix
         | Kernel::Constraints
         | Kernel::ConstraintMagnitudes
         | Kernel::ConstraintJacobian
