@@ -465,6 +465,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
     type L = [S; 1];
     type Z = [S; 3];
     type QQ = [[S; 2]; 2];
+    type V = [S; 0];
+    type VV = [[S; 0]; 0];
     type LQ = [[S; 2]; 1];
     type LL = [[S; 1]; 1];
     type ZZ = [[S; 3]; 3];

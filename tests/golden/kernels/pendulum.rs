@@ -409,6 +409,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
     type L = [S; 0];
     type Z = [S; 1];
     type QQ = [[S; 1]; 1];
+    type V = [S; 0];
+    type VV = [[S; 0]; 0];
     type LQ = [[S; 1]; 0];
     type LL = [[S; 0]; 0];
     type ZZ = [[S; 1]; 1];

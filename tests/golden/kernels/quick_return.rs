@@ -1068,6 +1068,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
     type L = [S; 2];
     type Z = [S; 5];
     type QQ = [[S; 3]; 3];
+    type V = [S; 0];
+    type VV = [[S; 0]; 0];
     type LQ = [[S; 3]; 2];
     type LL = [[S; 2]; 2];
     type ZZ = [[S; 5]; 5];

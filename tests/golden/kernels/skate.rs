@@ -604,6 +604,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
     type L = [S; 1];
     type Z = [S; 4];
     type QQ = [[S; 3]; 3];
+    type V = [S; 0];
+    type VV = [[S; 0]; 0];
     type LQ = [[S; 3]; 1];
     type LL = [[S; 1]; 1];
     type ZZ = [[S; 4]; 4];

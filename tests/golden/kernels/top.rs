@@ -680,6 +680,8 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Top<S> {
     type L = [S; 0];
     type Z = [S; 3];
     type QQ = [[S; 3]; 3];
+    type V = [S; 0];
+    type VV = [[S; 0]; 0];
     type LQ = [[S; 3]; 0];
     type LL = [[S; 0]; 0];
     type ZZ = [[S; 3]; 3];
