@@ -35,6 +35,7 @@ mod outputs;
 mod parts;
 mod rows;
 mod sensitivity;
+mod separation;
 mod speeds;
 mod tmt;
 mod turns;
@@ -53,6 +54,7 @@ pub use lagrange::{Lagrange, lagrange};
 pub use links::{Link, Links, MassDistribution};
 pub use open_tree::OpenTree;
 pub use outputs::Outputs;
+pub use separation::Separation;
 pub use speeds::SpeedEquations;
 pub use tmt::{Tmt, TmtRow};
 pub use turns::{ConstraintForm, RowTurn};
@@ -96,6 +98,8 @@ pub struct EquationsOfMotion {
     pub inverse: Option<Inverse>,
     /// The links that move freely.
     pub free_bases: Vec<FreeBase>,
+    /// The coordinates that parts have in common, if the equations are written to be cheap and without intermediates.
+    pub separations: Vec<Separation>,
     /// The bodies of space as a tree, if the equations are written to be cheap and without intermediates.
     pub links: Option<Links>,
     /// The equations in generalised speeds, if there are any, in the coordinates alone.
@@ -145,6 +149,7 @@ fn derive_as(
     auxiliary::enter(&mut graph, &model, displaced, &mut outputs, &mut events);
     let free_bases = free_base::free_bases(&mut graph, &model, &constraints);
     let is_plain = intermediates.is_empty();
+    let separations = if is_plain { separation::separations(&mut graph, &tmt, &constraints) } else { vec![] };
     let links = is_plain.then(|| links(&mut graph, &model, &variables, &mut derivatives, &free_bases)).flatten();
     EquationsOfMotion {
         model,
@@ -160,6 +165,7 @@ fn derive_as(
         events,
         inverse,
         free_bases,
+        separations,
         links,
         speeds,
     }

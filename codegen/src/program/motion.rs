@@ -7,10 +7,11 @@ use super::lower::Lowering;
 use super::notes::Notes;
 use super::planner::variable_names;
 use super::results::Results;
+use super::separated::separated;
 use super::turns::{derivatives_turned_back, turned_back};
 use super::values::Value;
 use crate::dynamics::order::Multipliers;
-use crate::dynamics::{Column, ConstraintForm, EquationsOfMotion, Intermediate, Links};
+use crate::dynamics::{Column, ConstraintForm, EquationsOfMotion, Intermediate, Links, Separation};
 use crate::kernel_id::Record;
 use crate::symbolic::Expr;
 
@@ -25,6 +26,8 @@ pub(super) struct Motion<'a> {
     /// Each pivot with the scale for its cancellation; none where there is no order to solve in.
     pivots: Option<Vec<(Value, Value)>>,
     factors: Option<Factors>,
+    /// How many unknowns these have.
+    unknown_count: usize,
     /// Names for what was computed, and its order.
     pub(super) notes: Notes,
 }
@@ -35,19 +38,25 @@ impl<'a> Motion<'a> {
         equations: &'a EquationsOfMotion,
         form: &'a ConstraintForm,
         links: Option<&Links>,
+        separations: &[Separation],
         lowering: &mut Lowering,
     ) -> Motion<'a> {
-        let names = unknown_names(equations, form);
+        let mut names = unknown_names(equations, form);
         let mut notes = Notes::default();
         let links = links.map(|links| LinkTerms::of(lowering, links));
-        let (system, rhs) = match &links {
+        let (system, mut rhs) = match &links {
             None => {
                 let system = system(equations, form, lowering);
                 (system, right_hand_side(lowering, &equations.tmt.right_hand_side, &form.convective))
             }
             Some(links) => by_links(equations, form, links, lowering),
         };
-        let constants = constants(equations, lowering);
+        let system = match separations {
+            [] => system,
+            _ => separated(lowering, separations, system, &mut names, &mut rhs),
+        };
+        let mut constants = constants(equations, lowering);
+        constants.resize(names.len(), lowering.values.constant(0.0));
         let factors = factorise(&mut lowering.values, &system, &names, &mut notes);
         let mut solved = match &factors {
             Some(factors) => factors.solve(&mut lowering.values, rhs, &constants, &mut |value, k| {
@@ -55,6 +64,7 @@ impl<'a> Motion<'a> {
             }),
             None => vec![lowering.values.constant(0.0); names.len()],
         };
+        solved.truncate(unknown_count(equations));
         let variables = equations.variables.len();
         let symbols = equations.variables.accelerations.iter().chain(&form.multipliers).copied();
         lowering.replace(symbols.zip(solved.iter().copied()).collect());
@@ -75,7 +85,8 @@ impl<'a> Motion<'a> {
         let intermediates = equations.model.coordinates.len()..variables;
         let unknowns = solved.into_iter().enumerate().filter(|(i, _)| !intermediates.contains(i)).map(|(_, x)| x);
         let pivots = factors.as_ref().map(|factors| factors.pivots.clone());
-        Motion { equations, form, unknowns: unknowns.collect(), power, pivots, factors, notes }
+        let (unknown_count, unknowns) = (names.len(), unknowns.collect());
+        Motion { equations, form, unknowns, power, pivots, factors, unknown_count, notes }
     }
 
     /// From the tips of a tree to the world and back; nothing where it is not open.
@@ -102,7 +113,7 @@ impl<'a> Motion<'a> {
             Some(_) => terms.power(lowering),
             None => lowering.lower(equations.energy.power),
         };
-        Some(Motion { equations, form, unknowns, power, pivots: Some(pivots), factors: None, notes })
+        Some(Motion { equations, form, unknowns, power, pivots: Some(pivots), factors: None, unknown_count: 0, notes })
     }
 
     /// Whether there is an order to solve them in; without one every state is refused.
@@ -156,14 +167,16 @@ impl<'a> Motion<'a> {
     /// Solves K dz = d(r - K z) for each column, with the same form of K; gives the rows of q'' and those of lambda.
     fn derivatives(&self, lowering: &mut Lowering, columns: &[Column]) -> [Results<Value>; 2] {
         let zero = lowering.values.constant(0.0);
-        let constants = vec![zero; unknown_count(self.equations)];
+        let constants = vec![zero; self.unknown_count];
         let n = self.equations.model.coordinates.len();
         let solved: Vec<Vec<Value>> = columns
             .iter()
             .map(|column| {
-                let rhs = lowering.lower_all(&column.residual);
+                let mut rhs = lowering.lower_all(&column.residual);
+                rhs.resize(self.unknown_count, zero);
                 let Some(factors) = &self.factors else { return constants.clone() };
                 let mut solved = factors.solve(&mut lowering.values, rhs, &constants, &mut |_, _| ());
+                solved.truncate(unknown_count(self.equations));
                 derivatives_turned_back(lowering, self.form, &self.unknowns[n..], &column.angles, &mut solved[n..]);
                 solved
             })

@@ -6,6 +6,7 @@ use super::lower::Lowering;
 use super::planner::Planner;
 use super::reduced;
 use super::results::Results;
+use super::speed_mass_matrix::dense;
 use super::values::Value;
 use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::{KernelId, Record};
@@ -47,12 +48,9 @@ fn mass_matrix(planner: &Planner) -> Kernel {
     let Some(links) = &planner.equations.links else { return by_rows };
     let n = planner.equations.model.coordinates.len();
     let by_links = planner.kernel(KernelId::MassMatrix, |lowering| {
-        let mut matrix = vec![vec![lowering.values.constant(0.0); n]; n];
-        for (i, j, entry) in LinkTerms::of(lowering, links).mass_matrix(&planner.equations.graph, lowering) {
-            matrix[i][j] = lowering.values.sum(vec![(false, matrix[i][j]), (false, entry)]);
-            matrix[j][i] = matrix[i][j];
-        }
-        Results::Matrix(n, matrix)
+        let entries = LinkTerms::of(lowering, links).mass_matrix(&planner.equations.graph, lowering);
+        let unknowns: Vec<usize> = (0..n).collect();
+        Results::Matrix(n, dense(&mut lowering.values, &unknowns, entries))
     });
     if by_links.operations.total() < by_rows.operations.total() { by_links } else { by_rows }
 }

@@ -5,6 +5,7 @@ use super::entries::mass_entries;
 use super::links::{Base, OpenTerms};
 use super::lower::Lowering;
 use super::notes::Notes;
+use super::numbers::numbers_together;
 use super::planner::Planner;
 use super::reduced;
 use super::results::Results;
@@ -88,7 +89,7 @@ fn along(values: &mut Values, (coordinates, rates): &Rates, of: &[Value]) -> Val
 }
 
 /// The matrix of these unknowns.
-fn dense(values: &mut Values, unknowns: &[usize], entries: Vec<(usize, usize, Value)>) -> Vec<Vec<Value>> {
+pub(super) fn dense(values: &mut Values, unknowns: &[usize], entries: Vec<(usize, usize, Value)>) -> Vec<Vec<Value>> {
     let place = |unknown: usize| unknowns.iter().position(|other| *other == unknown);
     let mut matrix = vec![vec![values.constant(0.0); unknowns.len()]; unknowns.len()];
     for (i, j, entry) in entries {
@@ -96,5 +97,7 @@ fn dense(values: &mut Values, unknowns: &[usize], entries: Vec<(usize, usize, Va
         matrix[i][j] = values.sum(vec![(false, matrix[i][j]), (false, entry)]);
         matrix[j][i] = matrix[i][j];
     }
-    matrix
+    let roots: Vec<Value> = matrix.concat();
+    let moved = numbers_together(values, &roots);
+    matrix.iter().map(|row| row.iter().map(|entry| moved[entry]).collect()).collect()
 }

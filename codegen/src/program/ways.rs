@@ -5,7 +5,7 @@ use super::lower::Lowering;
 use super::motion::Motion;
 use super::planner::Planner;
 use super::values::{Leaves, Value, Values};
-use crate::dynamics::{ConstraintForm, EquationsOfMotion, Links};
+use crate::dynamics::{ConstraintForm, EquationsOfMotion, Links, Separation};
 
 /// The motion solved at one state.
 pub(super) struct Solution<'a> {
@@ -18,8 +18,9 @@ pub(super) struct Solution<'a> {
 /// A way to solve the equations of motion.
 #[derive(Clone, Copy)]
 enum Way<'a> {
-    /// A factorisation of the system in this form, its terms from rows of T or by recursions over links.
-    Factorised(&'a ConstraintForm, Option<&'a Links>),
+    /// A factorisation of the system in this form, its terms from rows of T or by recursions over links, with these coordinates
+    /// separated.
+    Factorised(&'a ConstraintForm, Option<&'a Links>, &'a [Separation]),
     /// From the tips of an open tree to the world and back.
     Open(&'a Links, Joints),
 }
@@ -34,10 +35,12 @@ struct Trial<'a> {
 
 impl<'a> Way<'a> {
     fn factorised(equations: &'a EquationsOfMotion) -> impl Iterator<Item = Way<'a>> {
-        let EquationsOfMotion { declared, turned, links, .. } = equations;
+        let EquationsOfMotion { declared, turned, links, separations, .. } = equations;
         let forms = [Some(declared), turned.as_ref()].into_iter().flatten();
         let terms = || [None].into_iter().chain(links.iter().map(Some));
-        forms.flat_map(move |form| terms().map(move |links| Way::Factorised(form, links)))
+        let together = forms.clone().flat_map(move |form| terms().map(move |links| Way::Factorised(form, links, &[])));
+        let is_separated = !separations.is_empty();
+        together.chain(forms.filter(move |_| is_separated).map(|form| Way::Factorised(form, None, separations)))
     }
 
     fn open(equations: &'a EquationsOfMotion) -> impl Iterator<Item = Way<'a>> {
@@ -47,7 +50,9 @@ impl<'a> Way<'a> {
 
     fn solve(self, equations: &'a EquationsOfMotion, lowering: &mut Lowering) -> Option<Motion<'a>> {
         match self {
-            Way::Factorised(form, links) => Some(Motion::factorised(equations, form, links, lowering)),
+            Way::Factorised(form, links, separations) => {
+                Some(Motion::factorised(equations, form, links, separations, lowering))
+            }
             Way::Open(links, joints) => Motion::of_open_tree(equations, links, joints, lowering),
         }
     }

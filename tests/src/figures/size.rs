@@ -12,6 +12,11 @@ type Recursion = (&'static str, usize);
 /// What a free base may take besides.
 const FREE: usize = 200;
 
+/// What the mass matrix in q' may take besides, with so many joints on a free base.
+const fn in_coordinates(joints: usize) -> usize {
+    40 * joints + 250
+}
+
 const ROBOTS: [(&str, &str, &[Recursion]); 5] = [
     (
         "UR5",
@@ -31,12 +36,22 @@ const ROBOTS: [(&str, &str, &[Recursion]); 5] = [
     (
         "ANYmal",
         include_str!("../../robots/declared/anymal.rs"),
-        &[("dynamics", 4039 + FREE), ("inverse_dynamics", 2044 + FREE), ("speed_mass_matrix", 756 + FREE)],
+        &[
+            ("dynamics", 4039 + FREE),
+            ("inverse_dynamics", 2044 + FREE),
+            ("speed_mass_matrix", 756 + FREE),
+            ("mass_matrix", 756 + FREE + in_coordinates(12)),
+        ],
     ),
     (
         "Talos",
         include_str!("../../robots/declared/talos.rs"),
-        &[("dynamics", 10_002 + FREE), ("inverse_dynamics", 4982 + FREE), ("speed_mass_matrix", 3301 + FREE)],
+        &[
+            ("dynamics", 10_002 + FREE),
+            ("inverse_dynamics", 4982 + FREE),
+            ("speed_mass_matrix", 3301 + FREE),
+            ("mass_matrix", 3301 + FREE + in_coordinates(32)),
+        ],
     ),
 ];
 
