@@ -119,7 +119,7 @@ const DRIVEN: &str = "
     loads { gravity [0, 0, -9.81 [m/s^2]]; }
     kernels { inverse_dynamics; }";
 
-fn called(model: &dyn Model, kernel: Kernel, at: At<f64>) -> Vec<Vec<f64>> {
+pub(crate) fn called(model: &dyn Model, kernel: Kernel, at: At<f64>) -> Vec<Vec<f64>> {
     let mut found = Vec::new();
     assert!(!model.call(kernel, at, &mut |_, row| found.push(row.to_vec())), "{kernel:?} is refused");
     found
@@ -130,7 +130,7 @@ fn vector(model: &dyn Model, kernel: Kernel, at: At<f64>) -> Vec<f64> {
 }
 
 /// Lengths are multiples of L and masses of m: of a mechanism of a millimetre as of one of 100 m.
-fn scaled(text: &str, length: f64, mass: f64) -> Arc<dyn Model> {
+pub(crate) fn scaled(text: &str, length: f64, mass: f64) -> Arc<dyn Model> {
     let model = DeclarationFile::of(Path::new("links.mech"), text.to_owned()).model(None).unwrap();
     let mut values = model.values();
     values.parameters[0] = length;

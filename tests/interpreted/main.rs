@@ -5,6 +5,7 @@
 mod against_oracle;
 mod links;
 mod mangled;
+mod parts;
 mod robots;
 
 use sim::{At, DeclarationFile, Kernel};
