@@ -66,7 +66,7 @@ fn pistons_on_one_crank() {
         for (length, mass) in [(1.0, 1.0), (1e-3, 1e-3), (100.0, 1e3)] {
             let model = scaled(&text, length, mass);
             let [start, _] = model.initial();
-            let size = |i: usize| if i > 0 && i % 2 == 0 { length } else { 1.0 };
+            let size = |i: usize| if i > 0 && i.is_multiple_of(2) { length } else { 1.0 };
             for _ in 0..10 {
                 let [off, qd] = [(); 2]
                     .map(|()| -> Vec<f64> { (0..start.len()).map(|i| size(i) * random.between(-0.7, 0.7)).collect() });

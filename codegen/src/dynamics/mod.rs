@@ -60,6 +60,7 @@ pub use tmt::{Tmt, TmtRow};
 pub use turns::{ConstraintForm, RowTurn};
 pub use variables::{Differentiated, Variables};
 
+use crate::kernel_id::KernelId;
 use crate::model::{Model, Resolved};
 use crate::symbolic::Graph;
 use cheapest::cheapest;
@@ -129,7 +130,7 @@ fn derive_as(
     let mut derivatives = Derivatives::of(&mut graph, &model, &variables);
     let intermediates = formulation.intermediates(&mut graph, &model, &variables, &mut derivatives);
     let Formulation { rows, constraints, .. } = formulation;
-    let has_inverse = model.wants_inverse && intermediates.is_empty();
+    let has_inverse = model.wants(KernelId::InverseDynamics) && intermediates.is_empty();
     let inverse = has_inverse.then(|| inverse::derive(&mut graph, &model, &rows)).flatten();
     let tmt = Tmt::derive(&mut graph, &variables, &mut derivatives, rows);
     let constraints = Constraints::derive(&mut graph, &model, &variables, &mut derivatives, constraints);

@@ -5,7 +5,6 @@
 //! multiplier.
 
 use super::free_base::FreeBase;
-use super::links::Link;
 use super::rows::{Along, LoadRow};
 use super::tmt::Tmt;
 use super::variables::{Derivatives, Variables};
@@ -19,18 +18,19 @@ pub struct OpenTree {
 }
 
 impl OpenTree {
-    /// Nothing for other mechanisms. `rows` are those of T but of bodies fixed in links.
+    /// Nothing for other mechanisms. `moving` are the coordinates that move each link, and `rows` are those of T but of bodies
+    /// fixed in links.
     pub(super) fn derive(
         graph: &mut Graph,
         model: &Model,
         bases: &[FreeBase],
         (variables, derivatives): (&Variables, &mut Derivatives),
-        links: &[Link],
+        moving: &[Vec<usize>],
         mut rows: Vec<LoadRow>,
     ) -> Option<OpenTree> {
         let mut moved = vec![0; model.coordinates.len()];
-        links.iter().flat_map(|link| &link.columns).for_each(|(coordinate, _)| moved[*coordinate] += 1);
-        let is_alone = |base: &FreeBase| links[base.link].columns.len() == base.coordinates().count();
+        moving.iter().flatten().for_each(|coordinate| moved[*coordinate] += 1);
+        let is_alone = |base: &FreeBase| moving[base.link].len() == base.coordinates().count();
         let counts = [model.constraints.len(), model.norms.len()];
         if moved.iter().any(|links| *links != 1) || counts != [bases.len(); 2] || !bases.iter().all(is_alone) {
             return None;

@@ -3,13 +3,14 @@
 //! With the equations as K z = r, z = (q'', lambda), any derivative of the solution solves K dz = dr - dK z: here are
 //! the right-hand sides, the derivatives of r - K z at fixed z (the implicit function theorem).
 //!
-//! The factors are those of `dynamics`. Where no kernel is generated, and always with intermediate quantities, the
+//! The factors are those of `dynamics`, if it has some. Where no kernel is generated, and always with intermediate quantities, the
 //! trait gives the same numbers by running `dynamics` on dual numbers.
 
 use super::column::Column;
 use super::tmt::Tmt;
 use super::turns::ConstraintForm;
 use super::variables::{Derivatives, inner};
+use crate::kernel_id::KernelId;
 use crate::model::Model;
 use crate::symbolic::{Differential, Expr, Graph, Symbol};
 
@@ -25,11 +26,15 @@ pub(super) fn derive(
     form: &mut ConstraintForm,
     derivatives: &mut Derivatives,
 ) {
-    let by_state = model.wants_jacobian.unwrap_or(model.coordinates.len() <= MOST_COORDINATES);
+    let by_state = match model.kernels {
+        Some(_) => model.wants(KernelId::DynamicsJacobian),
+        None => model.coordinates.len() <= MOST_COORDINATES,
+    };
     // Whether an input follows its declared course is known at run time alone.
     let courses: Vec<Expr> = model.inputs.iter().map(|input| input.course).collect();
     let occurring = graph.symbols_of(&courses);
-    let by_parameters = model.wants_sensitivity && !model.parameters.iter().any(|p| occurring.contains(&p.symbol));
+    let by_parameters =
+        model.wants(KernelId::DynamicsSensitivity) && !model.parameters.iter().any(|p| occurring.contains(&p.symbol));
     if !by_state && !by_parameters {
         return;
     }

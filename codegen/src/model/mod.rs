@@ -50,6 +50,7 @@ pub(crate) use space::triple;
 pub use space::{Attitude, Fall, FixedBody, Link, Norm, Push, Pushed, Rates, Tensor, impossible_inertia};
 pub use units::Unit;
 
+use crate::kernel_id::KernelId;
 use crate::symbolic::{Differential, Expr, Graph, Symbol};
 
 /// What a declaration means: a model, and the graph that its expressions live in.
@@ -120,15 +121,8 @@ pub struct Model {
     pub groups: Vec<OutputGroup>,
     /// The drawing.
     pub drawing: Vec<Shape>,
-    /// Whether a kernel is requested for the derivatives of the motion with respect to the state; `None` leaves it
-    /// open.
-    pub wants_jacobian: Option<bool>,
-    /// The same for those with respect to the parameters.
-    pub wants_sensitivity: bool,
-    /// The same for inverse dynamics.
-    pub wants_inverse: bool,
-    /// The same for the mass matrix in speeds.
-    pub wants_speed_mass_matrix: bool,
+    /// Which of the optional kernels are requested; `None` leaves that to the program.
+    pub kernels: Option<Vec<KernelId>>,
     /// How it is run where nothing else is said.
     pub run: Vec<RunDefault>,
     /// Auxiliary displacements, which are zero here.
@@ -362,6 +356,11 @@ pub enum Shape {
 }
 
 impl Model {
+    /// Whether a kernel is requested by name.
+    pub fn wants(&self, kernel: KernelId) -> bool {
+        self.kernels.as_ref().is_some_and(|kernels| kernels.contains(&kernel))
+    }
+
     /// The total time derivative of an expression without accelerations.
     pub fn time_derivative(&self, graph: &mut Graph) -> Differential {
         time_derivative(graph, self.time, &self.coordinates, &[])

@@ -20,7 +20,6 @@ use super::tables::resolve_tables;
 use super::value::Value;
 use super::{Auxiliary, Coordinate, Displaced, Input, Model, Parameter, Resolved, time_derivative};
 use crate::dsl::{Declaration, Region};
-use crate::kernel_id::KernelId;
 use crate::symbolic::{Graph, Symbol};
 
 /// Resolves a declaration.
@@ -68,7 +67,6 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
     let run = resolve_run(declaration, &mut interpreter);
     let dimension = if interpreter.is_spatial() { 3 } else { 2 };
     let Interpreter { graph, dependences, mistakes, .. } = interpreter;
-    let wants = |kernel| declaration.kernels.as_ref().is_some_and(|kernels| kernels.contains(&kernel));
     let model = Model {
         name: plain(&declaration.head.name),
         docs: declaration.head.docs.clone(),
@@ -96,10 +94,7 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
         drawing,
         auxiliaries,
         run,
-        wants_jacobian: declaration.kernels.as_ref().map(|kernels| kernels.contains(&KernelId::DynamicsJacobian)),
-        wants_inverse: wants(KernelId::InverseDynamics),
-        wants_speed_mass_matrix: wants(KernelId::SpeedMassMatrix),
-        wants_sensitivity: wants(KernelId::DynamicsSensitivity),
+        kernels: declaration.kernels.clone(),
     };
     mistakes.or((model, graph))
 }

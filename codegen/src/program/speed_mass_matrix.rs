@@ -18,7 +18,7 @@ use crate::kernel_id::KernelId;
 /// an open tree if that takes fewer operations.
 pub(super) fn speed_mass_matrix(planner: &Planner) -> Option<Kernel> {
     let equations = planner.equations;
-    if !equations.model.wants_speed_mass_matrix {
+    if !equations.model.wants(KernelId::SpeedMassMatrix) {
         return None;
     }
     let kernel = |wanted: fn(&EquationsOfMotion, &mut Lowering) -> Option<Vec<Vec<Value>>>| {
