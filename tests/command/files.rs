@@ -193,6 +193,9 @@ fn tables_stand_beside_the_file() {
     }
 }
 
+/// A free body turned by 120 degrees, so that its axes are the world's in another order.
+const BODY: &str = "body_x,body_y,body_z,body_q0,body_q1,body_q2,body_q3\n1,2,3,0.5,0.5,0.5,0.5\n";
+
 /// Accelerations and multipliers of a run are those of the kernel at its states.
 #[test]
 fn kernels_are_evaluated_at_states() {
@@ -230,6 +233,14 @@ fn kernels_are_evaluated_at_states() {
     };
     assert_eq!(line("pendulum", "mass_matrix", "phi\n0.5\n").0, "t [s],mass_matrix_1_1,refused\n0.0,1.0,0\n");
     assert_eq!(line("pendulum", "constraint_jacobian", "phi\n0.5\n").0, "t [s],refused\n0.0,0\n");
+    let (nothing, why) = line("pendulum", "speed_mass_matrix", "phi\n0.5\n");
+    assert!(nothing.is_empty() && why.contains("write `kernels { speed_mass_matrix; }` in its declaration"), "{why}");
+    let body = "pub Body; bodies { body: free, mass 2, inertia [1, 2, 3]; } kernels { speed_mass_matrix; }";
+    fs::write(folder.join("body.mech"), body).unwrap();
+    let (found, why) = line("body.mech", "speed_mass_matrix", BODY);
+    let numbers: Vec<&str> = found.lines().nth(1).map_or(vec![], |line| line.split(',').collect());
+    assert_eq!(numbers.len(), 1 + 36 + 1, "{found}{why}");
+    assert_eq!([1, 8, 15, 22, 29, 36].map(|i| numbers[i]), ["2.0", "2.0", "2.0", "1.0", "2.0", "3.0"]);
     let (nothing, why) = line("pendulum", "mass_matrix", "phi\n");
     assert!(nothing.is_empty() && why.contains("few.csv: no states"), "{nothing}{why}");
     fs::write(folder.join("nan.csv"), "alpha,beta,gamma\nNaN,1.2,2.7\n").unwrap();

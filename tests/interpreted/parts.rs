@@ -110,3 +110,36 @@ fn derivatives() {
         assert!((found - expected).abs() <= ROUNDING * size, "{found} is not {expected}");
     }
 }
+
+/// A chain in the plane is written with the positions of its joints in between, and its inverse dynamics goes along them.
+#[test]
+fn inverse_dynamics_of_a_chain() {
+    let n = 12;
+    let mut text = String::from("pub Chain; parameters { L [m] = 1; m [kg] = 1; }\ncoordinates {");
+    (0..n).for_each(|i| text += &format!(" q{i} [rad];"));
+    text += " }\nlet P0 = [0, 0];\n";
+    for i in 0..n {
+        text += &format!("let E{i} = [cos(q{i}), sin(q{i})]; let P{} = P{i} + L*E{i};\n", i + 1);
+        text += &format!("bodies {{ b{i}: mass m at P{i} + 0.4*L*E{i}, inertia 0.1*m*L^2, angle q{i}; }}\n");
+    }
+    text += &format!("loads {{ gravity [0, -9.81 [m/s^2]]; spring 30 [N/m], length L from [0, L] to P{n}; }}\n");
+    text += "kernels { inverse_dynamics; }";
+    let random = &mut Random(9);
+    for (length, mass) in [(1.0, 1.0), (1e-3, 1e-3), (100.0, 1e3)] {
+        let model = scaled(&text, length, mass);
+        assert_eq!(model.description().optional_kernels, ["inverse_dynamics"]);
+        for _ in 0..10 {
+            let [q, qd, a] = [(); 3].map(|()| -> Vec<f64> { (0..n).map(|_| random.between(-2.0, 2.0)).collect() });
+            let at = At { time: 0.0, positions: &q, speeds: &qd, accelerations: &a, multipliers: &[] };
+            let vector = |kernel| called(&*model, kernel, at).concat();
+            let (needed, convective) = (vector(Kernel::InverseDynamics), vector(Kernel::ConvectiveForces));
+            let given = vector(Kernel::GeneralizedForces);
+            for (i, row) in called(&*model, Kernel::MassMatrix, at).iter().enumerate() {
+                let inertial = row.iter().zip(&a).map(|(entry, acceleration)| entry * acceleration);
+                let terms: Vec<f64> = inertial.chain([convective[i], -given[i]]).collect();
+                let (sum, size) = (terms.iter().sum::<f64>(), terms.iter().map(|term| term.abs()).sum::<f64>());
+                assert!((needed[i] - sum).abs() <= ROUNDING * size, "force {i}: {} is not {sum}", needed[i]);
+            }
+        }
+    }
+}

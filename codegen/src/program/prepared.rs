@@ -11,10 +11,10 @@ use super::results::Results;
 use super::schedule::derived_name;
 use super::speeds;
 use super::values::{Input, Leaves, Operation, Value};
-use super::ways::{Solution, operations};
-use super::{Kernel, Name, Tree};
+use super::ways::{Solution, can_be_by_rows, operations};
+use super::{Kernel, Name, Tree, reduced};
+use crate::dynamics::{EquationsOfMotion, Inverse};
 use crate::kernel_id::{KernelId, Record};
-use crate::symbolic::Expr;
 use indexmap::IndexMap;
 use std::collections::BTreeSet;
 
@@ -24,12 +24,8 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
         return vec![];
     };
     let mut planned = vec![(KernelId::Dynamics, motion.dynamics())];
-    if let Some(inverse) = &planner.equations.inverse {
-        planned.push((
-            KernelId::InverseDynamics,
-            Results::Vector(inverse_dynamics(planner, &inverse.forces, &mut lowering)),
-        ));
-    }
+    let inverse = inverse_dynamics(planner, &mut lowering);
+    planned.extend(inverse.map(|forces| (KernelId::InverseDynamics, Results::Vector(forces))));
     let differentiated = differentiable.as_ref().unwrap_or(&motion);
     if let Some(columns) = &differentiated.form.by_state {
         planned.push((KernelId::DynamicsJacobian, differentiated.jacobian(&mut lowering, columns)));
@@ -69,13 +65,21 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     [prepare].into_iter().chain(kernels).collect()
 }
 
-/// Inverse dynamics, as equations of bodies or by a recursion over links.
-fn inverse_dynamics(planner: &Planner, forces: &[Expr], lowering: &mut Lowering) -> Vec<Value> {
+/// Inverse dynamics on request: as equations of bodies, by a recursion over links, or with intermediates.
+fn inverse_dynamics(planner: &Planner, lowering: &mut Lowering) -> Option<Vec<Value>> {
+    let EquationsOfMotion { model, inverse, intermediates, links, .. } = planner.equations;
+    if model.wants(KernelId::InverseDynamics) && !intermediates.is_empty() {
+        return Some(reduced::inverse_dynamics(planner.equations, lowering));
+    }
+    let Inverse { forces, .. } = inverse.as_ref()?;
+    if let Some(links) = links.as_ref().filter(|_| !can_be_by_rows(planner.equations)) {
+        return Some(LinkTerms::of(lowering, links).inverse_dynamics(lowering));
+    }
     let forces = lowering.lower_all(forces);
-    let Some(links) = &planner.equations.links else { return forces };
+    let Some(links) = links else { return Some(forces) };
     let by_links = LinkTerms::of(lowering, links).inverse_dynamics(lowering);
     let cost = |forces: &[Value]| operations(&lowering.values, forces.iter().collect());
-    if cost(&by_links) < cost(&forces) { by_links } else { forces }
+    Some(if cost(&by_links) < cost(&forces) { by_links } else { forces })
 }
 
 /// Values that depend on parameters alone and that others need, and the parameters that are needed themselves.

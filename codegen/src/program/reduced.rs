@@ -5,7 +5,7 @@ use super::lower::Lowering;
 use super::motion::{definition, system};
 use super::results::Results;
 use super::sparsity::Sparsity;
-use super::values::Value;
+use super::values::{Input, Operation, Value};
 use crate::dynamics::EquationsOfMotion;
 use crate::symbolic::Expr;
 use std::collections::BTreeSet;
@@ -76,6 +76,20 @@ pub(super) fn convective_forces(equations: &EquationsOfMotion, lowering: &mut Lo
     Results::Vector(pulled_back(equations, lowering, forces))
 }
 
+/// M q'' + h - Q, n, for given accelerations: M u + h - Q of the variables, with their own accelerations.
+pub(super) fn inverse_dynamics(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Vec<Value> {
+    let given = |i: usize| lowering.values.add(Operation::Input(Input::Acceleration(i)));
+    let given = (0..equations.model.coordinates.len()).map(given).collect();
+    let accelerations = with_intermediates(equations, lowering, given);
+    let tmt = &equations.tmt;
+    let mut forces = lowering.lower_all(&tmt.right_hand_side);
+    for (force, row) in forces.iter_mut().zip(&tmt.mass_matrix) {
+        let least = lowering.values.negate(*force);
+        *force = plus_inner(equations, lowering, least, row, &accelerations);
+    }
+    pulled_back(equations, lowering, forces)
+}
+
 /// C_t, m.
 pub(super) fn constraint_time_derivative(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
     let mut drifts = vec![lowering.values.constant(0.0); equations.model.coordinates.len()];
@@ -110,7 +124,13 @@ fn matrix(equations: &EquationsOfMotion, lowering: &mut Lowering, rows: Range<us
 
 /// The accelerations of the variables where those of the coordinates are 0.
 fn convective_accelerations(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Vec<Value> {
-    let mut accelerations = vec![lowering.values.constant(0.0); equations.model.coordinates.len()];
+    let at_rest = vec![lowering.values.constant(0.0); equations.model.coordinates.len()];
+    with_intermediates(equations, lowering, at_rest)
+}
+
+/// The accelerations of the variables, from those of the coordinates.
+fn with_intermediates(equations: &EquationsOfMotion, lowering: &mut Lowering, given: Vec<Value>) -> Vec<Value> {
+    let mut accelerations = given;
     for y in &equations.intermediates {
         let constant = lowering.lower(y.definition.convective);
         accelerations.push(plus_inner(equations, lowering, constant, &y.definition.jacobian, &accelerations));

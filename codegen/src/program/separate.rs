@@ -8,6 +8,7 @@ use super::reduced;
 use super::results::Results;
 use super::speed_mass_matrix::dense;
 use super::values::Value;
+use super::ways::can_be_by_rows;
 use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::{KernelId, Record};
 use crate::model::{Model, Shape, Start};
@@ -44,14 +45,18 @@ fn terms(planner: &Planner) -> [Kernel; 3] {
 
 /// The mass matrix, from rows of T or by composite bodies.
 fn mass_matrix(planner: &Planner) -> Kernel {
-    let by_rows = term(planner, KernelId::MassMatrix, reduced::mass_matrix);
-    let Some(links) = &planner.equations.links else { return by_rows };
+    let by_rows = || term(planner, KernelId::MassMatrix, reduced::mass_matrix);
+    let Some(links) = &planner.equations.links else { return by_rows() };
     let n = planner.equations.model.coordinates.len();
     let by_links = planner.kernel(KernelId::MassMatrix, |lowering| {
         let entries = LinkTerms::of(lowering, links).mass_matrix(&planner.equations.graph, lowering);
         let unknowns: Vec<usize> = (0..n).collect();
         Results::Matrix(n, dense(&mut lowering.values, &unknowns, entries))
     });
+    if !can_be_by_rows(planner.equations) {
+        return by_links;
+    }
+    let by_rows = by_rows();
     if by_links.operations.total() < by_rows.operations.total() { by_links } else { by_rows }
 }
 

@@ -11,6 +11,7 @@ use super::reduced;
 use super::results::Results;
 use super::speeds::solve_blocks;
 use super::values::{Value, Values};
+use super::ways::can_be_by_rows;
 use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::KernelId;
 
@@ -30,8 +31,10 @@ pub(super) fn speed_mass_matrix(planner: &Planner) -> Option<Kernel> {
             planner.finish(KernelId::SpeedMassMatrix, &lowering, &results, &Notes::default(), Default::default());
         Some(Kernel { docs: planner.documentation(kernel.id, 0, &[("v", count.to_string())]), ..kernel })
     };
-    let kernels = [in_generalized_speeds, by_links, by_rates].map(kernel);
-    kernels.into_iter().flatten().min_by_key(|kernel| kernel.operations.total())
+    let kernels = [in_generalized_speeds, by_links].into_iter().filter_map(kernel);
+    let known = kernels.min_by_key(|kernel| kernel.operations.total());
+    let by_rates = (known.is_none() || can_be_by_rows(equations)).then(|| kernel(by_rates)).flatten();
+    known.into_iter().chain(by_rates).min_by_key(|kernel| kernel.operations.total())
 }
 
 fn in_generalized_speeds(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Option<Vec<Vec<Value>>> {

@@ -7,6 +7,10 @@ use super::planner::Planner;
 use super::values::{Leaves, Value, Values};
 use crate::dynamics::{ConstraintForm, EquationsOfMotion, Links, Separation};
 
+/// With more coordinates only recursions are tried where there are links: rows of T of a tree depend on all coordinates before
+/// them, and to count what they would take takes long.
+const MOST_BY_ROWS: usize = 32;
+
 /// The motion solved at one state.
 pub(super) struct Solution<'a> {
     pub(super) lowering: Lowering<'a>,
@@ -37,7 +41,8 @@ impl<'a> Way<'a> {
     fn factorised(equations: &'a EquationsOfMotion) -> impl Iterator<Item = Way<'a>> {
         let EquationsOfMotion { declared, turned, links, separations, .. } = equations;
         let forms = [Some(declared), turned.as_ref()].into_iter().flatten();
-        let terms = || [None].into_iter().chain(links.iter().map(Some));
+        let by_rows = can_be_by_rows(equations).then_some(None);
+        let terms = move || by_rows.into_iter().chain(links.iter().map(Some));
         let together = forms.clone().flat_map(move |form| terms().map(move |links| Way::Factorised(form, links, &[])));
         let is_separated = !separations.is_empty();
         together.chain(forms.filter(move |_| is_separated).map(|form| Way::Factorised(form, None, separations)))
@@ -74,19 +79,32 @@ impl<'a> Solution<'a> {
             let trials = ways.filter_map(|way| way.tried(planner));
             trials.reduce(|best, other| if other.cost < best.cost { other } else { best })
         };
+        let declared = &planner.equations.declared;
+        let is_differentiated = declared.by_state.is_some() || declared.by_parameters.is_some();
+        let open = least(&mut Way::open(planner.equations));
+        let open = match open {
+            Some(Trial { lowering, motion, .. }) if !is_differentiated && !can_be_by_rows(planner.equations) => {
+                return Some(Solution { lowering, motion, differentiable: None });
+            }
+            open => open,
+        };
         let factorised = least(&mut Way::factorised(planner.equations))?;
-        let open = least(&mut Way::open(planner.equations)).filter(|open| open.cost < factorised.cost);
+        let open = open.filter(|open| open.cost < factorised.cost);
         let Some(Trial { mut lowering, motion, .. }) = open else {
             let Trial { lowering, motion, .. } = factorised;
             return Some(Solution { lowering, motion, differentiable: None });
         };
-        let declared = &planner.equations.declared;
-        let differentiable = match declared.by_state.is_some() || declared.by_parameters.is_some() {
+        let differentiable = match is_differentiated {
             true => factorised.way.solve(planner.equations, &mut lowering),
             false => None,
         };
         Some(Solution { lowering, motion, differentiable })
     }
+}
+
+/// Whether the terms of the equations of motion may come from rows of T.
+pub(super) fn can_be_by_rows(equations: &EquationsOfMotion) -> bool {
+    equations.links.is_none() || equations.model.coordinates.len() <= MOST_BY_ROWS
 }
 
 /// The number of operations that are not on parameters alone.

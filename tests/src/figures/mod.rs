@@ -4,7 +4,9 @@
 //! value is known.
 
 mod builds;
+mod counts;
 mod files;
+mod growth;
 mod kernels;
 mod numbers;
 mod rooms;

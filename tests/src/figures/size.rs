@@ -1,9 +1,10 @@
 //! What grows with the size of a mechanism: operations, and the time of the derivation.
 
+use super::counts::{derived, operations};
+use super::growth::growth;
 use super::{Subject, Table};
-use std::time::Instant;
 
-pub(super) const SUBJECTS: &[Subject] = &[("robots", robots), ("walker", walker)];
+pub(super) const SUBJECTS: &[Subject] = &[("robots", robots), ("walker", walker), ("growth", growth)];
 
 /// A kernel, and the operations of the recursion that is specialised to the robot (articulated bodies, Newton-Euler and
 /// composite bodies in the bodies' own frames, inertial parameters regrouped), sines aside.
@@ -83,26 +84,4 @@ fn walker(table: &mut Table) {
         let count = operations(&derived, "dynamics").unwrap_or(usize::MAX);
         table.at_most(&format!("{name}: dynamics"), count as f64, 1.1 * ONE * f64::from(n));
     }
-}
-
-/// The first mechanism of a text, and a line on how long its derivation takes.
-fn derived(table: &mut Table, name: &str, text: &str) -> Option<codegen::Derived> {
-    let clock = Instant::now();
-    let declarations = codegen::dsl::declarations(text);
-    match declarations.map(|found| found.into_iter().next()).and_then(|first| first.map(codegen::derive).transpose()) {
-        Ok(derived) => {
-            println!("{name}: derived in {:.2} s", clock.elapsed().as_secs_f64());
-            derived
-        }
-        Err(mistakes) => {
-            table.line(name, mistakes, "derived", false);
-            None
-        }
-    }
-}
-
-/// All operations of a kernel but sines and cosines.
-fn operations(derived: &codegen::Derived, kernel: &str) -> Option<usize> {
-    let kernel = derived.program.kernels.iter().find(|found| found.id.name() == kernel)?;
-    Some(kernel.operations.total() - kernel.operations.sine_cosines)
 }
