@@ -291,6 +291,20 @@ fn a_free_base() {
     agrees(FREE, &[2, 3, 4]);
 }
 
+/// A quaternion of zero has no direction.
+#[test]
+fn a_quaternion_of_zero_is_refused() {
+    let model = scaled(FREE, 1.0, 1.0);
+    let [mut q, qd] = model.initial();
+    let is_refused = |q: &[f64]| {
+        let at = At { time: 0.0, positions: q, speeds: &qd, accelerations: &[], multipliers: &[] };
+        model.call(Kernel::Dynamics, at, &mut |_, _| ())
+    };
+    assert!(!is_refused(&q));
+    q[5..9].fill(0.0);
+    assert!(is_refused(&q));
+}
+
 /// Derivatives come from a factorisation in q'', and are those of `dynamics`, which goes by the velocity of the base: by dual
 /// numbers where they are no kernel.
 #[test]

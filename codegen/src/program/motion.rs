@@ -116,6 +116,11 @@ impl<'a> Motion<'a> {
         Some(Motion { equations, form, unknowns, power, pivots: Some(pivots), factors: None, unknown_count: 0, notes })
     }
 
+    /// Whether it comes from the tips of a tree.
+    pub(super) fn is_of_open_tree(&self) -> bool {
+        self.is_planned() && self.factors.is_none()
+    }
+
     /// Whether there is an order to solve them in; without one every state is refused.
     pub(super) fn is_planned(&self) -> bool {
         self.pivots.is_some()

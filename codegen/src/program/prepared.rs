@@ -138,6 +138,7 @@ fn name_fields(planner: &Planner, lowering: &Lowering, notes: &Notes, fields: BT
 
 fn dynamics_docs(planner: &Planner, motion: &Motion) -> String {
     let turned = match motion.form.turns.len() {
+        _ if motion.is_of_open_tree() => ", from the tips of a tree of bodies to the world and back",
         0 => "",
         1 => ", with two constraint rows turned along and across a link",
         _ => ", with pairs of constraint rows turned along and across links",

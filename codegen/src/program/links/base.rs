@@ -15,7 +15,9 @@ pub(in crate::program) struct Base<'a> {
     pub(super) spin: Triple,
     /// The scalar part of its quaternion, and the rest.
     quaternion: (Value, Triple),
-    /// 1/q.q
+    /// q.q
+    pub(super) square: Value,
+    /// Its reciprocal.
     inverse_square: Value,
 }
 
@@ -44,6 +46,7 @@ impl<'a> Base<'a> {
             turn,
             spin,
             quaternion: (scalar, [x, y, z]),
+            square,
             inverse_square: values.quotient(one, square),
         }
     }
@@ -80,8 +83,8 @@ impl<'a> Base<'a> {
         link.spin[1] = none;
     }
 
-    /// What forces along its coordinates are: the multiplier of the norm, in front, then force and moment in its frame.
-    pub(super) fn wrench(&self, values: &mut Values, forces: &[Value]) -> [Triple; 3] {
+    /// The force and the moment in its frame that forces along its coordinates are: S' Q_x and G Q_q/2.
+    pub(super) fn wrench(&self, values: &mut Values, forces: &[Value]) -> [Triple; 2] {
         let place = self.declared.place.map(|i| forces[i]);
         let [first, rest @ ..] = self.declared.quaternion.map(|i| forces[i]);
         let (scalar, vector) = &self.quaternion;
@@ -93,39 +96,52 @@ impl<'a> Base<'a> {
             let both = difference(values, turned, swept[i]);
             product(values, half, both)
         });
-        let parts = [product(values, *scalar, first), dot(values, vector, &rest)];
-        let along = sum(values, &parts);
-        let along = product(values, along, self.inverse_square);
-        let multiplier = product(values, half, along);
-        [[multiplier; 3], apply(values, &transposed(&self.turn), &place), moment]
+        [apply(values, &transposed(&self.turn), &place), moment]
     }
 
-    /// x'' and q'' from the accelerations in its frame.
+    /// What forces along its quaternion leave for the multiplier of its norm: q'Q_q/(2 q.q).
+    pub(super) fn multiplier(&self, values: &mut Values, forces: &[Value]) -> Value {
+        let along = self.along_quaternion(values, self.declared.quaternion.map(|i| forces[i]));
+        let half = values.constant(0.5);
+        let along = product(values, along, self.inverse_square);
+        product(values, half, along)
+    }
+
+    /// x'' and q'' from the accelerations in its frame, given C'' without accelerations of its norm.
     pub(super) fn accelerations(&self, values: &mut Values, convective: Value, solved: &mut [Value]) {
         let of = |first: usize| std::array::from_fn(|i| solved[self.first + first + i]);
-        let (shifting, turning): (Triple, Triple) = (of(0), of(3));
-        let place = apply(values, &self.turn, &shifting);
+        let place = apply(values, &self.turn, &of(0));
+        let quaternion = self.quaternion_acceleration(values, convective, &of(3));
+        let coordinates = self.declared.place.into_iter().chain(self.declared.quaternion);
+        for (coordinate, acceleration) in coordinates.zip(place.into_iter().chain(quaternion)) {
+            solved[coordinate] = acceleration;
+        }
+    }
+
+    /// q'' = G' (w'/2 + w q.q'/q.q) - q c/(2 q.q), with c = 2 q'.q'.
+    fn quaternion_acceleration(&self, values: &mut Values, convective: Value, turning: &Triple) -> [Value; 4] {
         let (scalar, vector) = &self.quaternion;
         let rates = self.declared.quaternion.map(|i| speed(values, i));
-        let stretched = [(*scalar, rates[0]), (vector[0], rates[1]), (vector[1], rates[2]), (vector[2], rates[3])];
-        let stretched = inner(values, &stretched);
+        let stretched = self.along_quaternion(values, rates);
         let stretched = product(values, stretched, self.inverse_square);
-        let minus_half = values.constant(-0.5);
+        let (half, minus_half) = (values.constant(0.5), values.constant(-0.5));
         let along = product(values, convective, self.inverse_square);
         let along = product(values, minus_half, along);
-        let half = values.constant(0.5);
         let turning: Triple = std::array::from_fn(|i| inner(values, &[(half, turning[i]), (stretched, self.spin[i])]));
-        let swept = cross(values, vector, &turning);
-        let carried = dot(values, vector, &turning);
+        let (swept, carried) = (cross(values, vector, &turning), dot(values, vector, &turning));
         let first = product(values, *scalar, along);
         let first = difference(values, first, carried);
-        let rest: Triple = std::array::from_fn(|i| {
+        let [x, y, z] = std::array::from_fn(|i| {
             let own = inner(values, &[(*scalar, turning[i]), (vector[i], along)]);
             sum(values, &[own, swept[i]])
         });
-        let coordinates = self.declared.place.into_iter().chain(self.declared.quaternion);
-        for (coordinate, acceleration) in coordinates.zip(place.into_iter().chain([first]).chain(rest)) {
-            solved[coordinate] = acceleration;
-        }
+        [first, x, y, z]
+    }
+
+    /// q'v.
+    fn along_quaternion(&self, values: &mut Values, [first, rest @ ..]: [Value; 4]) -> Value {
+        let (scalar, vector) = &self.quaternion;
+        let pairs = [(*scalar, first), (vector[0], rest[0]), (vector[1], rest[1]), (vector[2], rest[2])];
+        inner(values, &pairs)
     }
 }

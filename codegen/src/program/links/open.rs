@@ -53,17 +53,19 @@ impl<'a> OpenTerms<'a> {
         let none = lowering.values.constant(0.0);
         let mut multipliers = vec![none; self.equations.model.constraints.len()];
         for base in &self.bases {
-            let [along, wrench @ ..] = base.wrench(&mut lowering.values, &beside.forces);
-            multipliers[base.declared.norm] = along[0];
+            multipliers[base.declared.norm] = base.multiplier(&mut lowering.values, &beside.forces);
+            let wrench = base.wrench(&mut lowering.values, &beside.forces);
             beside.forces.extend(wrench.concat());
             beside.inertias.extend([none; 6]);
         }
         let names = self.names();
         let forward = self.tree.forward(&mut lowering.values, beside, joints, (&names, notes));
-        let Forward { mut accelerations, pivots } = forward;
+        let Forward { mut accelerations, mut pivots } = forward;
         for base in &self.bases {
             let convective = lowering.lower(self.equations.constraints.convective[base.declared.norm]);
             base.accelerations(&mut lowering.values, convective, &mut accelerations);
+            // Without a quaternion no direction is known.
+            pivots.push((base.square, base.square));
         }
         accelerations.truncate(self.equations.model.coordinates.len());
         Solved { accelerations, multipliers, pivots }
