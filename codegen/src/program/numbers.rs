@@ -58,3 +58,47 @@ fn added_up(values: &mut Values, terms: Vec<(bool, Value, bool)>) -> Value {
     rest.push((false, total));
     values.sum(rest)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::numbers_together;
+    use crate::program::values::{Input, Operation, Value, Values};
+
+    /// The value of a sum where x is 10 and y is 100.
+    fn at(values: &Values, value: Value) -> f64 {
+        match values.operation(value) {
+            Operation::Constant(bits) => f64::from_bits(*bits),
+            Operation::Input(Input::Position(i)) => [10.0, 100.0][*i],
+            Operation::Negate(operand) => -at(values, *operand),
+            Operation::Sum(terms) => {
+                let signed = |(negative, term): &(bool, Value)| if *negative { -1.0 } else { 1.0 } * at(values, *term);
+                terms.iter().map(signed).sum()
+            }
+            other => unreachable!("{other:?}"),
+        }
+    }
+
+    /// The number of terms in all sums that a value needs.
+    fn terms(values: &Values, value: Value) -> usize {
+        values.reachable(&[value], &Default::default()).iter().map(|value| values.operands(*value).count()).sum()
+    }
+
+    #[test]
+    fn numbers_keep_their_signs() {
+        for [outer_minus, inner_minus, number_minus] in
+            [0, 1, 2, 3, 4, 5, 6, 7].map(|bits: u8| [1, 2, 4].map(|bit| bits & bit != 0))
+        {
+            let values = &mut Values::default();
+            let [x, y] = [0, 1].map(|i| values.add(Operation::Input(Input::Position(i))));
+            let [two, three] = [2.0, 3.0].map(|number| values.constant(number));
+            let inner = values.sum(vec![(false, x), (number_minus, three)]);
+            let whole = values.sum(vec![(false, y), (outer_minus, two), (inner_minus, inner)]);
+            let together = numbers_together(values, &[whole])[&whole];
+            assert_eq!(at(values, together), at(values, whole), "{outer_minus} {inner_minus} {number_minus}");
+            assert_eq!([terms(values, whole), terms(values, together)], [5, 3]);
+            // What others need stays whole.
+            let kept = numbers_together(values, &[whole, inner])[&whole];
+            assert_eq!(kept, whole);
+        }
+    }
+}
