@@ -3,8 +3,8 @@
 //! With the equations as K z = r, z = (q'', lambda), any derivative of the solution solves K dz = dr - dK z: here are
 //! the right-hand sides, the derivatives of r - K z at fixed z (the implicit function theorem).
 //!
-//! The factors are those of `dynamics`, if it has some. Where no kernel is generated, and always with intermediate quantities, the
-//! trait gives the same numbers by running `dynamics` on dual numbers.
+//! The factors are those of `dynamics`, if it has some. Where no kernel is generated, and always with intermediate
+//! quantities, the trait gives the same numbers by running `dynamics` on dual numbers.
 
 use super::column::Column;
 use super::tmt::Tmt;

@@ -125,11 +125,10 @@ impl Tree<'_> {
     fn parted(&mut self, of: Triple) -> (Triple, Triple) {
         let moves = Dependence::COORDINATE.or(Dependence::TIME).or(Dependence::INPUT);
         let moving = of.map(|x| {
-            let terms = match self.graph.node(x) {
+            let mut terms = match self.graph.node(x) {
                 Node::Sum { terms, .. } => terms.to_vec(),
                 _ => vec![(x, Number::ONE)],
             };
-            let mut terms = terms;
             terms.retain(|(term, _)| self.dependences.of(self.graph, *term).meets(moves));
             self.graph.linear_combination(&terms)
         });

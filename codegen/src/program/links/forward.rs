@@ -205,52 +205,73 @@ impl Elimination<'_> {
             let pivot = self.entry(values, unknown, unknown);
             let one = values.constant(1.0);
             let inverse = values.quotient(one, pivot);
-            let name = &self.names[unknown];
+            let (name, force) = (&self.names[unknown], self.right_hand_side[unknown]);
             self.notes.name(pivot, format!("pivot_{name}"));
             self.notes.name(inverse, format!("inverse_{name}"));
-            self.pivots.push((pivot, size));
-            let force = self.right_hand_side[unknown];
             self.notes.right_hand_side(force, name);
-            let others: Vec<(usize, Value)> = branch
-                .waiting
-                .iter()
-                .filter_map(|other| {
-                    let entry = self.entry(values, other.unknown, unknown);
-                    (!values.is_zero(entry)).then_some((other.unknown, entry))
-                })
-                .collect();
-            let mut shares = Vec::with_capacity(others.len());
-            for (at, (other, entry)) in others.iter().enumerate() {
-                let share = product(values, *entry, inverse);
-                self.notes.name(share, format!("l_{}_{name}", self.names[*other]));
-                let passed_on = product(values, share, force);
-                self.right_hand_side[*other] = difference(values, self.right_hand_side[*other], passed_on);
-                for (second, entry) in &others[..=at] {
-                    let (old, gone) = (self.entry(values, *other, *second), product(values, share, *entry));
-                    let new = difference(values, old, gone);
-                    self.set(*other, *second, new);
-                }
-                shares.push((*other, share));
-            }
-            let zero = zero(values);
-            let mut of_frame = [zero; 2];
+            self.pivots.push((pivot, size));
+            let shares = self.shared_by_joints(values, branch, unknown, inverse);
+            let of_frame = match has_frame {
+                true => momentum.map(|part| part.map(|x| product(values, x, inverse))),
+                false => [zero(values); 2],
+            };
             if has_frame {
-                of_frame = momentum.map(|part| part.map(|x| product(values, x, inverse)));
-                for joint in &mut branch.waiting {
-                    let Some((_, share)) = shares.iter().find(|(other, _)| *other == joint.unknown) else { continue };
-                    joint.momentum = std::array::from_fn(|part| {
-                        std::array::from_fn(|i| {
-                            let gone = product(values, *share, momentum[part][i]);
-                            difference(values, joint.momentum[part][i], gone)
-                        })
-                    });
-                }
-                branch.moments.push(of_frame[0].map(|share| product(values, share, force)));
-                branch.forces.push(of_frame[1].map(|share| product(values, share, force)));
-                branch.inertia = branch.inertia.clone().giving_way(values, &momentum, &of_frame, pivot);
+                branch.give_way(values, &momentum, &shares, &of_frame, (pivot, force));
             }
             self.steps.push(Step { link: at, unknown, inverse, shares, of_frame });
         }
+    }
+
+    /// The shares of a joint that those that wait longer take over, with what they take: of M and of its force.
+    fn shared_by_joints(
+        &mut self,
+        values: &mut Values,
+        branch: &Branch,
+        unknown: usize,
+        inverse: Value,
+    ) -> Vec<(usize, Value)> {
+        let met = branch.waiting.iter().map(|other| (other.unknown, self.entry(values, other.unknown, unknown)));
+        let met: Vec<(usize, Value)> = met.collect();
+        let met: Vec<(usize, Value)> = met.into_iter().filter(|(_, entry)| !values.is_zero(*entry)).collect();
+        let mut shares = Vec::with_capacity(met.len());
+        for (at, (other, entry)) in met.iter().enumerate() {
+            let share = product(values, *entry, inverse);
+            self.notes.name(share, format!("l_{}_{}", self.names[*other], self.names[unknown]));
+            let passed_on = product(values, share, self.right_hand_side[unknown]);
+            self.right_hand_side[*other] = difference(values, self.right_hand_side[*other], passed_on);
+            for (second, entry) in &met[..=at] {
+                let (old, gone) = (self.entry(values, *other, *second), product(values, share, *entry));
+                let new = difference(values, old, gone);
+                self.set(*other, *second, new);
+            }
+            shares.push((*other, share));
+        }
+        shares
+    }
+}
+
+impl Branch {
+    /// What a joint with this momentum leaves of the frame's inertia, of its wrench, and of the momenta of those that wait.
+    fn give_way(
+        &mut self,
+        values: &mut Values,
+        momentum: &[Triple; 2],
+        shares: &[(usize, Value)],
+        of_frame: &[Triple; 2],
+        (pivot, force): (Value, Value),
+    ) {
+        for joint in &mut self.waiting {
+            let Some((_, share)) = shares.iter().find(|(other, _)| *other == joint.unknown) else { continue };
+            joint.momentum = std::array::from_fn(|part| {
+                std::array::from_fn(|i| {
+                    let gone = product(values, *share, momentum[part][i]);
+                    difference(values, joint.momentum[part][i], gone)
+                })
+            });
+        }
+        self.moments.push(of_frame[0].map(|share| product(values, share, force)));
+        self.forces.push(of_frame[1].map(|share| product(values, share, force)));
+        self.inertia = self.inertia.clone().giving_way(values, momentum, of_frame, pivot);
     }
 }
 

@@ -19,11 +19,11 @@ pub(super) enum Inertia {
 #[derive(Clone)]
 pub(super) struct Articulated {
     /// I, symmetric.
-    pub(super) turning: Matrix,
+    turning: Matrix,
     /// H.
-    pub(super) mixed: Matrix,
+    mixed: Matrix,
     /// M, symmetric.
-    pub(super) shifting: Matrix,
+    shifting: Matrix,
 }
 
 impl Inertia {
@@ -64,7 +64,7 @@ impl Inertia {
         })
     }
 
-    pub(super) fn articulated(self, values: &mut Values) -> Articulated {
+    fn articulated(self, values: &mut Values) -> Articulated {
         let mass = match self {
             Inertia::Articulated(own) => return own,
             Inertia::Rigid(mass) => mass,
@@ -79,9 +79,7 @@ impl Inertia {
         let shifting = symmetric(|(i, j)| if i == j { mass.mass } else { zero });
         Articulated { turning, mixed, shifting }
     }
-}
 
-impl Inertia {
     /// What is left of it where a joint with these momenta gives way: less k k'/d, with the shares k/d.
     pub(super) fn giving_way(
         self,
