@@ -34,7 +34,7 @@ const BRANCHES: &str = "
     loads { gravity [1 [m/s^2], -2 [m/s^2], -9.81 [m/s^2]]; spring k, length 0.1*L from PC to PF; torque 0.1*m*L^2*t/(1 [s^3]) on h; }
     kernels { inverse_dynamics; }";
 
-/// A base that moves freely, and one limb.
+/// A base that moves freely, and one limb. The last load acts along its quaternion, which the multiplier of the norm takes up.
 const FREE: &str = "
     pub Floating;
     parameters { L [m] = 1; m [kg] = 1; k [N/m] = 20; }
@@ -48,7 +48,11 @@ const FREE: &str = "
         upper: mass m at PA + A*[0.01*L, 0.03*L, -0.2*L], inertia [0.05*m*L^2, 0.06*m*L^2, 0.03*m*L^2], attitude A;
         lower: mass 0.7*m at PB + B*[0.02*L, 0, -0.15*L], inertia [0.02*m*L^2, 0.03*m*L^2, 0.015*m*L^2], attitude B;
     }
-    loads { gravity [0, 0, -9.81 [m/s^2]]; spring k, length 0.1*L from PA to PB; }
+    loads {
+        gravity [0, 0, -9.81 [m/s^2]];
+        spring k, length 0.1*L from PA to PB;
+        potential m*L^2*(base_q0^3 + 2*base_q2)/(1 [s^2]);
+    }
     kernels { inverse_dynamics; }";
 
 /// A base with loads on it, and a limb of so many joints that each is eliminated at its link: about axes of a frame and askew,
