@@ -28,6 +28,19 @@ impl Jet {
         Jet { value, gradient: zeros(variables), hessian: zeros(variables * variables), order: CONSTANT }
     }
 
+    /// Itself, with magnitudes of at most these: of the value, of each derivative, of each second derivative.
+    pub(super) fn bounded(&self, value: f64, gradient: &[f64], hessian: &[f64]) -> Jet {
+        let bounded = |x: &Measured, bound: &f64| Measured { magnitude: x.magnitude.min(*bound), ..*x };
+        let each =
+            |entries: &[Measured], bounds: &[f64]| entries.iter().zip(bounds).map(|(x, b)| bounded(x, b)).collect();
+        Jet {
+            value: bounded(&self.value, &value),
+            gradient: each(&self.gradient, gradient),
+            hessian: each(&self.hessian, hessian),
+            order: self.order,
+        }
+    }
+
     /// Variable number `index` of `variables`.
     pub(super) fn variable(value: f64, index: usize, variables: usize) -> Jet {
         let mut jet = Jet::constant(Measured::given(value), variables);
@@ -51,6 +64,10 @@ impl Jet {
 
     pub(super) fn gradient(&self) -> &[Measured] {
         &self.gradient
+    }
+
+    pub(super) fn hessian(&self) -> &[Measured] {
+        &self.hessian
     }
 
     /// Entry (i, j) of the Hessian.

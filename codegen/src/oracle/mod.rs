@@ -30,6 +30,7 @@ mod parameters;
 mod plain;
 mod rotation;
 mod setting;
+mod sizes;
 mod solve;
 mod state;
 mod value;

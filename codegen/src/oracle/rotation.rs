@@ -3,6 +3,7 @@
 use super::error::{Result, refuse};
 use super::jet::Jet;
 use super::measured::Measured;
+use super::sizes::Sizes;
 use crate::dsl::{Expression, Kind};
 
 /// R, with the quaternions of coordinates in it.
@@ -53,7 +54,9 @@ impl Rotation {
     /// R S.
     pub(super) fn then(&self, other: &Rotation) -> Rotation {
         let quaternions = self.quaternions.iter().chain(&other.quaternions).cloned().collect();
-        Rotation { entries: product(&self.entries, &other.entries), quaternions }
+        let sizes = Sizes::of(&self.entries).times(&Sizes::of(&other.entries));
+        let entries = product(&self.entries, &other.entries);
+        Rotation { entries: sizes.bound(&entries), quaternions }
     }
 
     /// R'.
@@ -67,7 +70,9 @@ impl Rotation {
         if v.len() != 3 {
             return refuse("a rotation turns vectors of three components");
         }
-        Ok(self.entries.chunks(3).map(|row| inner(row, v)).collect())
+        let sizes = Sizes::of(&self.entries).times(&Sizes::of(v));
+        let turned: Vec<Jet> = self.entries.chunks(3).map(|row| inner(row, v)).collect();
+        Ok(sizes.bound(&turned))
     }
 
     /// vee of the skew part of R' R^T, given the rates of the entries.
