@@ -13,7 +13,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 /// and two evaluations may be compared within a small multiple of that.
 ///
 /// Where both factors are sums that cancel, an evaluation that multiplies out is off by eps A B, although a and b vanish.
-/// [`MULTIPLIED_OUT`] of A B is added for that: comparisons allow thousands of eps.
+/// A thousandth of A B is added for that: comparisons allow thousands of eps.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Measured {
     /// The value.
