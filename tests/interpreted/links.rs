@@ -34,7 +34,8 @@ const BRANCHES: &str = "
     loads { gravity [1 [m/s^2], -2 [m/s^2], -9.81 [m/s^2]]; spring k, length 0.1*L from PC to PF; torque 0.1*m*L^2*t/(1 [s^3]) on h; }
     kernels { inverse_dynamics; }";
 
-/// A base that moves freely, and one limb. The last load acts along its quaternion, which the multiplier of the norm takes up.
+/// A base that moves freely, and one limb. The last load acts along its quaternion, which the multiplier of the norm
+/// takes up.
 const FREE: &str = "
     pub Floating;
     parameters { L [m] = 1; m [kg] = 1; k [N/m] = 20; }

@@ -1,9 +1,9 @@
 //! The magnitudes of products with rotations, by norms.
 //!
 //! Entry by entry, |A||B| of two rotations is up to sqrt(3) in each row, and along a chain of joints the magnitudes
-//! would grow like a power, until no difference in a kernel showed. But a rotation keeps lengths: an error dA in A, and dB in B, make
-//! the error dA B + A dB in A B, of size |dA| |B| + |A| |dB| (Higham, Accuracy and Stability of Numerical Algorithms,
-//! 2nd ed., 3.5 and 19.2). So the magnitudes of a chain grow like the number of its joints.
+//! would grow like a power, until no difference in a kernel showed. But a rotation keeps lengths: errors dA in A and
+//! dB in B make the error dA B + A dB in A B, of size |dA| |B| + |A| |dB| (Higham, Accuracy and Stability of Numerical
+//! Algorithms, 2nd ed., 3.5 and 19.2). So the magnitudes of a chain grow like the number of its joints.
 
 use super::jet::Jet;
 use super::measured::Measured;
@@ -22,10 +22,9 @@ pub(super) struct Size {
 impl Size {
     /// Of a 3 by 3 matrix row by row, or of a vector.
     fn of(entries: &[Measured]) -> Size {
-        let length = |line: &mut dyn Iterator<Item = &Measured>| line.map(|x| x.value * x.value).sum::<f64>().sqrt();
         let columns = entries.len() / 3;
-        let lines = entries.chunks(columns.max(1)).map(|row| length(&mut row.iter()));
-        let lines = lines.chain((0..columns).map(|j| length(&mut entries.iter().skip(j).step_by(columns))));
+        let rows = entries.chunks(columns.max(1)).map(|row| length(row.iter()));
+        let lines = rows.chain((0..columns).map(|j| length(entries.iter().skip(j).step_by(columns))));
         Size { value: lines.fold(0.0, f64::max), magnitude: entries.iter().map(|x| x.magnitude).fold(0.0, f64::max) }
     }
 
@@ -33,6 +32,10 @@ impl Size {
         let magnitude = self.magnitude * other.value + self.value * other.magnitude;
         Size { value: self.value * other.value, magnitude }
     }
+}
+
+fn length<'a>(line: impl Iterator<Item = &'a Measured>) -> f64 {
+    line.map(|x| x.value * x.value).sum::<f64>().sqrt()
 }
 
 impl Add for Size {

@@ -237,3 +237,54 @@ fn magnitudes_survive_cancellation() -> Outcome {
     assert_close(jet.value(), 0.0, "sin(x + 1000 pi) - sin(x)");
     Ok(())
 }
+
+/// A component of a vector that so many rotations turn, these in turn.
+fn turned_by(rotations: &[&str], count: usize) -> String {
+    let chain: Vec<&str> = rotations.iter().copied().cycle().take(count).collect();
+    format!("inner([0.3, 0.4, 0.5], {}*[0.1, -0.2, 0.3])", chain.join("*"))
+}
+
+/// Along a chain of rotations errors of the angles add up, so magnitudes may grow no faster than the number of joints;
+/// with each derivative, which is a sum over all of them, by that number once more. They still bound what errors do:
+/// all of it shows where the axes are the same.
+#[test]
+fn magnitudes_of_a_chain_of_rotations_grow_with_its_joints() -> Outcome {
+    const ERROR: f64 = 1e-7;
+    for rotations in [
+        &["rotation([1, 0, 0], x)", "rotation([0.6, 0, 0.8], y)", "rotation([0, 1, 0], t)"][..],
+        &["rotation([0.6, 0, 0.8], x)"],
+    ] {
+        let at = |joints: usize, error: f64| {
+            let of = |x: f64| x * (1.0 + error);
+            evaluate(&turned_by(rotations, joints), Setting::positions(of(0.9), &[1.5], &[of(0.7), of(-1.3)], 0))
+        };
+        let (short, long) = (at(12, 0.0)??, at(48, 0.0)??);
+        for (k, (a, b)) in entries(&short).zip(entries(&long)).enumerate() {
+            let derivative = [0, 1, 1, 1].get(k).copied().unwrap_or(2);
+            assert!(b.magnitude <= 1.5 * 4f64.powi(derivative + 1) * a.magnitude, "entry {k}: {a:?}, {b:?}");
+        }
+        for (k, (a, b)) in entries(&long).zip(entries(&at(48, ERROR)??)).enumerate() {
+            let error = (a.value - b.value).abs();
+            assert!(error <= 2.0 * ERROR * a.magnitude, "entry {k}: {error} of {}", a.magnitude);
+        }
+    }
+    Ok(())
+}
+
+/// Where both factors cancel, a product that is multiplied out differs by rounding of their terms: within 1e-12 of the
+/// magnitude, which is what the comparison with kernels allows.
+#[test]
+fn magnitudes_of_products_cover_those_multiplied_out() -> Outcome {
+    const ZERO: &str = "(x/3 + y/7 - (7*x + 3*y)/21)";
+    const OUT: &str = "(x/3)^2 + (y/7)^2 + ((7*x + 3*y)/21)^2 + 2*x*y/21 - 2*(x/3 + y/7)*(7*x + 3*y)/21";
+    let mut shown = 0;
+    for [x, y, t] in points(0.5, 2.0, 32) {
+        let at = || Setting::positions(t, &[1.5], &[x, y], 0);
+        let product = evaluate(&format!("{ZERO}*{ZERO}"), at())??.value();
+        let apart = (product.value - evaluate(OUT, at())??.value().value).abs();
+        assert!(apart <= 1e-12 * product.magnitude, "{apart} of {}", product.magnitude);
+        shown += usize::from(apart > f64::EPSILON * product.value.abs());
+    }
+    assert!(shown > 8, "rounding is expected to show");
+    Ok(())
+}

@@ -230,9 +230,11 @@ impl Elimination<'_> {
         unknown: usize,
         inverse: Value,
     ) -> Vec<(usize, Value)> {
-        let met = branch.waiting.iter().map(|other| (other.unknown, self.entry(values, other.unknown, unknown)));
+        let met = branch.waiting.iter().filter_map(|other| {
+            let entry = self.entry(values, other.unknown, unknown);
+            (!values.is_zero(entry)).then_some((other.unknown, entry))
+        });
         let met: Vec<(usize, Value)> = met.collect();
-        let met: Vec<(usize, Value)> = met.into_iter().filter(|(_, entry)| !values.is_zero(*entry)).collect();
         let mut shares = Vec::with_capacity(met.len());
         for (at, (other, entry)) in met.iter().enumerate() {
             let share = product(values, *entry, inverse);
