@@ -31,8 +31,14 @@ pub struct SparseRow {
     pub diagonal: usize,
 }
 
-/// The number of contiguous dense operations that take as long as one sparse operation with its overhead.
+/// The number of contiguous dense operations that take as long as a sparse one of a product, with its overhead.
 const LOOK_UP: usize = 8;
+/// The same of one within the envelope, whose rows are contiguous but begin anywhere.
+const WITHIN: usize = 2;
+
+/// How many times smaller another order must make the envelope. The declared one goes from body to body: each row then
+/// depends least on those before it, so positions seem singular only where they are.
+const SAVES: usize = 2;
 
 impl Sparsity {
     /// The sparsity of rows with entries in these columns; nothing if dense rows are as good.
@@ -43,7 +49,7 @@ impl Sparsity {
         let envelope =
             |order: &[usize]| firsts(order, &neighbours).iter().enumerate().map(|(k, first)| k - first).sum();
         let [by_declaration, by_order]: [usize; 2] = [envelope(&declared), envelope(&reordered)];
-        let order = if by_order < by_declaration { reordered } else { declared };
+        let order = if SAVES * by_order < by_declaration { reordered } else { declared };
         let firsts = firsts(&order, &neighbours);
         let mut sparsity = Sparsity { rows: Vec::new() };
         for (k, (constraint, first)) in order.into_iter().zip(firsts).enumerate() {
@@ -51,7 +57,7 @@ impl Sparsity {
             let columns = columns[constraint].iter().copied().collect();
             sparsity.rows.push(SparseRow { constraint, columns, entries, first, diagonal: envelope + k - first });
         }
-        (LOOK_UP * sparsity.operations() < dense_operations(columns.len(), coordinates)).then_some(sparsity)
+        (sparsity.operations() < dense_operations(columns.len(), coordinates)).then_some(sparsity)
     }
 
     /// The number of entries of its rows and of the envelope.
@@ -59,11 +65,11 @@ impl Sparsity {
         self.rows.last().map_or([0; 2], |row| [row.entries + row.columns.len(), row.diagonal + 1])
     }
 
-    /// Multiplications of C_q C_q' and its factorisation.
+    /// Multiplications of C_q C_q' and its factorisation, in units of those of dense rows.
     fn operations(&self) -> usize {
         let of_row = |(k, row): (usize, &SparseRow)| {
             let inner: usize = self.rows[row.first..=k].iter().map(|other| other.columns.len()).sum();
-            inner + (k - row.first) * (k - row.first + 1) / 2
+            LOOK_UP * inner + WITHIN * (k - row.first) * (k - row.first + 1) / 2
         };
         self.rows.iter().enumerate().map(of_row).sum()
     }

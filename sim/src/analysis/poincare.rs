@@ -93,7 +93,7 @@ pub fn poincare_while<M: Mechanism>(
         let mechanism = phase.map_or(&mechanism, |phase| &phase.mechanism);
         phases.extend(phase.map(|phase| Phase { first: samples.len(), ..phase.clone() }));
         let measures = Measures::at(mechanism, event.state.time, &event.state.positions);
-        samples.push(Motion::new(mechanism.clone(), settings.stabilisation, measures).sample(event.state)?);
+        samples.push(Motion::new(mechanism.clone(), settings.stabilisation, measures).sample(event.state.clone())?);
     }
     let states: Vec<At<f64>> = samples.iter().map(At::sample).collect();
     let period = period(mechanism.description(), &states);

@@ -59,7 +59,7 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         direction: &Direction<M>,
     ) -> Result<ForwardSensitivity<M>, Failure> {
         let simulation = Simulation::new(mechanism, start, settings)?;
-        let (state, mechanism) = (*simulation.state(), simulation.mechanism());
+        let (state, mechanism) = (simulation.state().clone(), simulation.mechanism());
         let fail = |why| Failure::at(mechanism, What::NotDifferentiable { why }, state.time, &state.positions);
         let tableau = tableau(settings.method).ok_or_else(|| fail("its method is implicit; choose an explicit one"))?;
         if let Some(why) = obstacle(&simulation, settings) {

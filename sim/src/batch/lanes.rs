@@ -11,9 +11,8 @@ pub(super) type Numbers = Lanes<LANES>;
 pub(super) type InLanes<M> = <M as Mechanism>::On<Numbers>;
 
 /// Arrays side by side.
-pub(super) fn gather<A: Array<f64>, B: Array<Numbers>>(of: impl Fn(usize) -> A) -> B {
-    let arrays: [A; LANES] = std::array::from_fn(of);
-    B::with_len(arrays[0].len(), |i| Lanes::from_fn(|lane| arrays[lane][i]))
+pub(super) fn gather<'a, A: Array<f64>, B: Array<Numbers>>(of: impl Fn(usize) -> &'a A) -> B {
+    B::with_len(of(0).len(), |i| Lanes::from_fn(|lane| of(lane)[i]))
 }
 
 /// One lane of an array.
@@ -36,8 +35,9 @@ pub(super) fn mechanism<M: Mechanism>(mechanisms: [&M; LANES]) -> Option<InLanes
             _ => return None,
         };
     }
-    let lanes = mechanisms[0].on(Numbers::from_f64).with_parameters(gather(|lane| mechanisms[lane].parameters()));
-    Some(lanes.with_inputs(inputs).with_activities(gather(|lane| mechanisms[lane].activities())))
+    let (parameters, activities) = (mechanisms.map(M::parameters), mechanisms.map(M::activities));
+    let lanes = mechanisms[0].on(Numbers::from_f64).with_parameters(gather(|lane| &parameters[lane]));
+    Some(lanes.with_inputs(inputs).with_activities(gather(|lane| &activities[lane])))
 }
 
 /// Scales side by side; `None` unless constraints are independent in all.
@@ -49,20 +49,17 @@ pub(super) fn measures<M: Mechanism>(each: [&Measures<M>; LANES]) -> Option<Meas
 }
 
 /// Samples side by side, with the inputs of the mechanism in lanes.
-pub(super) fn sample<M: Mechanism>(
-    mechanism: &InLanes<M>,
-    samples: &[Sample<M>; LANES],
-) -> Sample<InLanes<M>, Numbers> {
+pub(super) fn sample<M: Mechanism>(mechanism: &InLanes<M>, samples: &[Sample<M>]) -> Sample<InLanes<M>, Numbers> {
     let number = |entry: &dyn Fn(&Sample<M>) -> f64| Lanes::from_fn(|lane| entry(&samples[lane]));
     Sample {
         state: State {
             time: number(&|sample| sample.state.time),
-            positions: gather(|lane| samples[lane].state.positions),
-            speeds: gather(|lane| samples[lane].state.speeds),
+            positions: gather(|lane| &samples[lane].state.positions),
+            speeds: gather(|lane| &samples[lane].state.speeds),
             work: number(&|sample| sample.state.work),
         },
-        accelerations: gather(|lane| samples[lane].accelerations),
-        multipliers: gather(|lane| samples[lane].multipliers),
+        accelerations: gather(|lane| &samples[lane].accelerations),
+        multipliers: gather(|lane| &samples[lane].multipliers),
         power: number(&|sample| sample.power),
         inputs: mechanism.inputs(),
     }

@@ -89,9 +89,10 @@ impl<M: Mechanism> Work for Batch<'_, M> {
             } else if let Some(found) = found.first_chunk_mut() {
                 scatter::<M>(&solved, found);
             } else {
-                let mut all = [unsolved(self.mechanism); LANES];
+                let mut all = std::array::from_fn(|_| unsolved(self.mechanism));
                 scatter::<M>(&solved, &mut all);
-                found.copy_from_slice(&all[..found.len()]);
+                let count = found.len();
+                found.clone_from_slice(&all[..count]);
             }
         }
         failures
@@ -102,7 +103,7 @@ impl<M: Mechanism> Work for Batch<'_, M> {
 #[cold]
 #[inline(never)]
 fn fill<M: Mechanism>(states: &[State<M>]) -> [State<M>; LANES] {
-    std::array::from_fn(|lane| states[if lane < states.len() { lane } else { 0 }])
+    std::array::from_fn(|lane| states[if lane < states.len() { lane } else { 0 }].clone())
 }
 
 /// The kernel at as many states as there are lanes.
@@ -110,7 +111,7 @@ fn fill<M: Mechanism>(states: &[State<M>]) -> [State<M>; LANES] {
 fn dynamics<M: Mechanism>(prepared: &Prepared<M>, states: &[State<M>; LANES]) -> Solutions<M> {
     let n = states[0].positions.len();
     let zero = Q::<M>::repeat(n, Lanes::from_f64(0.0));
-    let (mut positions, mut speeds) = (zero, zero);
+    let (mut positions, mut speeds) = (zero.clone(), zero);
     for i in 0..n {
         positions[i] = column(states, |state| state.positions[i]);
         speeds[i] = column(states, |state| state.speeds[i]);

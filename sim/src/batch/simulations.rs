@@ -86,11 +86,12 @@ impl<M: Mechanism> Block<'_, M> {
             self.side_by_side = Some(SideBySide::new(motions, lanes.map(|lane| &self.simulations[lane])));
         }
         let (plain, method) = self.side_by_side.as_mut()?.motion.as_mut()?;
-        let mut starts = [*self.simulations[lanes[0]].start_of_step()?; LANES];
-        for (start, lane) in starts.iter_mut().zip(lanes) {
-            *start = *self.simulations[*lane].start_of_step()?;
+        let mut starts = Vec::with_capacity(LANES);
+        for lane in lanes {
+            starts.push(self.simulations[*lane].start_of_step()?.clone());
         }
-        plain.longest.set(gather(|lane| self.simulations[lanes[lane]].motion().longest()));
+        let longest = lanes.map(|lane| self.simulations[lane].motion().longest());
+        plain.longest.replace(gather(|lane| &longest[lane]));
         let from = sample::<M>(plain.mechanism(), &starts);
         let time = Lanes::from_fn(|lane| targets[lanes[lane]].map_or(f64::NAN, |target| target.time));
         let tolerance = targets[lanes[0]].and_then(|target| target.tolerance);
@@ -128,7 +129,7 @@ impl<M: Mechanism> SideBySide<M> {
             error: reached.error(in_lane),
             to: sample_of::<M>(&reached.to, lane, simulation.mechanism().inputs()),
             closeness: in_lane(reached.closeness),
-            longest: lane_of(&plain.longest.get(), lane),
+            longest: lane_of(&*plain.longest.borrow(), lane),
             evaluations: reached.evaluations,
         };
         simulation.take_attempt(target, attempted, method, in_lane)

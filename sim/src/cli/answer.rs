@@ -13,11 +13,11 @@ use crate::cli::files::asked::of_words;
 use crate::cli::files::reproduction::in_si;
 use crate::cli::files::written::Files;
 use crate::cli::given::{hold, set};
-use crate::cli::sizes::{by_size, deep, stepping};
+use crate::cli::sizes::stepping;
 use crate::output::outcome::Recorded;
 use crate::output::show::{About, ShowError, report_text, sweep_report_text};
 use crate::output::write::summary_of;
-use crate::{Failure, Model, Run, Table, What, run_while};
+use crate::{Erased, Failure, Model, Run, Table, What, run_while};
 use clap::Parser;
 use serde_json::Value;
 use sim_kernel::Mechanism;
@@ -58,7 +58,7 @@ impl Answer {
     /// If there is nothing to draw.
     pub fn report(&self) -> Option<Result<String, Refusal>> {
         let page = self.page.as_ref()?;
-        Some(deep(|| Ok(page()?)).map_err(Refusal::from))
+        Some(page().map_err(Stop::from).map_err(Refusal::from))
     }
 }
 
@@ -116,15 +116,15 @@ fn answered(model: Arc<dyn Model>, words: &[String], interrupted: &AtomicBool) -
     };
     match parsed(words)? {
         Command::Run(arguments) => stepping!(ran, model, &arguments, interrupted),
-        Command::Assemble(arguments) => by_size!(assembled, model, &arguments).map(|said| Answer::of(said.json)),
-        Command::Equilibrium(arguments) => by_size!(balanced, model, &arguments).map(|said| Answer::of(said.json)),
-        Command::Linearize(arguments) => by_size!(linearized_summary, model, &arguments, interrupted).map(Answer::of),
+        Command::Assemble(arguments) => assembled(Erased::of(model), &arguments).map(|said| Answer::of(said.json)),
+        Command::Equilibrium(arguments) => balanced(Erased::of(model), &arguments).map(|said| Answer::of(said.json)),
+        Command::Linearize(arguments) => linearized_summary(Erased::of(model), &arguments, interrupted).map(Answer::of),
         Command::Kinematics(arguments) => {
             let command = command();
-            by_size!(driven, model, &arguments, command, interrupted)
+            driven(Erased::of(model), &arguments, command, interrupted)
         }
         Command::Poincare(arguments) => stepping!(crossed, model, &arguments, interrupted),
-        Command::Verify(arguments) => by_size!(verified, model, &arguments, interrupted).map(|(said, failing)| {
+        Command::Verify(arguments) => verified(Erased::of(model), &arguments, interrupted).map(|(said, failing)| {
             let problem = failing.map(|message| Problem { message, failure: None });
             Answer { problem, ..Answer::of(said.json) }
         }),

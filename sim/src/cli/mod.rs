@@ -31,6 +31,7 @@ mod signals;
 mod simulated;
 mod sizes;
 
+use crate::Erased;
 pub use answer::{Answer, Problem, Refusal, answer, with_values};
 use arguments::{Arguments, Command};
 use chosen::{Chosen, chosen};
@@ -43,7 +44,7 @@ use commands::{
 pub use entry::{Entry, entry, entry_with_own_loops, text_entry};
 use files::run_file::RunFile;
 pub use simulated::{GoesOn, Simulated, Stand, simulated};
-use sizes::{by_size, stepping};
+use sizes::stepping;
 use std::ffi::OsString;
 use std::io::Write;
 use std::path::Path;
@@ -126,7 +127,7 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
     let model = |word: &str| Ok::<_, Stop>(chosen(mechanisms, word)?.model);
     match &arguments.command {
         Command::List => list::list(mechanisms, voice),
-        Command::Info(info) => by_size!(info::info_command, model(&info.model)?, voice),
+        Command::Info(info) => info::info_command(Erased::of(model(&info.model)?), voice),
         Command::Run(run) => {
             let Chosen { model, run: own } = chosen(mechanisms, &run.model)?;
             match own {
@@ -134,11 +135,11 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
                 None => stepping!(run::run_command, model, run, voice),
             }
         }
-        Command::Verify(verify) => by_size!(verify::verify_command, model(&verify.model)?, verify, voice),
-        Command::Assemble(start) => by_size!(statics::assemble_command, model(&start.start.model)?, start, voice),
-        Command::Equilibrium(start) => by_size!(statics::equilibrium_command, model(&start.model)?, start, voice),
-        Command::Kinematics(sweep) => by_size!(kinematics::kinematics_command, model(sweep.model())?, sweep, voice),
-        Command::Linearize(about) => by_size!(linearize::linearize_command, model(&about.start.model)?, about, voice),
+        Command::Verify(verify) => verify::verify_command(Erased::of(model(&verify.model)?), verify, voice),
+        Command::Assemble(start) => statics::assemble_command(Erased::of(model(&start.start.model)?), start, voice),
+        Command::Equilibrium(start) => statics::equilibrium_command(Erased::of(model(&start.model)?), start, voice),
+        Command::Kinematics(sweep) => kinematics::kinematics_command(Erased::of(model(sweep.model())?), sweep, voice),
+        Command::Linearize(about) => linearize::linearize_command(Erased::of(model(&about.start.model)?), about, voice),
         Command::Poincare(of) => stepping!(poincare::poincare_command, model(&of.start.model)?, of, voice),
         Command::Evaluate(of) => evaluate::evaluate(&*model(&of.model)?, of),
         Command::Watch(arguments) => watch::watch(arguments, voice),

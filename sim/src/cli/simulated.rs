@@ -4,10 +4,10 @@ use crate::cli::answer::{Refusal, parsed};
 use crate::cli::arguments::{Command, RunArguments};
 use crate::cli::commands::run::{Asked, asked};
 use crate::cli::quantity::parse_quantity;
-use crate::cli::sizes::{Large, deep, stepping};
+use crate::cli::sizes::stepping;
 use crate::cli::{Stop, unknown};
 use crate::output::outcome::list;
-use crate::{Erased, Failure, Model, Simulation, Storage};
+use crate::{Erased, Model, Simulation, Storage};
 use sim_kernel::{Input, Mechanism, Quantity};
 use std::sync::Arc;
 
@@ -104,19 +104,6 @@ fn unit_of(kind: &str, name: &str, among: &[Quantity]) -> Result<&'static str, S
     Ok(found.unit)
 }
 
-/// On a stack that has room for the vectors of large mechanisms.
-fn with_room<S: Storage, T: Send>(work: impl FnOnce() -> Result<T, Failure> + Send) -> Result<T, Refusal> {
-    roomy::<S, _>(work)?.map_err(Refusal::Failure)
-}
-
-/// The same of work that does not fail as motions do.
-fn roomy<S: Storage, T: Send>(work: impl FnOnce() -> T + Send) -> Result<T, Refusal> {
-    match S::MOST < Large::MOST {
-        true => Ok(work()),
-        false => deep(|| Ok(work())).map_err(Refusal::from),
-    }
-}
-
 impl<S: Storage> Simulated for Simulation<Erased<S>>
 where
     Simulation<Erased<S>>: Send,
@@ -128,18 +115,15 @@ where
         Stand { time: state.time, positions, speeds, ..Stand::default() }
     }
     fn sample(&mut self) -> Result<Stand, Refusal> {
-        let simulation: &mut Self = self;
-        with_room::<S, _>(move || {
-            let sample = Simulation::sample(simulation)?;
-            let (accelerations, multipliers) = (list(&sample.accelerations), list(&sample.multipliers));
-            Ok(Stand { accelerations, multipliers, ..Simulated::state(simulation) })
-        })
+        let sample = Simulation::sample(self).map_err(Refusal::Failure)?;
+        let (accelerations, multipliers) = (list(&sample.accelerations), list(&sample.multipliers));
+        Ok(Stand { accelerations, multipliers, ..Simulated::state(self) })
     }
     fn step(&mut self) -> Result<bool, Refusal> {
-        with_room::<S, _>(|| Simulation::step(self))
+        Simulation::step(self).map_err(Refusal::Failure)
     }
     fn advance_to(&mut self, time: f64, goes_on: GoesOn) -> Result<(), Refusal> {
-        with_room::<S, _>(|| self.advance_while(time, goes_on))
+        self.advance_while(time, goes_on).map_err(Refusal::Failure)
     }
     fn has_ended(&self) -> bool {
         Simulation::has_ended(self)
@@ -151,21 +135,20 @@ where
         let unit = unit_of("input", name, self.mechanism().description().inputs)?;
         let held = value.map(|text| parse_quantity(name, text, unit)).transpose()?;
         let input = held.map_or(Input::Declared, Input::Held);
-        with_room::<S, _>(|| Simulation::set_input(self, name, input))
+        Simulation::set_input(self, name, input).map_err(Refusal::Failure)
     }
     fn set_parameter(&mut self, name: &str, value: &str) -> Result<(), Refusal> {
         let unit = unit_of("parameter", name, self.mechanism().description().parameters)?;
         let value = parse_quantity(name, value, unit)?;
-        with_room::<S, _>(|| Simulation::set_parameter(self, name, value))
+        Simulation::set_parameter(self, name, value).map_err(Refusal::Failure)
     }
     fn events(&self) -> Vec<(&'static str, f64)> {
         Simulation::events(self).iter().map(|found| (found.name, found.state.time)).collect()
     }
     fn save(&mut self) -> Result<Vec<u8>, Refusal> {
-        let simulation: &mut Self = self;
-        roomy::<S, _>(move || Simulation::save(simulation))
+        Ok(Simulation::save(self))
     }
     fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
-        roomy::<S, _>(|| Simulation::restore(self, bytes).map_err(|why| Refusal::Usage(why.to_string())))?
+        Simulation::restore(self, bytes).map_err(|why| Refusal::Usage(why.to_string()))
     }
 }

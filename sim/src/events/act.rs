@@ -23,7 +23,7 @@ use sim_kernel::event::{Assignment, Event, Hit, Step, Switch, Target};
 use sim_kernel::{Array, Mechanism};
 
 /// The changes by an event.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Change<M: Mechanism> {
     /// The mechanism from then on.
     pub mechanism: M,
@@ -47,7 +47,7 @@ pub fn act<M: Mechanism>(
     event: &'static Event,
     occurrence: usize,
 ) -> Result<Change<M>, Failure> {
-    let mut change = Change::none(mechanism.clone(), *before);
+    let mut change = Change::none(mechanism.clone(), before.clone());
     for step in event.steps {
         match step {
             Step::Stop(after) => change.ends |= occurrence >= *after,

@@ -9,21 +9,13 @@ use sim_kernel::event::Event;
 use sim_kernel::{Array, Mechanism};
 
 /// The conditions at one time.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Point<M: Mechanism> {
     pub(super) time: f64,
     pub(super) values: M::Events,
     /// The rates of the values in time.
     pub(super) rates: M::Events,
 }
-
-impl<M: Mechanism> Clone for Point<M> {
-    fn clone(&self) -> Point<M> {
-        *self
-    }
-}
-
-impl<M: Mechanism> Copy for Point<M> {}
 
 /// The value of a condition at a time inside a step.
 pub(super) fn value<M: Mechanism>(step: &mut Step<M>, time: f64, event: usize) -> Result<f64, Failure> {
@@ -41,7 +33,7 @@ fn any_on_forces(events: &[Event]) -> bool {
 pub(crate) fn conditions<M: Mechanism>(motion: &Motion<M>, state: &State<M>) -> Result<M::Events, Failure> {
     let (qdd, lambda) = match any_on_forces(motion.mechanism().description().events) {
         true => {
-            let sample = motion.sample(*state)?;
+            let sample = motion.sample(state.clone())?;
             (sample.accelerations, sample.multipliers)
         }
         false => (state.positions.like(|_| 0.0), M::L::repeat(motion.mechanism().m(), 0.0)),
@@ -65,7 +57,7 @@ pub(crate) fn moved<M: Mechanism>(sample: &Sample<M>, d: f64) -> State<M> {
 impl<M: Mechanism> Point<M> {
     /// None known yet.
     pub(super) fn blank(none: &M::Events) -> Point<M> {
-        Point { time: 0.0, values: *none, rates: *none }
+        Point { time: 0.0, values: none.clone(), rates: none.clone() }
     }
 
     /// All of it as bytes, or from them.

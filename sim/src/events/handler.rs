@@ -115,7 +115,7 @@ impl<M: Mechanism> EventHandler<M> {
             return Ok(());
         }
         let onset = self.onset(motion, sample)?;
-        self.search.restart(sample.state.time, onset);
+        self.search.restart(sample.state.time, onset.clone());
         self.act_at_start(motion, sample, onset, |_| true)
     }
 
@@ -134,7 +134,7 @@ impl<M: Mechanism> EventHandler<M> {
             &sample.multipliers,
         );
         let onset = self.onset(motion, sample)?;
-        self.search.resume(onset);
+        self.search.resume(onset.clone());
         self.act_at_start(motion, sample, onset, |event| before[event] != now[event])
     }
 
@@ -156,7 +156,7 @@ impl<M: Mechanism> EventHandler<M> {
     ) -> Result<(), Failure> {
         let at = self.search.found.len();
         for event in (0..self.counts.len()).filter(|event| counts(*event)) {
-            if onset.is_some_and(|onset| self.is_due(motion.mechanism(), &onset, event, sample.state.time)) {
+            if onset.as_ref().is_some_and(|onset| self.is_due(motion.mechanism(), onset, event, sample.state.time)) {
                 self.happen_at_start(motion.mechanism(), event, sample)?;
             }
         }
@@ -224,7 +224,7 @@ impl<M: Mechanism> EventHandler<M> {
 
     fn happen_at_start(&mut self, mechanism: &M, event: usize, sample: &Sample<M>) -> Result<(), Failure> {
         let described = &mechanism.description().events[event];
-        let (name, state) = (described.name, sample.state);
+        let (name, state) = (described.name, sample.state.clone());
         if state.time - self.last[event] < self.instant() {
             let what = What::Accumulating { event: name, count: self.counts[event] + 1 };
             return Err(Failure::at(mechanism, what, state.time, &state.positions));
@@ -254,7 +254,7 @@ impl<M: Mechanism> EventHandler<M> {
     /// Carries out the actions of the occurrences from here on, in order.
     fn act_from(&mut self, mechanism: &M, at: usize) -> Result<(), Failure> {
         let mut mechanism = mechanism.clone();
-        let mut state = self.search.found[at].state;
+        let mut state = self.search.found[at].state.clone();
         let mut changes = false;
         for index in at..self.search.found.len() {
             let (event, name) = (self.search.found[index].event, self.search.found[index].name);
@@ -266,7 +266,7 @@ impl<M: Mechanism> EventHandler<M> {
             self.last[event] = state.time;
             self.note_time(&mechanism, &state, name, self.counts[event])?;
             let change = act(&mechanism, &state, described, self.counts[event])?;
-            (mechanism, state) = (change.mechanism.clone(), change.state);
+            (mechanism, state) = (change.mechanism.clone(), change.state.clone());
             self.has_ended |= change.ends;
             self.energy_taken += change.energy_taken;
             changes |= described.steps.iter().any(|step| !matches!(step, event::Step::Stop(_)));

@@ -113,19 +113,19 @@ impl<M: Mechanism> EventSearch<M> {
     /// Continues after a change of the mechanism: unaffected conditions are tracked on, and others from here, as from a
     /// start. A jump over zero is not an event.
     pub(crate) fn resume(&mut self, onset: Option<Onset<M>>) {
-        self.before = self.last.take().map(|last| last.values).or(self.before);
+        self.before = self.last.take().map(|last| last.values).or(self.before.take());
         self.onset = onset;
     }
 
     /// The conditions before a change of the mechanism, if known.
     pub(crate) fn before(&self) -> Option<M::Events> {
-        self.last.map(|last| last.values).or(self.before)
+        self.last.as_ref().map(|last| &last.values).or(self.before.as_ref()).cloned()
     }
 
     /// The first point of a search without a step before it.
     fn first_point(&mut self, mut point: Point<M>) -> Point<M> {
         for event in 0..self.begin.len() {
-            match self.before {
+            match &self.before {
                 Some(before) if before[event] == point.values[event] => {}
                 before => {
                     if before.is_some() {
@@ -142,12 +142,13 @@ impl<M: Mechanism> EventSearch<M> {
     /// All of it as bytes, or from them; `blank` is filled by each occurrence that is read.
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes, blank: &Change<M>) -> Result<(), Damaged> {
         let EventSearch { found, begin, last, before, largest, onset } = self;
-        let none = || Occurrence { event: 0, name: "", crossing: Crossing::Rising, state: blank.state, change: None };
+        let none =
+            || Occurrence { event: 0, name: "", crossing: Crossing::Rising, state: blank.state.clone(), change: None };
         let zeros = begin.like(|_| 0.0);
         bytes.list(found, none, |bytes, occurrence| occurrence.transfer(bytes, blank))?;
         bytes.numbers(begin.as_mut())?;
         bytes.option(last, || Point::blank(&zeros), |bytes, last| last.transfer(bytes))?;
-        bytes.option(before, || zeros, |bytes, before| bytes.numbers(before.as_mut()))?;
+        bytes.option(before, || zeros.clone(), |bytes, before| bytes.numbers(before.as_mut()))?;
         bytes.numbers(largest.as_mut())?;
         bytes.option(onset, || Onset::blank(&zeros), |bytes, onset| onset.transfer(bytes))
     }
@@ -162,7 +163,7 @@ impl<M: Mechanism> EventSearch<M> {
         }
         let (motion, h) = (step.motion, step.length());
         let mechanism = motion.mechanism();
-        let from = match self.last {
+        let from = match self.last.clone() {
             Some(last) => last,
             None => self.first_point(Point::of(motion, step.from, h)?),
         };

@@ -13,7 +13,7 @@ use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 
 /// Conditions with their first two derivatives in time.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Onset<M: Mechanism> {
     values: M::Events,
     rates: M::Events,
@@ -25,14 +25,6 @@ pub(crate) struct Onset<M: Mechanism> {
     d: f64,
     tolerance: f64,
 }
-
-impl<M: Mechanism> Clone for Onset<M> {
-    fn clone(&self) -> Onset<M> {
-        *self
-    }
-}
-
-impl<M: Mechanism> Copy for Onset<M> {}
 
 /// Constraints are held to 1e-12.
 const OFFSET: f64 = 4e-12;
@@ -49,7 +41,7 @@ impl<M: Mechanism> Onset<M> {
         let (ahead, behind) = (conditions(motion, &moved(sample, d))?, conditions(motion, &moved(sample, -d))?);
         let terms = terms(motion, &sample.state, &values)?;
         Ok(Onset {
-            values,
+            values: values.clone(),
             rates: values.like(|i| (ahead[i] - behind[i]) / (2.0 * d)),
             seconds: values.like(|i| (ahead[i] - 2.0 * values[i] + behind[i]) / (d * d)),
             noise: values.like(|i| OFFSET * terms[i].max(1.0)),
@@ -61,7 +53,7 @@ impl<M: Mechanism> Onset<M> {
 
     /// None known yet.
     pub(crate) fn blank(none: &M::Events) -> Onset<M> {
-        let [values, rates, seconds, noise, significant] = [*none; 5];
+        let [values, rates, seconds, noise, significant] = std::array::from_fn(|_| none.clone());
         Onset { values, rates, seconds, noise, significant, d: 0.0, tolerance: 0.0 }
     }
 
@@ -102,7 +94,7 @@ fn terms<M: Mechanism>(motion: &Motion<M>, state: &State<M>, values: &M::Events)
     let mut terms = values.like(|i| values[i].abs());
     for (j, coordinate) in motion.mechanism().description().coordinates.iter().enumerate() {
         let size = state.positions[j].abs().max(coordinate.position.factor);
-        let mut nearby = *state;
+        let mut nearby = state.clone();
         nearby.positions[j] += 1e-6 * size;
         let changed = conditions(motion, &nearby)?;
         terms = terms.like(|i| terms[i] + 1e6 * (changed[i] - values[i]).abs());

@@ -20,8 +20,8 @@ const MOST_MOVED: f64 = 1000.0;
 const MOST_MOVED_THERE: f64 = 1.0;
 
 /// The differences of positions and speeds.
-pub(super) fn difference<S: Scalar, M: Mechanism<S>>(a: &State<M, S>, b: &State<M, S>) -> (M::Q, M::Q) {
-    (a.positions.like(|i| a.positions[i] - b.positions[i]), a.speeds.like(|i| a.speeds[i] - b.speeds[i]))
+pub(super) fn difference<S: Scalar, M: Mechanism<S>>(a: &State<M, S>, b: &State<M, S>) -> [M::Q; 2] {
+    [a.positions.like(|i| a.positions[i] - b.positions[i]), a.speeds.like(|i| a.speeds[i] - b.speeds[i])]
 }
 
 /// One step, with its end on the constraints; gives the estimate of its error.
@@ -45,10 +45,13 @@ pub(super) fn attempt<M: Mechanism>(
     if !(error <= 1.0) {
         return Ok(error);
     }
-    let before = end;
+    let before = end.clone();
     motion.keep(&mut end)?;
-    *to = motion.sample_in_place(end)?;
-    let moved = |tolerance: &Tolerance| tolerance.norm(motion.measures(), &before, &end, &difference(&before, &end));
+    *to = motion.sample_in_place(end.clone())?;
+    let moved = |tolerance: &Tolerance| {
+        let [positions, speeds] = difference(&before, &end);
+        tolerance.norm(motion.measures(), &before, &end, [&positions, &speeds])
+    };
     Ok(tolerance.map_or(error, |tolerance| with_move(error, moved(tolerance), motion.relative_sine())))
 }
 

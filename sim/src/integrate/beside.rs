@@ -61,29 +61,25 @@ impl<'a, M: Mechanism> Around<'a, M> {
     /// the motion, but lie on its branch.
     fn extrapolated(&self) -> (M::Q, f64) {
         let (state, measures) = (&self.state, self.motion.measures());
-        let mut known = [Known { fraction: 0.0, weight: 0.0, values: self.accelerations }; MOST_KNOWN];
-        let mut count = 0;
+        let mut known = Vec::with_capacity(MOST_KNOWN);
         for node in 0..MOST_KNOWN {
             // Chebyshev's, denser towards the ends.
             let fraction = ((node as f64 + 0.5) / MOST_KNOWN as f64 * PI).cos();
             let ahead = fraction * self.reach;
             let guess = foretold(state, &self.accelerations, ahead);
             let speeds = state.speeds.like(|i| state.speeds[i] + ahead * self.accelerations[i]);
-            let mut there = State { time: state.time + ahead, positions: guess, speeds, ..*state };
+            let mut there = State { time: state.time + ahead, positions: guess.clone(), speeds, ..*state };
             let kept = project(self.motion.mechanism(), measures, &mut there);
             let astray = there.positions.like(|i| there.positions[i] - guess[i]);
             if self.motion.size(&astray) > ASTRAY * REACH {
                 continue;
             }
-            let Ok(sample) = kept.and_then(|()| self.motion.sample(there)) else { continue };
+            let Ok(sample) = kept.and_then(|()| self.motion.sample(there.clone())) else { continue };
             // Rounding is amplified by the inverse square of the sine.
             let weight = self.least_sine(&there).powi(4);
-            known[count] = Known { fraction, weight, values: sample.accelerations };
-            count += 1;
+            known.push(Known { fraction, weight, values: sample.accelerations });
         }
-        nearest_polynomial(&known[..count], 0.0, self.accelerations.like(|_| 0.0), |change: &M::Q| {
-            self.motion.size(change)
-        })
+        nearest_polynomial(&known, 0.0, self.accelerations.like(|_| 0.0), |change: &M::Q| self.motion.size(change))
     }
 }
 
@@ -107,10 +103,10 @@ pub(super) fn better_accelerations<M: Mechanism>(
 ) -> Option<M::Q> {
     let size = |rates: &M::Q| motion.size(rates);
     let reach = natural_reach(motion, &state, &rough)?;
-    let mut best = (rough, f64::INFINITY);
+    let mut best = (rough.clone(), f64::INFINITY);
     let scale = size(&rough) + size(&state.speeds).powi(2);
     for reach in [reach.max(resolved), resolved].into_iter().filter(|reach| *reach > 0.0) {
-        let found = Around::new(motion, state, rough, reach).extrapolated();
+        let found = Around::new(motion, state.clone(), rough.clone(), reach).extrapolated();
         if found.1 < best.1 && found.0.iter().all(|acceleration| acceleration.is_finite()) {
             best = found;
         }
@@ -132,21 +128,21 @@ pub(super) fn better_accelerations<M: Mechanism>(
 /// # Errors
 /// As the right-hand side.
 pub(crate) fn first_sample<M: Mechanism>(motion: &Motion<M>, state: State<M>) -> Result<Sample<M>, Failure> {
-    let direct = motion.sample(state)?;
+    let direct = motion.sample(state.clone())?;
     let note = |state: State<M>| {
         weakest_constraint(motion, &state);
     };
-    note(state);
+    note(state.clone());
     let Some(reach) = natural_reach(motion, &state, &direct.accelerations) else { return Ok(direct) };
-    let sine = Around::new(motion, state, direct.accelerations, reach).least_sine(&state);
+    let sine = Around::new(motion, state.clone(), direct.accelerations.clone(), reach).least_sine(&state);
     if sine >= BESIDE {
         return Ok(direct);
     }
     for ahead in [-reach, reach] {
         let positions = foretold(&state, &direct.accelerations, ahead);
-        note(State { time: state.time + ahead, positions, ..state });
+        note(State { time: state.time + ahead, positions, ..state.clone() });
     }
-    let known = direct.accelerations;
-    let better = better_accelerations(motion, state, Some(known), known, 0.0);
+    let known = direct.accelerations.clone();
+    let better = better_accelerations(motion, state, Some(known.clone()), known.clone(), 0.0);
     Ok(Sample { accelerations: better.unwrap_or(known), ..direct })
 }

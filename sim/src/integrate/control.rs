@@ -62,8 +62,7 @@ pub(super) fn initial_step<M: Mechanism>(
     tolerance: &Tolerance,
 ) -> Result<f64, Failure> {
     let (state, rates) = (&start.state, start.rates());
-    let norm =
-        |positions: &M::Q, speeds: &M::Q| tolerance.norm(motion.measures(), state, state, &(*positions, *speeds));
+    let norm = |positions: &M::Q, speeds: &M::Q| tolerance.norm(motion.measures(), state, state, [positions, speeds]);
     let (size, slope) = (norm(&state.positions, &state.speeds), norm(&rates.positions, &rates.speeds));
     let tiny = size < 1e-5 || slope < 1e-5;
     let first = if tiny { 1e-6 * span } else { (0.01 * size / slope).min(span) };

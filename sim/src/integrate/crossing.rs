@@ -129,7 +129,7 @@ impl<M: Mechanism> Crossing<M> {
         }
         steps.singularities.extend(over.ahead.extract_if(.., |singularity| singularity.time <= end));
         if over.reached.state.time <= end {
-            *to = over.reached;
+            *to = over.reached.clone();
             self.sines = [self.sines[1], over.end_sine];
         } else {
             let there = self.step(motion, [from, to]).sample(end)?;
@@ -213,7 +213,8 @@ impl<M: Mechanism> Crossing<M> {
         }
         steps.accepted += 1;
         let ahead = steps.singularities.extract_if(passed.., |singularity| singularity.time > end).collect();
-        self.over = Some(Box::new(Over { begun: *from, reached: *to, end_sine: motion.least_sine(), ahead }));
+        self.over =
+            Some(Box::new(Over { begun: from.clone(), reached: to.clone(), end_sine: motion.least_sine(), ahead }));
         if to.state.time > end {
             let end = self.step(motion, [from, to]).sample(end)?;
             *to = end;
@@ -251,7 +252,7 @@ impl Steps {
         }
         let [begin, end] = [from, to].map(|sample| sample.state.time);
         let mut at = |time: f64| match time == end {
-            true => Ok(to.state),
+            true => Ok(to.state.clone()),
             false => method.inside(motion, from, to, (time - begin) / (end - begin)),
         };
         let (mut time, mut before) = (begin, followed.parts(begin, &from.state.positions));

@@ -43,7 +43,7 @@ impl<M: Mechanism> Dop853<M> {
         let none = Rates::zero(self.method.stages[0].positions.len());
         bytes.option(
             &mut self.interpolant,
-            || [none; 7],
+            || std::array::from_fn(|_| none.clone()),
             |bytes, coefficients| {
                 coefficients.iter_mut().try_for_each(|rates| {
                     bytes.numbers(rates.positions.as_mut())?;
@@ -55,19 +55,19 @@ impl<M: Mechanism> Dop853<M> {
     }
 
     fn interpolant(&mut self, motion: &Motion<M>, from: &Sample<M>, to: &Sample<M>) -> Result<[Rates<M>; 7], Failure> {
-        if let Some(interpolant) = self.interpolant {
-            return Ok(interpolant);
+        if let Some(interpolant) = &self.interpolant {
+            return Ok(interpolant.clone());
         }
         let h = to.state.time - from.state.time;
         let [start, end] = [from, to].map(|sample| motion.integrated(&sample.state));
         let rates = [from, to].map(|sample| motion.rates(sample));
-        self.method.stages[12] = rates[1];
+        self.method.stages[12] = rates[1].clone();
         for (k, (weights, node)) in DENSE_A.iter().zip(DENSE_C).enumerate() {
             self.method.evaluate(motion, &start, h, 13 + k, (weights, node))?;
         }
         let none = Rates::zero(from.accelerations.len());
         let sum = |parts: [(f64, &Rates<M>); 3]| {
-            let mut sum = none;
+            let mut sum = none.clone();
             parts.into_iter().for_each(|(weight, part)| sum.add(weight, part));
             sum
         };
@@ -76,7 +76,7 @@ impl<M: Mechanism> Dop853<M> {
         let third = sum([(1.0, &difference), (-h, &rates[1]), (-1.0, &second)]);
         let higher = DENSE_D.map(|weights| sum([(h, &self.method.combined(weights)), (0.0, &none), (0.0, &none)]));
         let [a, b, c, d] = higher;
-        Ok(*self.interpolant.insert([difference, second, third, a, b, c, d]))
+        Ok(self.interpolant.insert([difference, second, third, a, b, c, d]).clone())
     }
 }
 
@@ -111,10 +111,10 @@ impl<M: Mechanism> Advance<M> for Dop853<M> {
         // Nested alternately in s and 1 - s: y + s (c0 + r (c1 + s (c2 + r (c3 + ..)))).
         let factors = [fraction, 1.0 - fraction];
         let none = Rates::zero(from.accelerations.len());
-        let mut sum = none;
+        let mut sum = none.clone();
         for (k, coefficient) in coefficients.iter().enumerate().rev() {
             sum.add(1.0, coefficient);
-            let mut scaled = none;
+            let mut scaled = none.clone();
             scaled.add(factors[k % 2], &sum);
             sum = scaled;
         }

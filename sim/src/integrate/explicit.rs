@@ -24,7 +24,8 @@ pub struct ExplicitRungeKutta<M: Mechanism<S>, S: Scalar = f64> {
 impl<S: Scalar, M: Mechanism<S>> ExplicitRungeKutta<M, S> {
     /// The method of a tableau.
     pub fn new(mechanism: &M, tableau: &'static Tableau) -> ExplicitRungeKutta<M, S> {
-        ExplicitRungeKutta { tableau, is_rk4: *tableau == RK4, stages: [Rates::zero(mechanism.n()); MOST_STAGES] }
+        let stages = std::array::from_fn(|_| Rates::zero(mechanism.n()));
+        ExplicitRungeKutta { tableau, is_rk4: *tableau == RK4, stages }
     }
 
     /// Takes the stages of a step that was made on other numbers.
@@ -104,8 +105,8 @@ impl<S: Scalar, M: Mechanism<S>> ExplicitRungeKutta<M, S> {
         tolerance: &Tolerance,
     ) -> Result<S, Failure> {
         let size = |weights: &[Weight]| {
-            let difference = field.in_speeds(from, &self.combined(weights))?;
-            Ok(h.abs() * tolerance.norm(field.measures(), from, to, &difference))
+            let (positions, speeds) = field.in_speeds(from, &self.combined(weights))?;
+            Ok(h.abs() * tolerance.norm(field.measures(), from, to, [&positions, &speeds]))
         };
         match self.tableau.error {
             ErrorEstimate::None => Ok(S::ZERO),

@@ -60,21 +60,13 @@ pub trait Advance<M: Mechanism> {
 }
 
 /// The end of a step.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Attempt<M: Mechanism<S>, S: Scalar = f64> {
     /// The state at its end.
     pub end: State<M, S>,
     /// The estimate of its error in units of the tolerance; 0 if there is none.
     pub error: S,
 }
-
-impl<S: Scalar, M: Mechanism<S>> Clone for Attempt<M, S> {
-    fn clone(&self) -> Attempt<M, S> {
-        *self
-    }
-}
-
-impl<S: Scalar, M: Mechanism<S>> Copy for Attempt<M, S> {}
 
 impl Tolerance {
     /// The norm of an error of positions and speeds in units of the tolerance: root of the mean square.
@@ -87,7 +79,7 @@ impl Tolerance {
         measures: &Measures<M, S>,
         from: &State<M, S>,
         to: &State<M, S>,
-        error: &(M::Q, M::Q),
+        [of_positions, of_speeds]: [&M::Q; 2],
     ) -> S {
         let (mut sum, number) = (S::ZERO, S::from_f64);
         let n = measures.coordinates().len();
@@ -95,8 +87,8 @@ impl Tolerance {
             let absolute = number(self.absolute) * measures.coordinates()[i];
             let scale = |a: S, b: S| absolute + number(self.relative) * larger(a.abs(), b.abs());
             let [of_position, of_speed] = [
-                error.0[i] / scale(from.positions[i], to.positions[i]),
-                error.1[i] / scale(from.speeds[i], to.speeds[i]),
+                of_positions[i] / scale(from.positions[i], to.positions[i]),
+                of_speeds[i] / scale(from.speeds[i], to.speeds[i]),
             ];
             sum = sum + of_position * of_position;
             sum = sum + of_speed * of_speed;

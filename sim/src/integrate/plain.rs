@@ -46,10 +46,11 @@ pub(crate) fn attempt_plainly<S: Scalar, M: Mechanism<S>>(
 ) -> Result<Reached<M, S>, Failure> {
     let evaluations = plain.evaluations.get();
     let Attempt { end: before, error } = method.advance(plain, from, time, tolerance)?;
-    let mut end = before;
+    let mut end = before.clone();
     let closeness = plain.keep(&mut end)?;
-    let moved = tolerance
-        .map_or(S::ZERO, |tolerance| tolerance.norm(plain.measures(), &before, &end, &difference(&before, &end)));
+    let [positions, speeds] = difference(&before, &end);
+    let moved =
+        tolerance.map_or(S::ZERO, |tolerance| tolerance.norm(plain.measures(), &before, &end, [&positions, &speeds]));
     let to = plain.sample(end)?;
     Ok(Reached { to, errors: [error, moved], closeness, evaluations: plain.evaluations.get() - evaluations })
 }

@@ -73,7 +73,7 @@ impl<M: Mechanism> Radau5<M> {
         let zero = M::QQ::repeat(n, M::Q::repeat(n, 0.0));
         let jacobian = Blocks { by_positions: zero.clone(), by_speeds: zero };
         Radau5 {
-            stages: [Rates::zero(n); 3],
+            stages: std::array::from_fn(|_| Rates::zero(n)),
             last: 0.0,
             reached: f64::NAN,
             jacobian,
@@ -110,7 +110,7 @@ impl<M: Mechanism> Radau5<M> {
             r.speeds[i] + c * r.positions[i] - b[i].iter().zip(r.positions.iter()).map(|(b, r)| b * r).sum::<f64>()
         });
         let positions = r.positions.like(|i| solution[i]);
-        Rates { positions, speeds: positions.like(|i| c * positions[i] - r.positions[i]), work: 0.0 }
+        Rates { positions: positions.clone(), speeds: positions.like(|i| c * positions[i] - r.positions[i]), work: 0.0 }
     }
 
     /// The same for the complex eigenvalue; real and imaginary part of the right-hand side and of the solution.
@@ -132,16 +132,16 @@ impl<M: Mechanism> Radau5<M> {
 
     /// The prediction of the next step's stages by the polynomial of the last one.
     fn foretell(&mut self, from: &Sample<M>, h: f64) {
-        let (last, stages) = (self.last, self.stages);
+        let last = self.last;
         // A refused step predicts nothing.
         if last == 0.0 || self.reached != from.state.time {
-            self.stages = [Rates::zero(from.accelerations.len()); 3];
+            self.stages.fill(Rates::zero(from.accelerations.len()));
             return;
         }
-        let end = stages[2];
+        let [.., end] = &self.stages;
         self.stages = C.map(|node| {
-            let mut ahead = polynomial(&stages, 1.0 + node * h / last);
-            ahead.add(-1.0, &end);
+            let mut ahead = polynomial(&self.stages, 1.0 + node * h / last);
+            ahead.add(-1.0, end);
             ahead
         });
     }
@@ -157,7 +157,7 @@ impl<M: Mechanism> Radau5<M> {
         let enough = (10.0 * f64::EPSILON / tolerance.relative).max(tolerance.relative.sqrt().min(0.03));
         let mut last_change = f64::NAN;
         for iteration in 0..MOST_ITERATIONS {
-            let mut rates = self.stages;
+            let mut rates = self.stages.clone();
             for i in 0..3 {
                 let stage = from.changed(from.time + C[i] * h, 1.0, &self.stages[i]);
                 if !stage.is_finite() {
@@ -168,7 +168,7 @@ impl<M: Mechanism> Radau5<M> {
             let (f, w) = (combined(&T_INVERSE, &rates), combined(&T_INVERSE, &self.stages));
             let (real, pair) = (REAL / h, PAIR / h);
             let residual = |i: usize, weights: [(f64, usize); 2]| {
-                let mut residual = f[i];
+                let mut residual = f[i].clone();
                 weights.into_iter().for_each(|(weight, j)| residual.add(-weight, &w[j]));
                 residual
             };
@@ -178,7 +178,7 @@ impl<M: Mechanism> Radau5<M> {
             let [second, third] = self.solve_complex(pair, [&second, &third]);
             let changes = combined(&T, &[first, second, third]);
             let size = |change: &Rates<M>| {
-                tolerance.norm(motion.measures(), from, from, &(change.positions, change.speeds)).powi(2)
+                tolerance.norm(motion.measures(), from, from, [&change.positions, &change.speeds]).powi(2)
             };
             let change = (changes.iter().map(size).sum::<f64>() / 3.0).sqrt();
             self.stages.iter_mut().zip(&changes).for_each(|(stage, change)| stage.add(1.0, change));
@@ -210,8 +210,8 @@ impl<M: Mechanism> Radau5<M> {
         self.stages.iter().zip(ESTIMATE).for_each(|(stage, weight)| stages.add(weight / h, stage));
         let mut rates = from.rates();
         rates.add(1.0, &stages);
-        let size = |error: &Rates<M>| (error.positions, error.speeds);
-        let norm = |error: &Rates<M>| tolerance.norm(motion.measures(), &from.state, end, &size(error));
+        let norm =
+            |error: &Rates<M>| tolerance.norm(motion.measures(), &from.state, end, [&error.positions, &error.speeds]);
         let error = self.solve_real(REAL / h, &rates);
         if norm(&error) < 1.0 {
             return Ok(norm(&error));
@@ -255,7 +255,7 @@ impl<M: Mechanism> Advance<M> for Radau5<M> {
             return Err(fail());
         }
         let rates = self.solve_stages(motion, &from.state, h, tolerance.unwrap_or(&TIGHT))?.ok_or_else(fail)?;
-        let mut change = self.stages[2];
+        let mut change = self.stages[2].clone();
         change.work = h * rates.iter().zip(B).map(|(rates, weight)| weight * rates.work).sum::<f64>();
         let end = from.state.changed(time, 1.0, &change);
         let error = tolerance.map_or(Ok(0.0), |tolerance| self.error(motion, from, &end, h, tolerance))?;
@@ -272,7 +272,7 @@ impl<M: Mechanism> Advance<M> for Radau5<M> {
             work: 0.0,
         };
         let h = b.time - a.time;
-        let change = polynomial(&[self.stages[0], self.stages[1], difference], fraction);
+        let change = polynomial(&[self.stages[0].clone(), self.stages[1].clone(), difference], fraction);
         let mut state = a.changed(a.time + fraction * h, 1.0, &change);
         state.work = cubic([a.work, b.work], [h * from.power, h * to.power], fraction);
         Ok(state)

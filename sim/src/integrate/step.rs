@@ -51,14 +51,15 @@ impl<M: Mechanism> Step<'_, M> {
     #[inline]
     pub fn sample(&mut self, time: f64) -> Result<Sample<M>, Failure> {
         match time == self.to.state.time && self.end_sine >= BESIDE {
-            true => Ok(*self.to),
+            true => Ok(self.to.clone()),
             false => self.find_sample(time),
         }
     }
 
     fn find_sample(&mut self, time: f64) -> Result<Sample<M>, Failure> {
         let found = self.find(time)?;
-        let direct = if time == self.to.state.time { Ok(*self.to) } else { self.motion.sample(found.kept) };
+        let direct =
+            if time == self.to.state.time { Ok(self.to.clone()) } else { self.motion.sample(found.kept.clone()) };
         if found.sine >= BESIDE {
             return direct;
         }
@@ -66,12 +67,13 @@ impl<M: Mechanism> Step<'_, M> {
             return direct;
         }
         let nearer = if self.fraction(time) < 0.5 { self.begun } else { self.reached };
-        let known = direct.as_ref().ok().map(|direct| direct.accelerations);
-        let better = better_accelerations(self.motion, found.state(), known, nearer.accelerations, self.made() / 2.0);
+        let known = direct.as_ref().ok().map(|direct| direct.accelerations.clone());
+        let better =
+            better_accelerations(self.motion, found.state(), known, nearer.accelerations.clone(), self.made() / 2.0);
         let Some(accelerations) = better else { return direct };
         match direct {
             Ok(direct) if found.sine >= IN => Ok(Sample { state: found.state(), accelerations, ..direct }),
-            _ => Ok(Sample { state: found.state(), accelerations, ..*nearer }),
+            _ => Ok(Sample { state: found.state(), accelerations, ..nearer.clone() }),
         }
     }
 
@@ -86,16 +88,16 @@ impl<M: Mechanism> Step<'_, M> {
 
     fn find(&mut self, time: f64) -> Result<Inside<M>, Failure> {
         if time == self.to.state.time {
-            let end = self.to.state;
-            return Ok(Inside { kept: end, interpolated: end, sine: self.end_sine });
+            let end = self.to.state.clone();
+            return Ok(Inside { kept: end.clone(), interpolated: end, sine: self.end_sine });
         }
         let mut kept = self.method.inside(self.motion, self.begun, self.reached, self.fraction(time))?;
         kept.time = time;
-        let interpolated = kept;
+        let interpolated = kept.clone();
         match self.motion.keep(&mut kept) {
             Ok(()) => Ok(Inside { kept, interpolated, sine: self.motion.relative_sine() }),
             Err(Failure { what: What::SingularPosition { .. }, .. }) => {
-                Ok(Inside { kept: interpolated, interpolated, sine: 0.0 })
+                Ok(Inside { kept: interpolated.clone(), interpolated, sine: 0.0 })
             }
             Err(failure) => Err(failure),
         }
@@ -115,6 +117,6 @@ struct Inside<M: Mechanism> {
 impl<M: Mechanism> Inside<M> {
     /// The more accurate one.
     fn state(&self) -> State<M> {
-        if self.sine < AT { self.interpolated } else { self.kept }
+        if self.sine < AT { self.interpolated.clone() } else { self.kept.clone() }
     }
 }

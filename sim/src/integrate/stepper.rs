@@ -60,7 +60,14 @@ impl<M: Mechanism> Stepper<M> {
     /// One to be filled.
     fn blank(mechanism: &M, course: &Course, method: &dyn Advance<M>, at: Sample<M>) -> Stepper<M> {
         let pace = Pace::new(course, method, at.state.time);
-        Stepper { course: *course, ends: [at; 2], from: 0, last: None, crossing: Crossing::new(mechanism), pace }
+        Stepper {
+            course: *course,
+            ends: [at.clone(), at],
+            from: 0,
+            last: None,
+            crossing: Crossing::new(mechanism),
+            pace,
+        }
     }
 
     /// One that may not be there as bytes, or from them; those read are of this course and method.
@@ -205,7 +212,7 @@ impl<M: Mechanism> Stepper<M> {
         let mut stepper = self.clone();
         match stepper.last_step(motion, method) {
             Some(mut step) => step.sample(step.to.state.time),
-            None => Ok(self.ends[self.from]),
+            None => Ok(self.ends[self.from].clone()),
         }
     }
 

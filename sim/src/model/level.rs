@@ -22,6 +22,7 @@ pub(crate) fn is_speed_row<S: Scalar, M: Mechanism<S>>(mechanism: &M, row: usize
 pub(crate) fn between_positions<S: Scalar, M: Mechanism<S>>(mechanism: &M, jacobian: &M::LQ) -> M::LQ {
     match has_speed_rows(mechanism) {
         false => jacobian.clone(),
-        true => jacobian.like(|i| if is_speed_row(mechanism, i) { jacobian[i].like(|_| S::ZERO) } else { jacobian[i] }),
+        true => jacobian
+            .like(|i| if is_speed_row(mechanism, i) { jacobian[i].like(|_| S::ZERO) } else { jacobian[i].clone() }),
     }
 }

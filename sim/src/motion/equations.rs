@@ -96,7 +96,7 @@ pub(crate) fn solve_equations<M: Mechanism>(
     if !solved.refused && is_finite(&solved) {
         return Ok(solved);
     }
-    accelerate_by_pivoting(mechanism, None, time, *q, *qd)
+    accelerate_by_pivoting(mechanism, None, time, q.clone(), qd.clone())
 }
 
 /// The same for redundant constraints, according to these measures: off the constraints they are then met in least
@@ -106,10 +106,10 @@ pub(crate) fn accelerate_redundant<M: Mechanism>(
     mechanism: &M,
     measures: &Measures<M>,
     time: f64,
-    q: M::Q,
-    qd: M::Q,
+    q: &M::Q,
+    qd: &M::Q,
 ) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
-    accelerate_by_pivoting(mechanism, Some(measures), time, q, qd)
+    accelerate_by_pivoting(mechanism, Some(measures), time, q.clone(), qd.clone())
 }
 
 /// Whether all of a solution is.

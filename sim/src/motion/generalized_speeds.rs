@@ -10,7 +10,7 @@ use crate::numerics::arrays::inner;
 use crate::numerics::solve::Definite;
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
-use std::cell::Cell;
+use std::cell::RefCell;
 
 /// The least fraction of the longest distance so far between a row of W, or of the rows that hold by construction, and
 /// the rows before it. With 0.7, equal steps of order 4 near the singularity are fifty times worse than in rates; with
@@ -29,35 +29,35 @@ pub(crate) fn determine_speeds<M: Mechanism>(
     mechanism: &M,
     measures: &Measures<M>,
     (from, time): (&Sample<M>, f64),
-    farthest: &Cell<M::Q>,
+    farthest: &RefCell<M::Q>,
 ) -> bool {
     let Some(left) = mechanism.rows_left() else { return false };
     let state = &from.state;
-    let distances_at = |positions, time| distances(mechanism, measures, &State { time, positions, ..*state }, left);
-    let lengthen = |by: M::Q| {
-        let longest = farthest.get();
-        farthest.set(longest.like(|row| longest[row].max(by[row])));
-    };
-    if farthest.get().iter().all(|square| *square == 0.0) {
-        around(mechanism, measures, state).for_each(|beside| lengthen(distances_at(beside.positions, beside.time)));
+    let distances_at =
+        |positions, time| distances(mechanism, measures, &State { time, positions, ..state.clone() }, left);
+    let lengthen = |by: &M::Q| farthest.replace_with(|longest| longest.like(|row| longest[row].max(by[row])));
+    if farthest.borrow().iter().all(|square| *square == 0.0) {
+        around(mechanism, measures, state).for_each(|beside| {
+            lengthen(&distances_at(beside.positions, beside.time));
+        });
     }
-    let here = distances_at(state.positions, state.time);
-    lengthen(here);
-    let longest = farthest.get();
-    let are_apart = |found: M::Q| (0..found.len()).all(|row| found[row] > LEAST_PART * LEAST_PART * longest[row]);
+    let here = distances_at(state.positions.clone(), state.time);
+    lengthen(&here);
+    let longest = farthest.borrow();
+    let are_apart = |found: &M::Q| (0..found.len()).all(|row| found[row] > LEAST_PART * LEAST_PART * longest[row]);
     let ahead = |fraction: f64| {
         let h = fraction * (time - state.time);
         let moved = |j: usize| state.positions[j] + h * (state.speeds[j] + h / 2.0 * from.accelerations[j]);
         distances_at(state.positions.like(moved), state.time + h)
     };
-    are_apart(here) && [0.5, 1.0].into_iter().all(|fraction| are_apart(ahead(fraction)))
+    are_apart(&here) && [0.5, 1.0].into_iter().all(|fraction| are_apart(&ahead(fraction)))
 }
 
 /// States beside the first one, which may lie close to the singularity.
 fn around<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &State<M>) -> impl Iterator<Item = State<M>> {
     [-1.0, -0.5, 0.5, 1.0].into_iter().filter_map(|side| {
         let positions = state.positions.like(|j| state.positions[j] + side * measures.coordinates()[j]);
-        let mut beside = State { positions, ..*state };
+        let mut beside = State { positions, ..state.clone() };
         project(mechanism, measures, &mut beside).ok().map(|()| beside)
     })
 }
@@ -80,10 +80,10 @@ fn rows<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &State<M>, l
     let held = (0..mechanism.m()).filter(|row| !left.contains(row));
     let speeds = (mechanism.n() + left.len()).saturating_sub(mechanism.m());
     let drift = mechanism.velocity_variables(time, q, &none);
-    let mut rows = M::QQ::repeat(mechanism.n(), none);
+    let mut rows = M::QQ::repeat(mechanism.n(), none.clone());
     for j in 0..mechanism.n() {
         let size = measures.coordinates()[j];
-        let mut alone = none;
+        let mut alone = none.clone();
         alone[j] = size;
         let variables = mechanism.velocity_variables(time, q, &alone);
         (0..speeds).for_each(|i| rows[i][j] = variables[i] - drift[i]);

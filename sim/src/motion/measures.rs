@@ -16,7 +16,7 @@ use sim_kernel::{Array, Mechanism, Scalar};
 
 /// The scales of a mechanism's coordinates and constraints, and the ranks of its constraint Jacobian, found once at the
 /// start of a motion.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Measures<M: Mechanism<S>, S: Scalar = f64> {
     /// For each coordinate the change that counts as 1: the mechanism's own length for lengths, and 1 for all others, n.
     coordinates: M::Q,
@@ -27,14 +27,6 @@ pub struct Measures<M: Mechanism<S>, S: Scalar = f64> {
     /// Whether some of the constraints that hold are redundant.
     is_redundant: bool,
 }
-
-impl<S: Scalar, M: Mechanism<S>> Clone for Measures<M, S> {
-    fn clone(&self) -> Measures<M, S> {
-        *self
-    }
-}
-
-impl<S: Scalar, M: Mechanism<S>> Copy for Measures<M, S> {}
 
 impl<M: Mechanism> Measures<M> {
     /// Those of a mechanism at a position, with known degrees of freedom.

@@ -46,7 +46,7 @@ pub struct Motion<M: Mechanism> {
     measures: Measures<M>,
     evaluations: Cell<u64>,
     /// The squares of the longest rows of C_q so far.
-    longest: Cell<M::L>,
+    longest: RefCell<M::L>,
     /// With redundant constraints, the largest value so far of the smallest sine.
     widest: Cell<f64>,
     /// 1/s^2 where a state was last projected onto the constraints; s is the smallest sine between a row of C_q and
@@ -57,7 +57,7 @@ pub struct Motion<M: Mechanism> {
     /// Whether the step is made in generalised speeds.
     is_in_speeds: Cell<bool>,
     /// The squares of the longest distances so far between the rows that then determine the speeds.
-    farthest_of_speeds: Cell<M::Q>,
+    farthest_of_speeds: RefCell<M::Q>,
 }
 
 impl<M: Mechanism> Motion<M> {
@@ -69,12 +69,12 @@ impl<M: Mechanism> Motion<M> {
             partition: RefCell::new(Partition::new(&mechanism)),
             measures,
             evaluations: Cell::new(0),
-            longest: Cell::new(M::L::repeat(mechanism.m(), 0.0)),
+            longest: RefCell::new(M::L::repeat(mechanism.m(), 0.0)),
             widest: Cell::new(0.0),
             closeness: Cell::new(0.0),
             keeps_stages: Cell::new(false),
             is_in_speeds: Cell::new(false),
-            farthest_of_speeds: Cell::new(M::Q::repeat(mechanism.n(), 0.0)),
+            farthest_of_speeds: RefCell::new(M::Q::repeat(mechanism.n(), 0.0)),
             mechanism,
         }
     }
@@ -127,7 +127,7 @@ impl<M: Mechanism> Motion<M> {
     /// Takes what a projection elsewhere found: 1/s^2, as [`keep`](Motion::keep), and the greatest squared lengths of rows.
     pub(crate) fn take_projection(&self, closeness: f64, longest: M::L) {
         self.closeness.set(closeness);
-        self.longest.set(longest);
+        self.longest.replace(longest);
     }
 
     /// The right-hand side at a state inside a step. With partitioning, the dependent parts of the coordinates are
@@ -149,13 +149,13 @@ impl<M: Mechanism> Motion<M> {
         }
         let mut dynamics = match self.measures.is_redundant() {
             false => solve_equations(&self.mechanism, &self.prepared, state.time, &state.positions, &state.speeds)?,
-            true => accelerate_redundant(&self.mechanism, &self.measures, state.time, state.positions, state.speeds)?,
+            true => accelerate_redundant(&self.mechanism, &self.measures, state.time, &state.positions, &state.speeds)?,
         };
         if let Stabilisation::Baumgarte(rate) = self.stabilisation {
-            let push = baumgarte(&self.mechanism, &self.measures, state, rate)?;
+            let push = baumgarte(&self.mechanism, &self.measures, &state, rate)?;
             dynamics.accelerations = dynamics.accelerations.like(|i| dynamics.accelerations[i] - push[i]);
         }
-        Ok(Sample::new(state, &dynamics, self.mechanism.inputs()))
+        Ok(Sample::new(state, dynamics, self.mechanism.inputs()))
     }
 
     /// By value, so that the state of every other stage stays in registers.
@@ -196,7 +196,7 @@ impl<M: Mechanism> Motion<M> {
         let zero = M::QQ::repeat(n, M::Q::repeat(n, 0.0));
         let (mut by_positions, mut by_speeds) = (zero.clone(), zero);
         for j in 0..n {
-            let (mut moved, mut hastened) = (at.state, at.state);
+            let (mut moved, mut hastened) = (at.state.clone(), at.state.clone());
             let step = |x: f64| f64::EPSILON.sqrt() * x.abs().max(self.measures.coordinates()[j]);
             let steps = [step(moved.positions[j]), step(hastened.speeds[j])];
             moved.positions[j] += steps[0];
@@ -241,7 +241,7 @@ impl<M: Mechanism> Motion<M> {
 
     /// The squares of the longest rows of C_q so far.
     pub(crate) fn longest(&self) -> M::L {
-        self.longest.get()
+        self.longest.borrow().clone()
     }
 
     /// Records a smallest sine: for combinations of redundant constraints its regular value depends on the mechanism,
@@ -254,8 +254,8 @@ impl<M: Mechanism> Motion<M> {
 
     /// Records the squares of the lengths of rows.
     pub(crate) fn lengthen(&self, square: impl Fn(usize) -> f64) {
-        let longest = self.longest.get();
-        self.longest.set(longest.like(|row| longest[row].max(square(row))));
+        let mut longest = self.longest.borrow_mut();
+        longest.as_mut().iter_mut().enumerate().for_each(|(row, longest)| *longest = longest.max(square(row)));
     }
 
     /// Whether the step is made in generalised speeds.
@@ -294,7 +294,12 @@ impl<M: Mechanism> Motion<M> {
 /// The correction that Baumgarte's method subtracts from the accelerations: x with
 /// [M C_q'; C_q 0] [x; .] = [0; 2 a C' + a^2 C].
 #[cold]
-fn baumgarte<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: State<M>, rate: f64) -> Result<M::Q, Failure> {
+fn baumgarte<M: Mechanism>(
+    mechanism: &M,
+    measures: &Measures<M>,
+    state: &State<M>,
+    rate: f64,
+) -> Result<M::Q, Failure> {
     let linear = mechanism.constraint_linearization(state.time, &state.positions);
     let speeds = rates(mechanism, &linear, &state.speeds);
     let open = speeds.like(|i| 2.0 * rate * speeds[i] + rate * rate * linear.values[i]);

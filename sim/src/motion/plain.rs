@@ -11,7 +11,7 @@ use crate::numerics::numbers::are_finite;
 use crate::state::failure::{Failure, What};
 use crate::state::trajectory::{Rates, Sample, State};
 use sim_kernel::{Array, Mask, Mechanism, Scalar};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 /// The equations of motion of one mechanism, or of several side by side.
 #[derive(Clone, Debug)]
@@ -20,7 +20,7 @@ pub(crate) struct Plain<M: Mechanism<S>, S: Scalar> {
     prepared: M::Prepared,
     measures: Measures<M, S>,
     /// The greatest squared length so far of each row of C_q D.
-    pub(crate) longest: Cell<M::L>,
+    pub(crate) longest: RefCell<M::L>,
     /// The number of right-hand sides evaluated so far.
     pub(crate) evaluations: Cell<u64>,
 }
@@ -28,7 +28,7 @@ pub(crate) struct Plain<M: Mechanism<S>, S: Scalar> {
 impl<S: Scalar, M: Mechanism<S>> Plain<M, S> {
     /// The equations of motion of a mechanism without redundant constraints.
     pub(crate) fn new(mechanism: M, measures: Measures<M, S>) -> Plain<M, S> {
-        let longest = Cell::new(M::L::repeat(mechanism.m(), S::ZERO));
+        let longest = RefCell::new(M::L::repeat(mechanism.m(), S::ZERO));
         Plain { prepared: mechanism.prepare(), measures, longest, evaluations: Cell::new(0), mechanism }
     }
 
@@ -45,7 +45,7 @@ impl<S: Scalar, M: Mechanism<S>> Plain<M, S> {
             && are_finite(solved.multipliers.as_ref())
             && are_finite(&[solved.power]);
         match is_sound {
-            true => Ok(Sample::new(state, &solved, self.mechanism.inputs())),
+            true => Ok(Sample::new(state, solved, self.mechanism.inputs())),
             false => Err(self.refused(&state)),
         }
     }
@@ -78,7 +78,7 @@ impl<S: Scalar, M: Mechanism<S>> Field<M, S> for Plain<M, S> {
     }
     #[inline(always)]
     fn integrated(&self, state: &State<M, S>) -> Integrated<M, S> {
-        Integrated(*state)
+        Integrated(state.clone())
     }
     #[inline(always)]
     fn stage(&self, Integrated(state): Integrated<M, S>) -> Result<Sample<M, S>, Failure> {
@@ -94,6 +94,6 @@ impl<S: Scalar, M: Mechanism<S>> Field<M, S> for Plain<M, S> {
     }
     #[inline(always)]
     fn in_speeds(&self, _: &State<M, S>, change: &Rates<M, S>) -> Result<(M::Q, M::Q), Failure> {
-        Ok((change.positions, change.speeds))
+        Ok((change.positions.clone(), change.speeds.clone()))
     }
 }

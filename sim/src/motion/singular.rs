@@ -9,7 +9,7 @@
 
 use crate::motion::Motion;
 use crate::motion::reduction::Reduction;
-use crate::motion::rows::{Rows, Sparse, is_sparse, may_have_turned, sparse_rows};
+use crate::motion::rows::{Rows, Sparse, is_sparse, may_have_turned, mixed_pivots, sparse_rows};
 use crate::numerics::arrays::inner;
 use crate::numerics::root::find_root;
 use crate::state::failure::{Failure, constraint_name};
@@ -59,6 +59,9 @@ const LOOK: f64 = 0.3;
 /// sine that falls to zero does so linearly in the end.
 const UNEVEN: f64 = 2.0;
 
+/// How far the way over a singular position is searched, in lengths of the step over it.
+const REACH: f64 = 1.5;
+
 /// If a step changes the sine by less than this fraction, the sine tells the distance of the position.
 const EVEN: f64 = 0.02;
 /// The falling sine below which the way ahead is then searched: a step over a singular position begins at about half of
@@ -85,6 +88,15 @@ pub(crate) struct Lie {
     pub(crate) gap: f64,
     /// The least sine at the ends of a step over a singular position; the step may be lengthened for it.
     pub(crate) least_sine: f64,
+}
+
+impl Lie {
+    /// The possible length of a step over a singular position, if the sine falls by this much over the longest ordinary
+    /// step.
+    fn length(&self, falls: f64) -> f64 {
+        let needed = self.least_sine / (APPROACH * self.gap * falls) * self.longest;
+        if needed > self.longest { needed } else { self.longest }
+    }
 }
 
 /// The way ahead within about a step.
@@ -139,15 +151,21 @@ pub(crate) fn foretold<M: Mechanism>(state: &State<M>, accelerations: &M::Q, ahe
 fn singularity_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie) -> Option<(f64, f64)> {
     let state = &from.state;
     let followed = Followed::at(motion, state);
+    let may_reverse = followed.may_reverse(from, lie);
+    if may_reverse.is_empty() {
+        return None;
+    }
     let rows = |ahead: f64| followed.parts(state.time + ahead, &foretold(&from.state, &from.accelerations, ahead));
     let (here, next) = (rows(0.0), rows(lie.longest));
     let of_row = |row: usize| {
         let along = |rows: &M::LQ| inner(&rows[row], &here[row]);
         let sine = followed.sine(row, &here);
-        let slope = sine * (1.0 - along(&next) / along(&here)) / lie.longest;
-        let needed = lie.least_sine / (APPROACH * lie.gap * slope);
-        let h = if needed > lie.longest { needed } else { lie.longest };
-        let reach = 1.5 * h;
+        let falls = sine * (1.0 - along(&next) / along(&here));
+        if !may_be_ahead([sine + falls, sine]) {
+            return None;
+        }
+        let (slope, h) = (falls / lie.longest, lie.length(falls));
+        let reach = REACH * h;
         let root =
             root_between(along(&here), along(&rows(reach)), 1e-4, &mut |s| Ok(along(&rows(s * reach)))).ok()??;
         let ahead = root * reach;
@@ -155,7 +173,7 @@ fn singularity_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &L
         let is_found = followed.sine(row, &rows(ahead)) < FORETOLD && (ahead <= lie.longest || is_even);
         is_found.then_some((ahead, h))
     };
-    (0..here.len()).filter_map(of_row).min_by(|(a, _), (b, _)| a.total_cmp(b))
+    may_reverse.into_iter().filter_map(of_row).min_by(|(a, _), (b, _)| a.total_cmp(b))
 }
 
 /// The rows of C_q D whose independence is tracked: those declared, or if some are redundant, fixed independent
@@ -193,6 +211,38 @@ impl<'a, M: Mechanism> Followed<'a, M> {
             Sparse::columns(mechanism, &linear.jacobian, self.motion.measures())
         };
         may_have_turned(mechanism, &columns(from), &columns(to))
+    }
+
+    /// The rows that may reverse on the way ahead. For sparse rows this takes time linear in their number and excludes
+    /// almost all.
+    fn may_reverse(&self, from: &Sample<M>, lie: &Lie) -> Vec<usize> {
+        let (mechanism, state) = (self.motion.mechanism(), &from.state);
+        let all = (0..mechanism.m()).collect();
+        if !is_sparse(mechanism) || self.reduction.is_some() {
+            return all;
+        }
+        let entries = |ahead: f64| {
+            let q = foretold(state, &from.accelerations, ahead);
+            let linear = Sparse::linearization(mechanism, state.time + ahead, &q);
+            Sparse::columns(mechanism, &linear.jacobian, self.motion.measures())
+        };
+        let here = entries(0.0);
+        let along = |ahead: f64| mixed_pivots(mechanism, &here, &entries(ahead));
+        let (squares, next, beyond) = (along(0.0), along(lie.longest), along(REACH * lie.longest));
+        let longest = self.motion.longest();
+        let may_reverse = |row: &usize| {
+            let sine = (squares[*row] / longest[*row]).sqrt();
+            let falls = sine * (1.0 - next[*row] / squares[*row]);
+            let length = lie.length(falls);
+            let is_clear = match () {
+                _ if !falls.is_finite() => false,
+                _ if !may_be_ahead([sine + falls, sine]) => true,
+                _ if length > lie.longest => along(REACH * length)[*row] > 0.0,
+                _ => beyond[*row] > 0.0,
+            };
+            !is_clear
+        };
+        all.into_iter().filter(may_reverse).collect()
     }
 
     /// The part of each of these rows that is orthogonal to those before it.

@@ -16,16 +16,8 @@ use sim_kernel::{Array, Dual, Mechanism, Scalar};
 type DualQ<M> = <<M as Mechanism>::On<Dual> as Mechanism<Dual>>::Q;
 
 /// A state with its velocity variables in the place of its speeds.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Integrated<M: Mechanism<S>, S: Scalar = f64>(pub(super) State<M, S>);
-
-impl<S: Scalar, M: Mechanism<S>> Clone for Integrated<M, S> {
-    fn clone(&self) -> Integrated<M, S> {
-        *self
-    }
-}
-
-impl<S: Scalar, M: Mechanism<S>> Copy for Integrated<M, S> {}
 
 impl<S: Scalar, M: Mechanism<S>> Integrated<M, S> {
     /// Its time.
@@ -57,8 +49,8 @@ impl<M: Mechanism> Motion<M> {
     #[inline(always)]
     pub(crate) fn integrated(&self, state: &State<M>) -> Integrated<M> {
         match self.is_in_generalized_speeds() {
-            false => Integrated(*state),
-            true => Integrated(State { speeds: self.velocity_variables(state), ..*state }),
+            false => Integrated(state.clone()),
+            true => Integrated(State { speeds: self.velocity_variables(state), ..state.clone() }),
         }
     }
 
@@ -102,11 +94,11 @@ impl<M: Mechanism> Motion<M> {
     #[inline(always)]
     pub(crate) fn in_speeds(&self, state: &State<M>, change: &Rates<M>) -> Result<(M::Q, M::Q), Failure> {
         if !self.is_in_generalized_speeds() {
-            return Ok((change.positions, change.speeds));
+            return Ok((change.positions.clone(), change.speeds.clone()));
         }
         let none = state.speeds.like(|_| 0.0);
         let [changed, unchanged] = [self.speeds(state, &change.speeds)?, self.speeds(state, &none)?];
-        Ok((change.positions, changed.like(|i| changed[i] - unchanged[i])))
+        Ok((change.positions.clone(), changed.like(|i| changed[i] - unchanged[i])))
     }
 
     /// Projects a state in a way that may move its positions, and keeps its generalised speeds except for corrections
@@ -146,7 +138,7 @@ impl<M: Mechanism> Motion<M> {
     /// squares of quaternions round alike in all of them.
     fn refined_speeds(&self, at: &State<M>, variables: &M::Q) -> Result<M::Q, Failure> {
         let speeds = self.speeds(at, variables)?;
-        let found = self.velocity_variables(&State { speeds, ..*at });
+        let found = self.velocity_variables(&State { speeds, ..at.clone() });
         self.speeds(at, &variables.like(|i| variables[i] + (variables[i] - found[i])))
     }
 

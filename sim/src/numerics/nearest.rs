@@ -6,7 +6,7 @@ use sim_kernel::Array;
 pub(crate) const MOST_KNOWN: usize = 12;
 
 /// Values at a fraction of an interval, with the inverse of their variance.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Known<A> {
     pub(crate) fraction: f64,
     pub(crate) weight: f64,
@@ -18,7 +18,7 @@ pub(crate) struct Known<A> {
 ///
 /// Forsythe, Journal of the Society for Industrial and Applied Mathematics 5 (1957), pp. 74-88: polynomials that are orthogonal
 /// over the fractions, by recurrence.
-pub(crate) fn nearest_polynomial<A: Array<f64> + Copy>(
+pub(crate) fn nearest_polynomial<A: Array<f64>>(
     known: &[Known<A>],
     at: f64,
     none: A,
@@ -28,8 +28,8 @@ pub(crate) fn nearest_polynomial<A: Array<f64> + Copy>(
     const DOUBT: f64 = 10.0;
     let (mut before, mut here) = ([0.0; MOST_KNOWN], [1.0; MOST_KNOWN]);
     let (mut before_at, mut here_at, mut norm_before) = (0.0, 1.0, f64::INFINITY);
-    let (mut sum, mut last) = (none, f64::INFINITY);
-    let mut best = (sum, f64::INFINITY);
+    let (mut sum, mut last) = (none.clone(), f64::INFINITY);
+    let mut best = (sum.clone(), f64::INFINITY);
     for _ in known {
         let weighed = |f: &dyn Fn(usize) -> f64| -> f64 {
             known.iter().enumerate().map(|(k, known)| known.weight * here[k] * f(k)).sum()
@@ -38,7 +38,7 @@ pub(crate) fn nearest_polynomial<A: Array<f64> + Copy>(
         let term = none.like(|i| weighed(&|k| known[k].values[i]) / norm * here_at);
         let found = size(&term);
         if found.max(last) < best.1 {
-            best = (sum, found.max(last));
+            best = (sum.clone(), found.max(last));
         }
         (sum, last) = (sum.like(|i| sum[i] + term[i]), found);
         let (middle, share) = (weighed(&|k| known[k].fraction * here[k]) / norm, norm / norm_before);

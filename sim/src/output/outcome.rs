@@ -161,7 +161,7 @@ impl Row {
             work: sample.state.work,
             inputs: sample.inputs.iter().map(|input| input.held()).collect(),
             parameters: list(&mechanism.parameters()),
-            kinetic_energy: mechanism.with_inputs(sample.inputs).kinetic_energy(t, q, qd),
+            kinetic_energy: mechanism.with_inputs(sample.inputs.clone()).kinetic_energy(t, q, qd),
             energy_taken,
             drawing: list(&mechanism.drawing(t, q)),
         }

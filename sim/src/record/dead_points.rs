@@ -104,7 +104,7 @@ impl<M: Mechanism> DeadPoints<M> {
         if self.last.is_none() || self.is_told_by_speed {
             self.note(mechanism, &step.from.state);
         }
-        let end = if until < step.to.state.time { step.at(until)? } else { step.to.state };
+        let end = if until < step.to.state.time { step.at(until)? } else { step.to.state.clone() };
         let (before, was_unknown) = (self.last, self.is_unknown);
         self.note(mechanism, &end);
         let (Some(before), Some(after), false) = (before, self.last, self.is_unknown) else { return Ok(()) };
@@ -113,7 +113,7 @@ impl<M: Mechanism> DeadPoints<M> {
         }
         let (from, length) = (step.from.state.time, end.time - step.from.state.time);
         let state = match was_unknown {
-            true => step.from.state,
+            true => step.from.state.clone(),
             false => {
                 let tolerance = crate::events::tolerance(end.time) / length;
                 let mut value = |fraction: f64| {

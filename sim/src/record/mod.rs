@@ -118,7 +118,7 @@ impl<M: Mechanism> Watch<M> for Recorder<M> {
     fn starts(&mut self, motion: &Motion<M>, sample: &Sample<M>, energy_taken: f64) {
         let (mechanism, first) = (motion.mechanism().clone(), self.samples.len());
         self.phases.push(Phase { mechanism, first, energy_taken });
-        self.push(*sample);
+        self.push(sample.clone());
         self.dead_points.iter_mut().for_each(DeadPoints::restart);
     }
 
@@ -132,12 +132,12 @@ impl<M: Mechanism> Watch<M> for Recorder<M> {
         }
         let Some(state) = until else {
             // Without a grid it is a row.
-            self.last_step = self.grid.is_some().then_some(*step.to);
+            self.last_step = self.grid.is_some().then_some(step.to.clone());
             return Ok(());
         };
         let last = self.samples.last().map_or(self.begin, |sample| sample.state.time);
         match (&mut self.grid, state.time > last) {
-            (_, true) => self.push(Sample { state: *state, ..step.sample(state.time)? }),
+            (_, true) => self.push(Sample { state: state.clone(), ..step.sample(state.time)? }),
             (Some(grid), false) => grid.keep_last(),
             (None, false) => {}
         }

@@ -72,7 +72,7 @@ impl<M: Mechanism> Simulation<M> {
     }
 
     fn change_to(&mut self, parameters: M::Parameters) -> Result<(), Failure> {
-        let (before, state) = (self.mechanism().clone(), self.state);
+        let (before, state) = (self.mechanism().clone(), self.state.clone());
         let mechanism = before.with_parameters(parameters.clone());
         check_masses(&mechanism, state.time, &state.positions)?;
         check_inertias(&mechanism, state.time, &state.positions)?;
@@ -88,7 +88,7 @@ impl<M: Mechanism> Simulation<M> {
             let parameters = if part == 1.0 { parameters.clone() } else { parameters.like(mixed) };
             self.mechanism().with_parameters(parameters)
         };
-        let (mut state, mut done, mut part) = (self.state, 0.0, 1.0f64);
+        let (mut state, mut done, mut part) = (self.state.clone(), 0.0, 1.0f64);
         while done < 1.0 {
             let next = (done + part).min(1.0);
             match closed_nearby(&with(next), &state) {
@@ -137,7 +137,7 @@ fn moves_constraints<M: Mechanism>(before: &M, after: &M, state: &State<M>) -> b
 
 /// The nearest state on the constraints, if it is near.
 fn closed_nearby<M: Mechanism>(mechanism: &M, state: &State<M>) -> Option<State<M>> {
-    let (time, mut closed) = (state.time, *state);
+    let (time, mut closed) = (state.time, state.clone());
     let measures = Measures::at(mechanism, time, &state.positions);
     let linear = crate::motion::project::project_positions(mechanism, &measures, time, &mut closed.positions).ok()?;
     project_velocities(mechanism, &measures, &linear, time, &closed.positions, &mut closed.speeds).ok()?;

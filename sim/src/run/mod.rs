@@ -120,7 +120,7 @@ fn run_with<M: Mechanism>(
     goes_on: &mut dyn FnMut(f64) -> bool,
 ) -> Result<Run<M>, Failure> {
     let mut simulation = Simulation::new(mechanism.clone(), start, settings)?;
-    let first = *simulation.state();
+    let first = simulation.state().clone();
     let mobility = simulation.mobility().clone();
     let mut recorder = Recorder::new(settings, first.time);
     recorder.make_room().map_err(|what| Failure::at(&mechanism, what, first.time, &first.positions))?;

@@ -125,7 +125,7 @@ impl<M: Mechanism> Simulation<M> {
         let course = self.course(self.settings.end);
         Stepper::transfer(&mut self.stepper, bytes, (&course, self.integrator.method()), &mechanism, &self.state)?;
         bytes.flag(&mut self.begins_phase)?;
-        self.events.transfer(bytes, &Change::none(mechanism.clone(), self.state))?;
+        self.events.transfer(bytes, &Change::none(mechanism.clone(), self.state.clone()))?;
         self.steps.transfer(&mechanism, bytes)?;
         bytes.tally(&mut self.evaluations)
     }

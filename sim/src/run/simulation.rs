@@ -87,7 +87,7 @@ impl<M: Mechanism> Simulation<M> {
             begin: state.time,
             mobility,
             state,
-            measures,
+            measures: measures.clone(),
             motion: Motion::new(mechanism, settings.stabilisation, measures),
             integrator,
             stepper: None,
@@ -118,8 +118,8 @@ impl<M: Mechanism> Simulation<M> {
         match &self.stepper {
             Some(stepper) => stepper.sample(&self.motion, self.integrator.clone().method()),
             None => first_sample(
-                &Motion::new(self.mechanism().clone(), self.settings.stabilisation, self.measures),
-                self.state,
+                &Motion::new(self.mechanism().clone(), self.settings.stabilisation, self.measures.clone()),
+                self.state.clone(),
             ),
         }
     }
@@ -241,9 +241,9 @@ impl<M: Mechanism> Simulation<M> {
         let ended = self.events.search(&mut step)?;
         watch.steps(&mut step, ended)?;
         match ended {
-            None => self.state = step.to.state,
+            None => self.state = step.to.state.clone(),
             Some(state) => {
-                self.state = *state;
+                self.state = state.clone();
                 self.events.act(self.motion.mechanism())?;
                 self.change_phase()?;
             }
@@ -273,7 +273,7 @@ impl<M: Mechanism> Simulation<M> {
     /// Begins a motion, and carries out the actions of events that happen there; `None` if these change or end it.
     fn begin(&mut self, course: &Course, watch: &mut impl Watch<M>) -> Result<Option<Stepper<M>>, Failure> {
         self.motion.start(&self.state);
-        let sample = first_sample(&self.motion, self.state)?;
+        let sample = first_sample(&self.motion, self.state.clone())?;
         if self.begins_phase {
             self.begins_phase = false;
             watch.starts(&self.motion, &sample, self.events.energy_taken());
@@ -301,7 +301,7 @@ impl<M: Mechanism> Simulation<M> {
 
     /// Continues from a state with another mechanism.
     pub(super) fn go_over(&mut self, mechanism: M, state: State<M>) -> Result<(), Failure> {
-        self.state = state;
+        self.state = state.clone();
         let found = mobility(&mechanism, state.time, &state.positions);
         self.measures = Measures::with_mobility(&mechanism, state.time, &state.positions, &found);
         self.start_anew(mechanism);
@@ -312,7 +312,7 @@ impl<M: Mechanism> Simulation<M> {
     pub(super) fn start_anew(&mut self, mechanism: M) {
         self.changes += 1;
         self.evaluations += self.motion.evaluations();
-        self.motion = Motion::new(mechanism, self.settings.stabilisation, self.measures);
+        self.motion = Motion::new(mechanism, self.settings.stabilisation, self.measures.clone());
         self.stepper = None;
     }
 

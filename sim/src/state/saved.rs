@@ -179,7 +179,7 @@ impl Bytes<'_> {
 /// A sample to be filled.
 pub(crate) fn blank_sample<M: Mechanism>(mechanism: &M, state: &State<M>) -> Sample<M> {
     Sample {
-        state: *state,
+        state: state.clone(),
         accelerations: M::Q::repeat(mechanism.n(), 0.0),
         multipliers: M::L::repeat(mechanism.m(), 0.0),
         power: 0.0,

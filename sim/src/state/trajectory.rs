@@ -6,7 +6,7 @@ use crate::numerics::numbers::are_finite;
 use sim_kernel::{Array, Dynamics, Mechanism, Scalar};
 
 /// The integrated variables: the state of a mechanism, and the work done on it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct State<M: Mechanism<S>, S: Scalar = f64> {
     /// t, in seconds.
     pub time: S,
@@ -17,14 +17,6 @@ pub struct State<M: Mechanism<S>, S: Scalar = f64> {
     /// The work of loads and drives since the start, in joules.
     pub work: S,
 }
-
-impl<S: Scalar, M: Mechanism<S>> Clone for State<M, S> {
-    fn clone(&self) -> State<M, S> {
-        *self
-    }
-}
-
-impl<S: Scalar, M: Mechanism<S>> Copy for State<M, S> {}
 
 impl<S: Scalar, M: Mechanism<S>> State<M, S> {
     /// The state at `time` after a change of `factor` times some rates.
@@ -46,7 +38,7 @@ impl<S: Scalar, M: Mechanism<S>> State<M, S> {
 }
 
 /// A state with the quantities that follow from it, all at one time.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Sample<M: Mechanism<S>, S: Scalar = f64> {
     /// The state.
     pub state: State<M, S>,
@@ -60,29 +52,21 @@ pub struct Sample<M: Mechanism<S>, S: Scalar = f64> {
     pub inputs: M::Inputs,
 }
 
-impl<S: Scalar, M: Mechanism<S>> Clone for Sample<M, S> {
-    fn clone(&self) -> Sample<M, S> {
-        *self
-    }
-}
-
-impl<S: Scalar, M: Mechanism<S>> Copy for Sample<M, S> {}
-
 impl<S: Scalar, M: Mechanism<S>> Sample<M, S> {
     /// A state with the solution of the equations of motion there, at these inputs.
-    pub fn new(state: State<M, S>, dynamics: &Dynamics<S, M::Q, M::L>, inputs: M::Inputs) -> Sample<M, S> {
-        let Dynamics { accelerations, multipliers, power, .. } = *dynamics;
+    pub fn new(state: State<M, S>, dynamics: Dynamics<S, M::Q, M::L>, inputs: M::Inputs) -> Sample<M, S> {
+        let Dynamics { accelerations, multipliers, power, .. } = dynamics;
         Sample { state, accelerations, multipliers, power, inputs }
     }
 
     /// The rates of the state in time.
     pub fn rates(&self) -> Rates<M, S> {
-        Rates { positions: self.state.speeds, speeds: self.accelerations, work: self.power }
+        Rates { positions: self.state.speeds.clone(), speeds: self.accelerations.clone(), work: self.power }
     }
 }
 
 /// The rate of each part of a state, or a change of it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Rates<M: Mechanism<S>, S: Scalar = f64> {
     /// Of the positions: q'.
     pub positions: M::Q,
@@ -91,14 +75,6 @@ pub struct Rates<M: Mechanism<S>, S: Scalar = f64> {
     /// Of the work: the power, in watts.
     pub work: S,
 }
-
-impl<S: Scalar, M: Mechanism<S>> Clone for Rates<M, S> {
-    fn clone(&self) -> Rates<M, S> {
-        *self
-    }
-}
-
-impl<S: Scalar, M: Mechanism<S>> Copy for Rates<M, S> {}
 
 impl<S: Scalar, M: Mechanism<S>> Rates<M, S> {
     /// No change of a state with so many coordinates.
@@ -129,7 +105,7 @@ impl<S: Scalar, M: Mechanism<S>> Rates<M, S> {
 }
 
 /// A part of a motion in which nothing is switched or set.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Phase<M: Mechanism> {
     /// The mechanism in it.
     pub mechanism: M,
@@ -162,6 +138,6 @@ impl<M: Mechanism> Trajectory<M> {
         self.samples
             .iter()
             .enumerate()
-            .map(move |(index, sample)| (mechanism(index).with_inputs(sample.inputs), sample))
+            .map(move |(index, sample)| (mechanism(index).with_inputs(sample.inputs.clone()), sample))
     }
 }

@@ -21,9 +21,9 @@ pub(crate) fn jacobian<S: Scalar, M: Mechanism<S>>(
     let (n, m) = (mechanism.n(), mechanism.m());
     let zero = M::Q::repeat(n, S::from_f64(0.0));
     let mut found = DynamicsJacobian {
-        accelerations_by_positions: M::QQ::repeat(n, zero),
-        accelerations_by_speeds: M::QQ::repeat(n, zero),
-        multipliers_by_positions: M::LQ::repeat(m, zero),
+        accelerations_by_positions: M::QQ::repeat(n, zero.clone()),
+        accelerations_by_speeds: M::QQ::repeat(n, zero.clone()),
+        multipliers_by_positions: M::LQ::repeat(m, zero.clone()),
         multipliers_by_speeds: M::LQ::repeat(m, zero),
         refused: S::Mask::NONE,
     };

@@ -18,9 +18,9 @@ use differentiate::{jacobian, sensitivity};
 /// SI units. Kernels neither allocate nor panic; outside a function's domain results are NaN.
 pub trait Mechanism<S: Scalar = f64>: Clone + Debug {
     /// Coordinates, speeds or accelerations: n.
-    type Q: Array<S> + Copy;
+    type Q: Array<S>;
     /// Constraints or multipliers: m.
-    type L: Array<S> + Copy;
+    type L: Array<S>;
     /// Both, one after the other: n + m.
     type Z: Array<S>;
     /// n x n.
@@ -42,13 +42,13 @@ pub trait Mechanism<S: Scalar = f64>: Clone + Debug {
     /// Parameters.
     type Parameters: Array<S>;
     /// Inputs, each following its declared course or held.
-    type Inputs: Array<Input<S>> + Copy;
+    type Inputs: Array<Input<S>>;
     /// Outputs.
     type Outputs: Array<S>;
     /// Rates of the outputs that have one.
     type OutputRates: Array<S>;
     /// Events.
-    type Events: Array<S> + Copy;
+    type Events: Array<S>;
     /// The values that the actions of events need.
     type EventValues: Array<S>;
     /// Constraints that events switch.
@@ -186,13 +186,13 @@ pub trait Mechanism<S: Scalar = f64>: Clone + Debug {
     #[inline(always)]
     fn velocity_variables(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::Q {
         let _ = (t, q);
-        *qd
+        qd.clone()
     }
     /// q' of velocity variables.
     #[inline(always)]
     fn prepared_velocities(prepared: &Self::Prepared, t: S, q: &Self::Q, v: &Self::Q) -> Kinematics<S, Self::Q> {
         let _ = (prepared, t, q);
-        Kinematics { rates: *v, refused: S::ZERO.greater(S::ZERO) }
+        Kinematics { rates: v.clone(), refused: S::ZERO.greater(S::ZERO) }
     }
     /// The power of loads and drives, in watts; `dynamics` gives it too.
     fn power(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q, lambda: &Self::L) -> S;

@@ -16,11 +16,11 @@ impl Beside {
     /// The values at nodes.
     pub(super) fn new(known: Vec<Known<[f64; 1]>>, crossings: &[f64]) -> Beside {
         let largest = known.iter().fold(0.0f64, |most, known| most.max(known.values[0].abs()));
-        let values: Option<[f64; NODES]> =
-            <[_; NODES]>::try_from(&known[..]).ok().map(|known: [Known<_>; NODES]| known.map(|known| known.values[0]));
+        let values: Vec<f64> = known.iter().map(|known| known.values[0]).collect();
         let mut beside = Beside { known, has_pole: false };
         let foretold = || crossings.iter().fold(0.0f64, |most, x| most.max(beside.at(*x).1));
-        let lacking = values.map_or_else(foretold, |values| Series::through(values).tail());
+        let lacking = <[_; NODES]>::try_from(values)
+            .map_or_else(|_| foretold(), |values: [f64; NODES]| Series::through(values).tail());
         beside.has_pole = !(lacking <= SMOOTH * largest);
         beside
     }

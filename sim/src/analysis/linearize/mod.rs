@@ -71,7 +71,7 @@ pub fn linearize<M: Mechanism>(
     let found = linearize_any(&Any(mechanism), At::state(state), inputs)?;
     let AnyLinearization { a, b, c, d, eigenvalues, modes, reduction, unsteady } = found;
     Ok(Linearization {
-        state: *state,
+        state: state.clone(),
         independent: reduction.independent().to_vec(),
         independent_speeds: reduction.independent_speeds().to_vec(),
         unsteady,

@@ -116,7 +116,7 @@ pub fn verify_while<M: Mechanism>(
     };
     let projected = with(Method::Dop853, Stabilisation::Projection)?;
     let parts = parts(&projected);
-    let first = projected.trajectory.samples[0].state;
+    let first = projected.trajectory.samples[0].state.clone();
     let smooth = smooth(&projected, end);
     let any: Vec<Any<M>> = parts.iter().map(|(mechanism, _)| Any(mechanism)).collect();
     let parts: Vec<Part> = any.iter().zip(&parts).map(|(any, (_, samples))| (any as _, places(samples))).collect();
@@ -186,8 +186,8 @@ fn parts<M: Mechanism>(run: &Run<M>) -> Vec<(M, Vec<Sample<M>>)> {
     let stride = (run.trajectory.samples.len() / STATES).max(1);
     for (mechanism, sample) in run.trajectory.with_mechanisms(&run.mechanism).step_by(stride) {
         match parts.iter_mut().find(|(other, _)| is_same(&mechanism, other)) {
-            Some((_, samples)) => samples.push(*sample),
-            None => parts.push((mechanism, vec![*sample])),
+            Some((_, samples)) => samples.push(sample.clone()),
+            None => parts.push((mechanism, vec![sample.clone()])),
         }
     }
     parts

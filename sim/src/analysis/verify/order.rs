@@ -42,7 +42,7 @@ pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
     order: f64,
 ) -> Result<Check, Failure> {
     let check = |figure: f64, meaning: String| Ok(Check::new("order of convergence", figure, BOUND, meaning));
-    let reference = states(mechanism, start, end, &mut Dop853::new(mechanism), 4096)?;
+    let reference = states(mechanism, start.clone(), end, &mut Dop853::new(mechanism), 4096)?;
     let sizes = Sizes::of(mechanism, &reference);
     let distance = |found: &[Sample<M>]| {
         let mut worst = Worst::default();
@@ -50,7 +50,7 @@ pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
         worst.figure
     };
     // The error of order 8, and rounding.
-    let floor = distance(&states(mechanism, start, end, &mut Dop853::new(mechanism), 2048)?).max(f64::EPSILON);
+    let floor = distance(&states(mechanism, start.clone(), end, &mut Dop853::new(mechanism), 2048)?).max(f64::EPSILON);
     let open = if mechanism.m() > 0 { OPEN } else { 0.0 };
     let (mut first, mut last): (Option<Measured>, Option<Measured>) = (None, None);
     for power in 2..16 {
@@ -59,7 +59,7 @@ pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
             break;
         }
         // Steps too large for the motion are skipped.
-        let Ok(found) = states(mechanism, start, end, &mut method(), 1 << power) else { continue };
+        let Ok(found) = states(mechanism, start.clone(), end, &mut method(), 1 << power) else { continue };
         let error = distance(&found);
         match first {
             None if error > ASYMPTOTIC => {}
@@ -96,11 +96,12 @@ fn states<M: Mechanism>(
     let motion = Motion::new(mechanism.clone(), Stabilisation::Projection, measures);
     let course = Course { begin: start.time, end, stepping: Stepping::Equal(steps) };
     // A step may be split, so times are identified by their middles.
-    let time = |k: usize| start.time + (end - start.time) * (k as f64 + 0.5) / steps as f64;
+    let begin = start.time;
+    let time = |k: usize| begin + (end - begin) * (k as f64 + 0.5) / steps as f64;
     let mut found: Vec<Sample<M>> = Vec::new();
     integrate(&motion, method, &course, motion.sample(start)?, &mut Steps::default(), |step| {
         if step.to.state.time > time((found.len() + 1) * (steps / TIMES) - 1) {
-            found.push(*step.to);
+            found.push(step.to.clone());
         }
         Ok(ControlFlow::Continue(()))
     })?;

@@ -137,7 +137,7 @@ fn state_at<M: Mechanism>(
             let run = run_while(mechanism.clone(), start, &settings, &mut |_| !interrupted.load(Ordering::Relaxed))?;
             match (run.trajectory.failure, run.trajectory.samples.last()) {
                 (Some(failure), _) => Err(failure.into()),
-                (None, Some(sample)) => Ok(sample.state),
+                (None, Some(sample)) => Ok(sample.state.clone()),
                 (None, None) => Err(Stop::Failed(anyhow::anyhow!("nothing was recorded"))),
             }
         }

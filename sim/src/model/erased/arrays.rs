@@ -6,35 +6,31 @@ use std::ops::{Index, IndexMut};
 
 /// How the arrays of a mechanism are stored whose sizes are known at run time.
 pub trait Storage: Copy + Debug + Send + Sync + 'static {
-    /// A vector that is copied by its bytes, as of coordinates or constraints.
-    type Vector<T: Element + Copy>: Array<T> + Copy;
-    /// A matrix by its rows.
-    type Matrix<R: Element>: Array<R>;
+    /// A vector or, of rows, a matrix.
+    type Array<T: Element>: Array<T>;
 
-    /// The largest length of a vector.
+    /// The largest length.
     const MOST: usize;
 }
 
-/// Vectors and matrices in place: for few coordinates, where an allocation would take longer than the computation.
+/// In place: for few coordinates, where an allocation would take longer than the computation.
 #[derive(Clone, Copy, Debug)]
 pub struct InPlace<const MOST: usize>;
 
-/// Vectors in place, matrices on the heap.
+/// On the heap, of any length: what is copied grows with the mechanism.
 #[derive(Clone, Copy, Debug)]
-pub struct OnHeap<const MOST: usize>;
+pub struct OnHeap;
 
 impl<const MOST: usize> Storage for InPlace<MOST> {
-    type Vector<T: Element + Copy> = Bounded<T, MOST>;
-    type Matrix<R: Element> = Bounded<R, MOST>;
+    type Array<T: Element> = Bounded<T, MOST>;
 
     const MOST: usize = MOST;
 }
 
-impl<const MOST: usize> Storage for OnHeap<MOST> {
-    type Vector<T: Element + Copy> = Bounded<T, MOST>;
-    type Matrix<R: Element> = List<R>;
+impl Storage for OnHeap {
+    type Array<T: Element> = List<T>;
 
-    const MOST: usize = MOST;
+    const MOST: usize = usize::MAX;
 }
 
 /// At most `MOST` elements, in place.

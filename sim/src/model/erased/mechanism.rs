@@ -1,6 +1,6 @@
 //! A model with the interface of a compiled mechanism, so that the same loops run both.
 
-use super::arrays::{List, Storage};
+use super::arrays::{List, OnHeap, Storage};
 use super::model::{Kernel, Model, Prepared, Values};
 use super::place::Place;
 use sim_kernel::{
@@ -24,25 +24,30 @@ pub struct Erased<K: Storage, S: Scalar = f64> {
     storage: PhantomData<K>,
 }
 
-impl<K: Storage> Erased<K> {
-    /// The model, if it has at most `K::MOST` coordinates, constraints, inputs and events.
-    pub fn new(model: Arc<dyn Model>) -> Option<Erased<K>> {
-        let (description, rows_left) = (model.description(), model.rows_left());
-        let Description { coordinates, constraints, inputs, events, .. } = description;
-        let sizes = [coordinates.len(), constraints.len(), inputs.len(), events.len()];
-        let values = Arc::new(model.values());
-        sizes.iter().all(|size| *size <= K::MOST).then_some(Erased {
-            model,
-            description,
-            rows_left,
-            values,
-            storage: PhantomData,
-        })
+impl Erased<OnHeap> {
+    /// The model.
+    pub fn of(model: Arc<dyn Model>) -> Erased<OnHeap> {
+        Erased::over(model)
     }
 }
 
-type Vector<K, S> = <K as Storage>::Vector<S>;
-type Matrix<K, S> = <K as Storage>::Matrix<Vector<K, S>>;
+impl<K: Storage> Erased<K> {
+    /// The model, if it has at most `K::MOST` coordinates, constraints, inputs and events.
+    pub fn new(model: Arc<dyn Model>) -> Option<Erased<K>> {
+        let Description { coordinates, constraints, inputs, events, .. } = model.description();
+        let sizes = [coordinates.len(), constraints.len(), inputs.len(), events.len()];
+        sizes.iter().all(|size| *size <= K::MOST).then(|| Erased::over(model))
+    }
+
+    fn over(model: Arc<dyn Model>) -> Erased<K> {
+        let (description, rows_left) = (model.description(), model.rows_left());
+        let values = Arc::new(model.values());
+        Erased { model, description, rows_left, values, storage: PhantomData }
+    }
+}
+
+type Vector<K, S> = <K as Storage>::Array<S>;
+type Matrix<K, S> = <K as Storage>::Array<Vector<K, S>>;
 
 impl<K: Storage, S: Scalar> Erased<K, S> {
     /// The same model with other values.
@@ -152,7 +157,7 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
     type Entries = List<S>;
     type Envelope = List<S>;
     type Parameters = List<S>;
-    type Inputs = K::Vector<Input<S>>;
+    type Inputs = K::Array<Input<S>>;
     type Outputs = List<S>;
     type OutputRates = List<S>;
     type Events = Vector<K, S>;
@@ -187,25 +192,25 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
     fn with_activities(self, activities: List<S>) -> Self {
         self.with(Values { activities: activities.as_ref().to_vec(), ..Values::clone(&self.values) })
     }
-    fn inputs(&self) -> K::Vector<Input<S>> {
-        K::Vector::with_len(self.values.inputs.len(), |i| self.values.inputs[i])
+    fn inputs(&self) -> K::Array<Input<S>> {
+        K::Array::with_len(self.values.inputs.len(), |i| self.values.inputs[i])
     }
-    fn with_inputs(&self, inputs: K::Vector<Input<S>>) -> Self {
+    fn with_inputs(&self, inputs: K::Array<Input<S>>) -> Self {
         match inputs.is_empty() {
             true => self.clone(),
             false => self.with(Values { inputs: inputs.as_ref().to_vec(), ..Values::clone(&self.values) }),
         }
     }
-    fn held_inputs(&self, t: S, q: &Self::Q) -> K::Vector<Input<S>> {
+    fn held_inputs(&self, t: S, q: &Self::Q) -> K::Array<Input<S>> {
         match Place::<K, S>::of(t, q).on::<f64>() {
             Some(at) => {
                 let held = self.model.held_inputs(at.time, at.positions);
-                K::Vector::with_len(held.len(), |i| held[i].map(S::from_f64))
+                K::Array::with_len(held.len(), |i| held[i].map(S::from_f64))
             }
             None => self.inputs(),
         }
     }
-    fn set_inputs(prepared: &mut Self::Prepared, inputs: K::Vector<Input<S>>) {
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: K::Array<Input<S>>) {
         prepared.mechanism = prepared.mechanism.with_inputs(inputs);
         if let Some(values) = (&*prepared.mechanism.values as &dyn Any).downcast_ref::<Values>() {
             prepared.kernels.set_inputs(&values.inputs);
@@ -218,7 +223,7 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
     }
     fn initial(&self) -> Initial<Self::Q> {
         let [positions, speeds] =
-            self.model.initial().map(|values| K::Vector::with_len(values.len(), |i| S::from_f64(values[i])));
+            self.model.initial().map(|values| K::Array::with_len(values.len(), |i| S::from_f64(values[i])));
         Initial { positions, speeds }
     }
 
@@ -256,7 +261,7 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
     }
     fn constraint_linearization(&self, t: S, q: &Self::Q) -> ConstraintLinearization<Self::L, Self::LQ> {
         let (n, m) = (self.n(), self.m());
-        let [mut values, mut time_derivative] = [Vector::<K, S>::repeat(m, nan()); 2];
+        let [mut values, mut time_derivative] = [(); 2].map(|()| Vector::<K, S>::repeat(m, nan()));
         let mut jacobian = Matrix::<K, S>::repeat(m, Vector::<K, S>::repeat(n, nan()));
         self.call(Kernel::ConstraintLinearization, &Place::of(t, q), |row, i, found| match row {
             0 => values[i] = found,
@@ -266,7 +271,7 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
         ConstraintLinearization { values, jacobian, time_derivative }
     }
     fn sparse_linearization(&self, t: S, q: &Self::Q) -> ConstraintLinearization<Self::L, List<S>> {
-        let [mut values, mut time_derivative] = [Vector::<K, S>::repeat(self.m(), nan()); 2];
+        let [mut values, mut time_derivative] = [(); 2].map(|()| Vector::<K, S>::repeat(self.m(), nan()));
         let count = self.description().sparsity.iter().map(|row| row.columns.len()).sum();
         let mut jacobian = List::repeat(count, nan());
         self.call(Kernel::SparseLinearization, &Place::of(t, q), |row, i, found| match row {
@@ -330,13 +335,13 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
     }
     fn velocity_variables(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::Q {
         match self.rows_left() {
-            None => *qd,
+            None => qd.clone(),
             Some(_) => self.vector(Kernel::VelocityVariables, &Place::moving(t, q, qd), self.n()),
         }
     }
     fn prepared_velocities(prepared: &Self::Prepared, t: S, q: &Self::Q, v: &Self::Q) -> Kinematics<S, Self::Q> {
         if prepared.mechanism.rows_left().is_none() {
-            return Kinematics { rates: *v, refused: mask::<S>(false) };
+            return Kinematics { rates: v.clone(), refused: mask::<S>(false) };
         }
         let mut rates = Vector::<K, S>::repeat(q.len(), nan());
         let refused = prepared.call(Kernel::Velocities, &Place::moving(t, q, v), |_, i, found| rates[i] = found);

@@ -9,27 +9,27 @@ use std::any::Any;
 pub(super) struct Place<'a, K: Storage, S: Scalar> {
     time: S,
     /// Positions, speeds, accelerations, multipliers.
-    arrays: [Option<&'a K::Vector<S>>; 4],
+    arrays: [Option<&'a K::Array<S>>; 4],
 }
 
 impl<'a, K: Storage, S: Scalar> Place<'a, K, S> {
     /// Without speeds, accelerations and multipliers.
-    pub(super) fn of(time: S, q: &'a K::Vector<S>) -> Self {
+    pub(super) fn of(time: S, q: &'a K::Array<S>) -> Self {
         Place { time, arrays: [Some(q), None, None, None] }
     }
 
     /// Without accelerations and multipliers.
-    pub(super) fn moving(time: S, q: &'a K::Vector<S>, qd: &'a K::Vector<S>) -> Self {
+    pub(super) fn moving(time: S, q: &'a K::Array<S>, qd: &'a K::Array<S>) -> Self {
         Place { time, arrays: [Some(q), Some(qd), None, None] }
     }
 
     /// Of all.
-    pub(super) fn of_all(time: S, arrays: [&'a K::Vector<S>; 4]) -> Self {
+    pub(super) fn of_all(time: S, arrays: [&'a K::Array<S>; 4]) -> Self {
         Place { time, arrays: arrays.map(Some) }
     }
 
     /// With accelerations.
-    pub(super) fn with_accelerations(mut self, qdd: &'a K::Vector<S>) -> Self {
+    pub(super) fn with_accelerations(mut self, qdd: &'a K::Array<S>) -> Self {
         self.arrays[2] = Some(qdd);
         self
     }
@@ -39,7 +39,7 @@ impl<'a, K: Storage, S: Scalar> Place<'a, K, S> {
     pub(super) fn on<T: Scalar>(&self) -> Option<At<'a, T>> {
         let time = *(&self.time as &dyn Any).downcast_ref::<T>()?;
         let [positions, speeds, accelerations, multipliers] = self.arrays.map(|array| {
-            let array = array.and_then(|array| (array as &dyn Any).downcast_ref::<K::Vector<T>>());
+            let array = array.and_then(|array| (array as &dyn Any).downcast_ref::<K::Array<T>>());
             array.map_or(&[][..], AsRef::as_ref)
         });
         Some(At { time, positions, speeds, accelerations, multipliers })

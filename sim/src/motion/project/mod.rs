@@ -22,7 +22,7 @@ use crate::state::trajectory::State;
 pub(crate) use by_mass::{by_mass, smallest_by_inertia};
 use redundant::{correct_redundant_positions, project_redundant, reduced_change};
 use sim_kernel::{Array, ConstraintLinearization, Mask, Mechanism, Scalar};
-use std::cell::Cell;
+use std::cell::RefCell;
 
 /// Corrections after which a projection that has not converged is given up.
 const MOST_CORRECTIONS: usize = 10;
@@ -41,7 +41,7 @@ type Linearization<M> = ConstraintLinearization<<M as Mechanism>::L, <M as Mecha
 /// As those, and [`What::SingularPosition`] where constraints are dependent that were independent at the start.
 #[inline]
 pub fn project<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &mut State<M>) -> Result<(), Failure> {
-    project_measured(mechanism, measures, state, &Cell::new(M::L::repeat(mechanism.m(), 0.0))).map(|_| ())
+    project_measured(mechanism, measures, state, &RefCell::new(M::L::repeat(mechanism.m(), 0.0))).map(|_| ())
 }
 
 /// The same; gives 1/s^2, where s is the smallest sine between a row of C_q D and those before it, of those that are
@@ -51,7 +51,7 @@ pub(crate) fn project_measured<M: Mechanism>(
     mechanism: &M,
     measures: &Measures<M>,
     state: &mut State<M>,
-    longest: &Cell<M::L>,
+    longest: &RefCell<M::L>,
 ) -> Result<f64, Failure> {
     if mechanism.m() > 0 && measures.is_redundant() {
         return project_redundant(mechanism, measures, state);
@@ -68,7 +68,7 @@ pub(crate) fn project_by_rows<S: Scalar, M: Mechanism<S>>(
     mechanism: &M,
     measures: &Measures<M, S>,
     state: &mut State<M, S>,
-    longest: &Cell<M::L>,
+    longest: &RefCell<M::L>,
 ) -> Result<S, Failure> {
     match (mechanism.m(), is_sparse(mechanism)) {
         (0, _) => Ok(S::ZERO),
@@ -83,7 +83,7 @@ fn project_independent<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     mechanism: &M,
     measures: &Measures<M, S>,
     state: &mut State<M, S>,
-    longest: &Cell<M::L>,
+    longest: &RefCell<M::L>,
 ) -> Result<S, Failure> {
     let (time, q) = (state.time, &mut state.positions);
     let (mut linear, mut factors) = (R::linearization(mechanism, time, q), R::no_factors(mechanism));
@@ -104,13 +104,12 @@ fn project_independent<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     if !R::is_regular(mechanism, &factors) {
         check_dependent_rates::<S, M, R>(mechanism, &linear, measures, time, q, &state.speeds)?;
     }
-    let (mut squares, mut closeness) = (longest.get(), S::ZERO);
+    let (mut squares, mut closeness) = (longest.borrow_mut(), S::ZERO);
     for k in 0..mechanism.m() {
         let (row, (square, inverse_pivot)) = (R::constraint(mechanism, k), R::pivot(mechanism, &factors, k));
         squares[row] = larger(squares[row], square);
         closeness = larger(closeness, squares[row] * inverse_pivot);
     }
-    longest.set(squares);
     Ok(closeness)
 }
 
@@ -217,7 +216,7 @@ fn correct_positions<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
             true => R::columns(mechanism, &R::between_positions(mechanism, &linear.jacobian), measures),
         };
         factorise::<S, M, R>(mechanism, &columns, is_done, factors, time, q)?;
-        let change = least_change::<S, M, R>(mechanism, measures, &columns, factors, linear.values);
+        let change = least_change::<S, M, R>(mechanism, measures, &columns, factors, linear.values.clone());
         last_change = S::select(is_done, last_change, measures.size(mechanism, &change));
         Ok(change)
     })?;

@@ -9,7 +9,7 @@ mod turned;
 
 pub(crate) use dense::Dense;
 pub(crate) use sparse::{Sparse, is_sparse, sparse_rows};
-pub(crate) use turned::may_have_turned;
+pub(crate) use turned::{may_have_turned, mixed_pivots};
 
 use crate::motion::measures::Measures;
 use crate::numerics::solve::Undefined;

@@ -235,7 +235,7 @@ impl<S: Scalar, M: Mechanism<S>> Envelope<M, S> {
             let before = x.as_mut()[row.first..k].iter_mut();
             before.zip(self.row_of_l(k, row)).for_each(|(x, entry)| *x = *x - *entry * value);
         }
-        let mut solution = x;
+        let mut solution = x.clone();
         rows.iter().zip(x.iter()).for_each(|(row, x)| solution[row.constraint] = *x);
         solution
     }

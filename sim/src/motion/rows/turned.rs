@@ -14,9 +14,16 @@ const LEAST: f64 = 1e-4;
 
 /// Whether a row may have, from the entries of C_q D at both positions.
 pub(crate) fn may_have_turned<M: Mechanism>(mechanism: &M, before: &M::Entries, after: &M::Entries) -> bool {
+    mixed_pivots(mechanism, before, after).iter().any(|pivot| pivot.is_nan())
+}
+
+/// The pivot of each constraint, NaN from the first on that is undecided or not positive. Between equal positions they
+/// are the squared lengths of the independent parts; near by, to first order, the products of the parts at both.
+pub(crate) fn mixed_pivots<M: Mechanism>(mechanism: &M, before: &M::Entries, after: &M::Entries) -> M::L {
     let (rows, zero) = (sparse_rows(mechanism), blank_envelope(mechanism));
     // L below the diagonal of the one, the transpose of D U in the other.
-    let (mut lower, mut upper, mut inverse_pivots) = (zero.clone(), zero, M::L::repeat(mechanism.m(), 0.0));
+    let (mut lower, mut upper) = (zero.clone(), zero);
+    let (mut pivots, mut inverse_pivots) = (M::L::repeat(mechanism.m(), f64::NAN), M::L::repeat(mechanism.m(), 0.0));
     products(mechanism, after, before, &mut lower);
     products(mechanism, before, after, &mut upper);
     for (k, row) in rows.iter().enumerate() {
@@ -35,11 +42,12 @@ pub(crate) fn may_have_turned<M: Mechanism>(mechanism: &M, before: &M::Entries, 
         let product = own_lower[at];
         let pivot = product - dot(&own_lower[..at], &own_upper[..at]);
         if !(pivot > LEAST * product.abs()) {
-            return true;
+            break;
         }
+        pivots[row.constraint] = pivot;
         inverse_pivots[k] = 1.0 / pivot;
     }
-    false
+    pivots
 }
 
 #[cfg(test)]

@@ -12,6 +12,8 @@ pub use close::Form;
 
 use crate::model::AnyMechanism;
 use sim_kernel::Mechanism;
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 /// A loop that closes in closed form.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,7 +58,7 @@ pub(crate) fn close_loops(mechanism: &dyn AnyMechanism, guesses: &[f64], given: 
     let mut known = given.to_vec();
     let mut refused: Vec<Block> = Vec::new();
     while let Some(block) = next_block(&depends, &known, &refused) {
-        match close_all(mechanism, &found.positions, &block, guesses) {
+        match close_all(mechanism, &found.positions, (&block, &depends), guesses) {
             None => refused.push(block),
             Some((form, positions)) => {
                 block.1.iter().for_each(|j| known[*j] = true);
@@ -124,13 +126,18 @@ fn next_block(depends: &[Vec<bool>], known: &[bool], refused: &[Block]) -> Optio
     blocks.filter(determines).find(|block| !refused.contains(block))
 }
 
-/// All solutions of a loop from each configuration so far; `None` if its form is unknown.
+/// All solutions of a loop from each configuration so far; `None` if its form is unknown. Configurations that differ
+/// only in coordinates that the loop does not depend on share its solutions.
 fn close_all(
     mechanism: &dyn AnyMechanism,
     so_far: &[Vec<f64>],
-    (rows, unknowns): &Block,
+    ((rows, unknowns), depends): (&Block, &[Vec<bool>]),
     guesses: &[f64],
 ) -> Option<(Form, Vec<Vec<f64>>)> {
+    let matters = |j: &usize| !unknowns.contains(j) && rows.iter().any(|i| depends[*i][*j]);
+    let inputs: Vec<usize> = (0..guesses.len()).filter(matters).collect();
+    let guesses: Vec<f64> = unknowns.iter().map(|j| guesses[*j]).collect();
+    let mut known: BTreeMap<Vec<u64>, (Form, Vec<Vec<f64>>)> = BTreeMap::new();
     let mut form = None;
     let mut closed = Vec::new();
     for q in so_far {
@@ -143,9 +150,11 @@ fn close_all(
             let all = mechanism.constraints(0.0, &with(values));
             rows.iter().map(|i| all[*i]).collect()
         };
-        let guesses: Vec<f64> = unknowns.iter().map(|j| guesses[*j]).collect();
-        let (found, solutions) = close::close(&residual, &guesses)?;
-        form = Some(found);
+        let (found, solutions) = match known.entry(inputs.iter().map(|j| q[*j].to_bits()).collect()) {
+            Entry::Occupied(known) => known.into_mut(),
+            Entry::Vacant(new) => new.insert(close::close(&residual, &guesses)?),
+        };
+        form = Some(*found);
         closed.extend(solutions.iter().map(|values| with(values)));
     }
     form.map(|form| (form, closed))
