@@ -151,29 +151,33 @@ pub(crate) fn foretold<M: Mechanism>(state: &State<M>, accelerations: &M::Q, ahe
 fn singularity_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie) -> Option<(f64, f64)> {
     let state = &from.state;
     let followed = Followed::at(motion, state);
-    let may_reverse = followed.may_reverse(from, lie);
-    if may_reverse.is_empty() {
+    let rows = followed.may_reverse(from, lie);
+    if rows.is_empty() {
         return None;
     }
-    let rows = |ahead: f64| followed.parts(state.time + ahead, &foretold(&from.state, &from.accelerations, ahead));
-    let (here, next) = (rows(0.0), rows(lie.longest));
-    let of_row = |row: usize| {
-        let along = |rows: &M::LQ| inner(&rows[row], &here[row]);
-        let sine = followed.sine(row, &here);
-        let falls = sine * (1.0 - along(&next) / along(&here));
+    let parts = |rows: &[usize], ahead: f64| {
+        followed.parts_of(rows, state.time + ahead, &foretold(&from.state, &from.accelerations, ahead))
+    };
+    let (here, next) = (parts(&rows, 0.0), parts(&rows, lie.longest));
+    let of_row = |(k, row): (usize, usize)| {
+        let here = &here[k];
+        let along = |part: &M::Q| inner(part, here);
+        let part = |ahead: f64| parts(&[row], ahead).swap_remove(0);
+        let sine = followed.sine(row, here);
+        let falls = sine * (1.0 - along(&next[k]) / along(here));
         if !may_be_ahead([sine + falls, sine]) {
             return None;
         }
         let (slope, h) = (falls / lie.longest, lie.length(falls));
         let reach = REACH * h;
         let root =
-            root_between(along(&here), along(&rows(reach)), 1e-4, &mut |s| Ok(along(&rows(s * reach)))).ok()??;
+            root_between(along(here), along(&part(reach)), 1e-4, &mut |s| Ok(along(&part(s * reach)))).ok()??;
         let ahead = root * reach;
         let is_even = (1.0 / UNEVEN..=UNEVEN).contains(&(ahead * slope / sine));
-        let is_found = followed.sine(row, &rows(ahead)) < FORETOLD && (ahead <= lie.longest || is_even);
+        let is_found = followed.sine(row, &part(ahead)) < FORETOLD && (ahead <= lie.longest || is_even);
         is_found.then_some((ahead, h))
     };
-    may_reverse.into_iter().filter_map(of_row).min_by(|(a, _), (b, _)| a.total_cmp(b))
+    rows.iter().copied().enumerate().filter_map(of_row).min_by(|(a, _), (b, _)| a.total_cmp(b))
 }
 
 /// The rows of C_q D whose independence is tracked: those declared, or if some are redundant, fixed independent
@@ -200,34 +204,46 @@ impl<'a, M: Mechanism> Followed<'a, M> {
         self.independent(&self.rows(time, q))
     }
 
-    /// Whether a row may have reversed between two positions. For sparse rows this takes time linear in their number.
-    pub(crate) fn may_have_passed(&self, [from, to]: [&State<M>; 2]) -> bool {
+    /// The same of some rows. For sparse rows they follow from their factors, which costs as much as a projection; a
+    /// part that vanishes keeps half of its digits then.
+    fn parts_of(&self, rows: &[usize], time: f64, q: &M::Q) -> Vec<M::Q> {
         let mechanism = self.motion.mechanism();
-        if !is_sparse(mechanism) || self.reduction.is_some() {
-            return true;
+        if let Some(entries) = self.entries(time, q) {
+            let mut factors = Sparse::no_factors(mechanism);
+            if Sparse::factorise(mechanism, &entries, &mut factors).is_ok() {
+                return rows.iter().map(|row| factors.part(mechanism, &entries, *row)).collect();
+            }
         }
-        let columns = |state: &State<M>| {
-            let linear = Sparse::linearization(mechanism, state.time, &state.positions);
+        let parts = self.parts(time, q);
+        rows.iter().map(|row| parts[*row].clone()).collect()
+    }
+
+    /// The entries of sparse rows at a position, if they are tracked as they are.
+    fn entries(&self, time: f64, q: &M::Q) -> Option<M::Entries> {
+        let mechanism = self.motion.mechanism();
+        (is_sparse(mechanism) && self.reduction.is_none()).then(|| {
+            let linear = Sparse::linearization(mechanism, time, q);
             Sparse::columns(mechanism, &linear.jacobian, self.motion.measures())
-        };
-        may_have_turned(mechanism, &columns(from), &columns(to))
+        })
+    }
+
+    /// Whether a row may have reversed between two positions. For sparse rows this takes time linear in their number.
+    pub(crate) fn may_have_passed(&self, states: [&State<M>; 2]) -> bool {
+        match states.map(|state| self.entries(state.time, &state.positions)) {
+            [Some(from), Some(to)] => may_have_turned(self.motion.mechanism(), &from, &to),
+            _ => true,
+        }
     }
 
     /// The rows that may reverse on the way ahead. For sparse rows this takes time linear in their number and excludes
     /// almost all.
     fn may_reverse(&self, from: &Sample<M>, lie: &Lie) -> Vec<usize> {
         let (mechanism, state) = (self.motion.mechanism(), &from.state);
-        let all = (0..mechanism.m()).collect();
-        if !is_sparse(mechanism) || self.reduction.is_some() {
-            return all;
-        }
-        let entries = |ahead: f64| {
-            let q = foretold(state, &from.accelerations, ahead);
-            let linear = Sparse::linearization(mechanism, state.time + ahead, &q);
-            Sparse::columns(mechanism, &linear.jacobian, self.motion.measures())
-        };
-        let here = entries(0.0);
-        let along = |ahead: f64| mixed_pivots(mechanism, &here, &entries(ahead));
+        let all = 0..mechanism.m();
+        let entries = |ahead: f64| self.entries(state.time + ahead, &foretold(state, &from.accelerations, ahead));
+        let Some(here) = entries(0.0) else { return all.collect() };
+        let none = || M::L::repeat(mechanism.m(), f64::NAN);
+        let along = |ahead: f64| entries(ahead).map_or_else(none, |there| mixed_pivots(mechanism, &here, &there));
         let (squares, next, beyond) = (along(0.0), along(lie.longest), along(REACH * lie.longest));
         let longest = self.motion.longest();
         let may_reverse = |row: &usize| {
@@ -242,7 +258,7 @@ impl<'a, M: Mechanism> Followed<'a, M> {
             };
             !is_clear
         };
-        all.into_iter().filter(may_reverse).collect()
+        all.filter(may_reverse).collect()
     }
 
     /// The part of each of these rows that is orthogonal to those before it.
@@ -265,8 +281,8 @@ impl<'a, M: Mechanism> Followed<'a, M> {
 
     /// The length of the independent part of a row, relative to its greatest length so far; for combinations, relative
     /// to the greatest length so far of the shortest part.
-    fn sine(&self, row: usize, parts: &M::LQ) -> f64 {
-        let square = inner(&parts[row], &parts[row]);
+    fn sine(&self, row: usize, part: &M::Q) -> f64 {
+        let square = inner(part, part);
         match self.reduction {
             None => (square / self.motion.longest()[row]).sqrt(),
             Some(_) => self.motion.relative(square.sqrt()),
@@ -275,7 +291,7 @@ impl<'a, M: Mechanism> Followed<'a, M> {
 
     /// The row closest to depending on those before it, among those that are not redundant, with its sine.
     fn weakest(&self, parts: &M::LQ) -> Option<(usize, f64)> {
-        let sines = (0..parts.len()).map(|row| (row, self.sine(row, parts))).filter(|(_, sine)| *sine > 0.0);
+        let sines = (0..parts.len()).map(|row| (row, self.sine(row, &parts[row]))).filter(|(_, sine)| *sine > 0.0);
         sines.min_by(|(_, a), (_, b)| a.total_cmp(b))
     }
 
@@ -301,7 +317,7 @@ impl<'a, M: Mechanism> Followed<'a, M> {
             let along = |parts: &M::LQ| inner(&parts[row], &before[row]);
             let found = root_between(along(before), along(after), 1e-12, &mut |s| Ok(along(&parts(s)?)))?;
             let Some(fraction) = found else { continue };
-            let sine = self.sine(row, &parts(fraction)?);
+            let sine = self.sine(row, &parts(fraction)?[row]);
             if sine < FOUND {
                 return Ok(Some(Singularity { constraint: self.constraint(row), time: time(fraction), sine }));
             }

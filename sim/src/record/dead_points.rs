@@ -21,7 +21,7 @@ pub struct DeadPoint<M: Mechanism> {
     pub state: State<M>,
 }
 
-/// A determinant or pivot this small, relative to its rows, is zero.
+/// A pivot this small, relative to its rows, is zero.
 const SINGULAR: f64 = 1e-10;
 /// With more rows a determinant at every step would cost as much as the step.
 const MOST_ROWS: usize = 12;
@@ -130,10 +130,12 @@ impl<M: Mechanism> DeadPoints<M> {
         Ok(())
     }
 
-    /// Records the determinant at a state, unless it is nearly zero: then it has no sign.
+    /// Records the determinant at a state, unless a pivot is nearly zero: then it has no sign. With many rows it is small
+    /// everywhere.
     fn note(&mut self, mechanism: &M, state: &State<M>) {
-        let value = self.determinant(mechanism, state);
-        self.is_unknown = !(value.abs() > SINGULAR);
+        self.order[1].clone_from(&self.columns);
+        let (value, least) = self.pivots(mechanism, state);
+        self.is_unknown = !(least > SINGULAR && value != 0.0);
         self.last = if self.is_unknown { self.last } else { Some(value) };
     }
 

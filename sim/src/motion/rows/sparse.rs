@@ -220,6 +220,21 @@ impl<S: Scalar, M: Mechanism<S>> Envelope<M, S> {
         &self.lower.as_ref()[row.diagonal + row.first - k..row.diagonal]
     }
 
+    /// The part of a row that is orthogonal to those before it, of the entries that were factorised: a row of L^-1 A.
+    pub(crate) fn part(&self, mechanism: &M, entries: &M::Entries, constraint: usize) -> M::Q {
+        let rows = sparse_rows(mechanism);
+        let (mut part, mut shares) = (M::Q::repeat(mechanism.n(), S::ZERO), M::L::repeat(rows.len(), S::ZERO));
+        let place = rows.iter().position(|row| row.constraint == constraint).unwrap_or(0);
+        shares[place] = S::from_f64(1.0);
+        for (k, row) in rows[..=place].iter().enumerate().rev() {
+            let share = shares[k];
+            entries_of(entries, row).for_each(|(entry, j)| part[j] = part[j] + share * entry);
+            let own = shares.as_mut()[row.first..k].iter_mut().zip(self.row_of_l(k, row));
+            own.for_each(|(other, l)| *other = *other - share * *l);
+        }
+        part
+    }
+
     #[inline]
     fn solve(&self, mechanism: &M, rhs: M::L) -> M::L {
         let rows = sparse_rows(mechanism);
