@@ -30,9 +30,9 @@ fn main() -> Result<(), Failure> {
     let motion = Motion::new(mechanism, Stabilisation::Projection, measures);
     let start = motion.sample(start)?;
     let course = Course { begin: 0.0, end: 2.0, stepping: Stepping::Equal(20_000) };
-    let (mut steps, mut last) = (Steps::default(), start);
+    let (mut steps, mut last) = (Steps::default(), start.clone());
     integrate(&motion, &mut Midpoint, &course, start, &mut steps, |step| {
-        last = *step.to;
+        last = step.to.clone();
         Ok(ControlFlow::Continue(()))
     })?;
     println!("alpha(2 s) = {} rad after {} steps", last.state.positions[0], steps.accepted);

@@ -146,7 +146,7 @@ fn the_matrices_hold_in_motion() {
         let start =
             Start { positions: [0.3 + change[0], 1.0, 1.7], speeds: [10.0 + change[1], 0.0, 0.0], ..start.clone() };
         let state = assemble(&linkage, &start).unwrap();
-        (state, linkage.dynamics(0.0, &state.positions, &state.speeds).accelerations[0])
+        (state.clone(), linkage.dynamics(0.0, &state.positions, &state.speeds).accelerations[0])
     };
     let found = linearize(&linkage, &acceleration([0.0; 2]).0, &[]).unwrap();
     let h = 1e-4;

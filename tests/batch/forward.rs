@@ -65,7 +65,7 @@ fn check<M: Mechanism>(mechanism: &M, parameter: Option<usize>, speed: Option<us
         let mut simulation = Simulation::new(other, &start, settings).unwrap();
         simulation.advance_to(0.37 * settings.end).unwrap();
         simulation.advance_to(settings.end).unwrap();
-        *simulation.state()
+        simulation.state().clone()
     };
     let [more, less] = [moved(1.0), moved(-1.0)];
     let difference = |more: f64, less: f64| (more - less) / (2.0 * step);

@@ -34,7 +34,7 @@ fn main() {
 fn dynamics<M: Compiled>(name: &str, mechanism: M, end: f64) {
     let found = run(mechanism, end, 4095).unwrap();
     let samples = &found.trajectory.samples;
-    let states: Vec<State<M>> = (0..STATES).map(|i| samples[i * 7 % samples.len()].state).collect();
+    let states: Vec<State<M>> = (0..STATES).map(|i| samples[i * 7 % samples.len()].state.clone()).collect();
     let mechanism = black_box(mechanism);
     let prepared = black_box(mechanism.prepare());
     let scalar = per_element(|| {

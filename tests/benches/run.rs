@@ -42,7 +42,7 @@ fn measure<M: Compiled>(name: &str, mechanism: M, sine: f64) {
     let first = &state(0);
     let measures = Measures::at(&mechanism, first.time, &first.positions);
     let project = per_call(|i| {
-        let mut state = *state(i);
+        let mut state = state(i).clone();
         sim::project(&mechanism, &measures, &mut state).unwrap();
         black_box(state);
     });

@@ -5,17 +5,12 @@ use codegen::dsl;
 use codegen::model::Unit;
 use codegen::oracle::{Comparison, Measured, Oracle, Solution, State, Terms, residual};
 use sim::verify::{computed, observed};
-use sim::{Array, At, Bounded, Erased, Kernel, Model, OnHeap};
+use sim::{Array, At, Erased, Kernel, List, Model};
 use std::sync::Arc;
 use tests::Random;
 
-/// More coordinates than any shipped mechanism has.
-const MOST: usize = 256;
-
-type Any = Erased<OnHeap<MOST>>;
-
-fn vector(values: &[f64]) -> Bounded<f64, MOST> {
-    Bounded::with_len(values.len(), |i| values[i])
+fn vector(values: &[f64]) -> List<f64> {
+    List::with_len(values.len(), |i| values[i])
 }
 
 /// Rounding of a term relative to the magnitudes of what goes into it.
@@ -112,7 +107,7 @@ impl Place {
 fn terms_agree(model: &Arc<dyn Model>, oracle: &Oracle, place: &Place) -> Result<Option<Vec<f64>>, String> {
     let description = model.description();
     let at = place.state();
-    let mechanism = Any::new(model.clone()).ok_or("it has too many coordinates")?;
+    let mechanism = Erased::of(model.clone());
     let (q, qd) = (vector(&place.positions), vector(&place.speeds));
     let mut comparison = Comparison::new(if description.dimension == 3 { PART_IN_SPACE } else { 0.0 });
     let refused = |why: codegen::oracle::OracleError| why.to_string();

@@ -78,11 +78,18 @@ fn ten_thousand_steps_do_not_allocate() {
     let start = assemble(&mechanism, &declared_start(&mechanism)).unwrap();
     for stabilisation in [Stabilisation::Projection, Stabilisation::MassProjection, Stabilisation::Partitioning] {
         let equal = Stepping::Equal(10_000);
-        ten_thousand_steps(&mechanism, ExplicitRungeKutta::new(&mechanism, &RK4), stabilisation, equal, 2.0, start);
-        ten_thousand_steps(&mechanism, Dop853::new(&mechanism), stabilisation, equal, 20.0, start);
+        ten_thousand_steps(
+            &mechanism,
+            ExplicitRungeKutta::new(&mechanism, &RK4),
+            stabilisation,
+            equal,
+            2.0,
+            start.clone(),
+        );
+        ten_thousand_steps(&mechanism, Dop853::new(&mechanism), stabilisation, equal, 20.0, start.clone());
     }
     let equal = Stepping::Equal(10_000);
-    ten_thousand_steps(&mechanism, Radau5::new(&mechanism), Stabilisation::Projection, equal, 20.0, start);
+    ten_thousand_steps(&mechanism, Radau5::new(&mechanism), Stabilisation::Projection, equal, 20.0, start.clone());
     let adaptive = Stepping::Adaptive(Tolerance::new(1e-12));
     ten_thousand_steps(&mechanism, Dop853::new(&mechanism), Stabilisation::Projection, adaptive, 400.0, start);
 }

@@ -70,7 +70,7 @@ fn no_states_and_fewer_than_there_are_lanes() {
     let state = State { time: 0.0, positions: [0.1, 1.0, 2.6], speeds: [1.0, 0.2, 0.3], work: 0.0 };
     let mut found = Vec::new();
     for count in [3, 0, 1] {
-        assert!(sim::accelerate_each(&mechanism, &vec![state; count], &mut found).is_empty());
+        assert!(sim::accelerate_each(&mechanism, &vec![state.clone(); count], &mut found).is_empty());
         assert_eq!(found.len(), count);
     }
 }

@@ -188,7 +188,7 @@ fn dry_friction_stops_where_coulomb_says_but_for_the_smoothing() {
     let (a, start) = (mu * g, 2.0f64);
     let coulomb = start * start / (2.0 * a);
     let smoothed = coulomb + std::f64::consts::PI.powi(2) * v0 * v0 / (12.0 * a);
-    let last = run.trajectory.samples.last().unwrap().state;
+    let last = run.trajectory.samples.last().unwrap().state.clone();
     assert!((last.positions[0] - smoothed).abs() < TOLERANCE, "{} {smoothed}", last.positions[0]);
     assert!(last.speeds[0].abs() < TOLERANCE && (last.positions[0] / coulomb - 1.0).abs() < 5e-5);
     assert!(run.energy_balance < TOLERANCE);

@@ -93,7 +93,7 @@ fn records_do_not_change_the_steps() {
 fn an_event_ends_the_run_at_its_time() {
     let stop = Some(StopAt { event: 0, occurrence: 3 });
     let run = run_with(Clock::default(), &Settings { stop, ..Settings::new(1.0) }).unwrap();
-    let last = run.trajectory.samples.last().unwrap().state;
+    let last = run.trajectory.samples.last().unwrap().state.clone();
     assert!((last.time - 3.0 * PI / 50.0).abs() < 2e-12 && (last.positions[0] - last.time).abs() < 1e-14);
     assert_eq!(times(&run, "fast").len(), 3);
     assert_eq!(run.trajectory.failure, None);

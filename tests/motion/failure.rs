@@ -127,7 +127,7 @@ fn an_adaptive_method_ends_where_a_load_leaves_its_domain() {
     for method in [Method::Dop853, Method::Dopri5, Method::Radau5] {
         let run = run_with(Pole::default(), &Settings::adaptive(method, 2.0, 1e-8)).unwrap();
         let failure = run.trajectory.failure.unwrap();
-        let last = run.trajectory.samples.last().unwrap().state;
+        let last = run.trajectory.samples.last().unwrap().state.clone();
         println!("{}: {failure}", method.name());
         assert!(last.time > 0.3 && last.positions[0] < 0.5 && failure.time >= last.time, "{failure}");
         assert!(failure.state[0].1 > 0.49, "{failure}");

@@ -109,7 +109,7 @@ fn error_inside<A: Advance<QuickReturn>>(mut method: A, h: f64) -> Pair {
     // The same times as ends of short steps from the start.
     for state in &inside {
         let settings = Settings { rows: Rows::Even(1), ..Settings::equal_steps(Method::Dop853, state.time, 64) };
-        let exact = run_with(mechanism, &settings).unwrap().trajectory.samples.last().unwrap().state;
+        let exact = run_with(mechanism, &settings).unwrap().trajectory.samples.last().unwrap().state.clone();
         let far = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).fold(0.0f64, |worst, (a, b)| worst.max((a - b).abs()));
         worst[0] = worst[0].max(far(exact.positions, state.positions));
         worst[1] = worst[1].max(far(exact.speeds, state.speeds));

@@ -126,7 +126,7 @@ fn an_overconstrained_loop_keeps_the_order_and_the_steps_of_a_method() {
     let state = |settings: &Settings| {
         let run = run_with(Bennett::default(), settings).unwrap();
         assert_eq!(run.trajectory.failure, None, "{}", settings.stabilisation);
-        (run.trajectory.samples.last().unwrap().state, run.evaluations)
+        (run.trajectory.samples.last().unwrap().state.clone(), run.evaluations)
     };
     let with = |stabilisation, settings: Settings| state(&Settings { stabilisation, rows: Rows::Even(1), ..settings });
     let adaptive = |tolerance| Settings::adaptive(Method::Dop853, 2.0, tolerance);

@@ -299,7 +299,7 @@ fn a_cusp_ends_the_run_with_an_explanation() {
         let failure = run.trajectory.failure.unwrap();
         println!("{failure}");
         assert_eq!(failure.what, What::SingularPosition { constraint: "rail" });
-        let last = run.trajectory.samples.last().unwrap().state;
+        let last = run.trajectory.samples.last().unwrap().state.clone();
         assert!(run.trajectory.samples.len() > 150 && last.positions[0] < 0.05 && run.steps.singularities.is_empty());
     }
 }

@@ -138,15 +138,15 @@ fn sparse_entries_are_all_of_c_q() {
 /// Projection with sparse rows, beside the two projections with dense ones, from states off the constraints.
 fn sparse_projection_is_the_dense_one<M: Compiled>(mechanism: M) {
     let start = run_with(mechanism, &Settings { rows: Rows::Even(1), ..Settings::adaptive(Method::Dop853, 0.1, 1e-9) });
-    let state = start.unwrap().trajectory.samples[0].state;
+    let state = start.unwrap().trajectory.samples[0].state.clone();
     let (measures, mut random) = (Measures::at(&mechanism, 0.0, &state.positions), Random(4));
     for away in [1e-3, 1e-6, 1e-9] {
-        let mut sparse = state;
+        let mut sparse = state.clone();
         for j in 0..M::Q::LEN {
             sparse.positions[j] += random.between(-away, away);
             sparse.speeds[j] += random.between(-away, away);
         }
-        let mut dense = sparse;
+        let mut dense = sparse.clone();
         project(&mechanism, &measures, &mut sparse).unwrap();
         let linear = project_positions(&mechanism, &measures, 0.0, &mut dense.positions).unwrap();
         project_velocities(&mechanism, &measures, &linear, 0.0, &dense.positions, &mut dense.speeds).unwrap();
@@ -172,7 +172,7 @@ fn sparse_projection_is_that_of_dense_rows() {
 fn swung<M: Compiled>(mechanism: M, end: f64) -> Vec<f64> {
     let settings = Settings::adaptive(Method::Dop853, end, 1e-12);
     let run = run_with(mechanism, &Settings { rows: Rows::Even(1), ..settings }).unwrap();
-    let end = run.trajectory.samples[1].state;
+    let end = run.trajectory.samples[1].state.clone();
     let angles = (0..M::Q::LEN).filter(|j| M::DESCRIPTION.coordinates[*j].start == sim::sim_kernel::Start::Given);
     angles.map(|j| end.positions[j]).collect()
 }

@@ -34,7 +34,7 @@ mechanism! {
 fn error(run: &Run<Dragged>, exact: &Run<Dragged>) -> f64 {
     assert_eq!(run.trajectory.failure, None);
     let end = |run: &Run<Dragged>| {
-        let state = run.trajectory.samples.last().unwrap().state;
+        let state = run.trajectory.samples.last().unwrap().state.clone();
         [state.positions, state.speeds].concat()
     };
     end(run).iter().zip(end(exact)).fold(0.0, |worst, (a, b)| f64::max(worst, ((a - b) / b).abs()))

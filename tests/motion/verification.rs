@@ -167,10 +167,10 @@ fn a_wrong_method_fails_beside_another() {
     let motion = Motion::new(mechanism, Stabilisation::Projection, measures);
     let course = Course { begin: 0.0, end: 0.5, stepping: Stepping::Equal(1024) };
     let (mut spoiled, first) = (good.clone(), motion.sample(start()).unwrap());
-    spoiled.trajectory.samples = vec![first];
+    spoiled.trajectory.samples = vec![first.clone()];
     let mut method = ExplicitRungeKutta::new(&mechanism, Box::leak(Box::new(wrong)));
     integrate(&motion, &mut method, &course, first, &mut Steps::default(), |step| {
-        spoiled.trajectory.samples.push(*step.to);
+        spoiled.trajectory.samples.push(step.to.clone());
         Ok(ControlFlow::Continue(()))
     })
     .unwrap();

@@ -99,7 +99,7 @@ fn of_model<M: Compiled>() -> [Fingerprint; 3] {
 /// The same by the loops of a mechanism whose sizes are known at run time.
 fn of_erased(model: Arc<dyn Model>) -> [Fingerprint; 3] {
     let short = Erased::<InPlace<8>>::new(model.clone()).map(|mechanism| of_mechanism(&mechanism));
-    short.unwrap_or_else(|| of_mechanism(&Erased::<OnHeap<64>>::new(model).unwrap()))
+    short.unwrap_or_else(|| of_mechanism(&Erased::of(model)))
 }
 
 /// A cart and pole whose controller is asked every 0.03 s.

@@ -11,7 +11,7 @@ fn check<M: Compiled>(mechanism: M, end: f64) -> (f64, f64, f64) {
     let run = run_with(mechanism, &settings).unwrap();
     assert_eq!(run.trajectory.failure, None);
     let kinetic = |state: &sim::State<M>| mechanism.kinetic_energy(state.time, &state.positions, &state.speeds);
-    let start = run.trajectory.samples[0].state;
+    let start = run.trajectory.samples[0].state.clone();
     for sample in run.trajectory.samples.iter().step_by(100) {
         let state = &sample.state;
         let change = (kinetic(state) - state.work - kinetic(&start) + start.work) / kinetic(&start);

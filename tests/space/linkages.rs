@@ -123,7 +123,7 @@ mechanism! {
 fn joints_leave_what_they_should() {
     let joined = Joined::default();
     let run = run_with(joined, &Settings::adaptive(Method::Dop853, 0.6, 1e-11)).unwrap();
-    let start = run.trajectory.samples[0].state;
+    let start = run.trajectory.samples[0].state.clone();
     assert_eq!(mobility(&joined, 0.0, &start.positions).degrees_of_freedom, 10);
     let pitch = joined.l;
     let screw = apart(&run, "advance", "turned", |angle| pitch * angle / TAU);

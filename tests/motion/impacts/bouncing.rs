@@ -34,7 +34,7 @@ fn the_bouncing_ball_is_the_closed_form() {
         let height = top.state.positions[1] - 0.033;
         assert!((height - 0.81f64.powi(n as i32 + 1)).abs() < 1e-10, "{n}: {height}");
     }
-    let last = run.trajectory.samples.last().unwrap().state;
+    let last = run.trajectory.samples.last().unwrap().state.clone();
     assert!((last.positions[0] - 0.4 * 3.0).abs() < 1e-10);
 }
 
@@ -67,7 +67,7 @@ fn a_ball_bounces_at_the_times_and_to_the_heights_of_the_closed_form() {
 #[test]
 fn an_impact_has_its_impulse_and_its_loss() {
     let run = run_with(Ball::default(), &Settings::new(0.6)).unwrap();
-    let change = run.events[0].change.unwrap();
+    let change = run.events[0].change.clone().unwrap();
     let speed = (2.0 * G).sqrt();
     assert!((change.impulses[0] + 2.0 * 1.8 * speed).abs() < 1e-10);
     assert!((change.energy_taken - 0.5 * 2.0 * speed * speed * (1.0 - 0.64)).abs() < 1e-10);

@@ -93,7 +93,7 @@ fn a_block_leaves_its_table_where_the_reaction_vanishes() {
         assert!((times(&run, "landing")[0] - above).abs() < 1e-9, "{:?} {above}", times(&run, "landing"));
         let landing = run.events.iter().find(|event| event.name == "landing").unwrap();
         let hits = speed - G * (above - lift) - a * w * (w * above).cos();
-        let change = landing.change.unwrap();
+        let change = landing.change.clone().unwrap();
         assert!((change.impulses[0] - 0.7 * hits).abs() < 1e-8, "{}", change.impulses[0]);
         // In flight the multiplier is nothing at all.
         let flying =
@@ -151,7 +151,7 @@ fn a_string_goes_slack_and_taut() {
     let [px, py] = at(inside);
     near(taut.state.positions[0], px);
     let along = (px * vx + py * (vy - G * inside)) / l;
-    let change = taut.change.unwrap();
+    let change = taut.change.clone().unwrap();
     near(change.energy_taken, 0.5 * 0.4 * along * along);
     // C = norm(P) - l grows outwards, and the stone pulls outwards.
     near(change.impulses[0], 0.4 * along);
@@ -177,7 +177,7 @@ mechanism! {
 fn a_knee_at_its_stop_obeys_the_impulsive_equations() {
     let run = run_with(Knee::default(), &Settings::new(0.4)).unwrap();
     let knock = &run.events[0];
-    let change = knock.change.unwrap();
+    let change = knock.change.clone().unwrap();
     let [a, b] = knock.state.positions;
     let (m, n, l, k, inertia, e) = (1.2, 0.7, 0.5, 0.4, 0.03, 0.3);
     let mass =
@@ -267,7 +267,7 @@ fn a_rimless_wheel_walks_its_limit_cycle() {
         let mut last = 0.0;
         assert!(run.events.len() > 15, "{}", run.events.len());
         for event in &run.events {
-            let change = event.change.unwrap();
+            let change = event.change.clone().unwrap();
             let arrives = (before * before + gain).sqrt();
             let near = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-8, "{found} {expected}");
             near(event.state.speeds[2], arrives);
@@ -296,7 +296,7 @@ mechanism! {
 #[test]
 fn coordinates_change_names_with_their_speeds() {
     let run = run_with(Swapped::default(), &Settings::new(1.0)).unwrap();
-    let last = run.trajectory.samples.last().unwrap().state;
+    let last = run.trajectory.samples.last().unwrap().state.clone();
     let p = (2f64).cos();
     let q = -0.5 * (2f64).cos() + 0.15 * (2f64).sin();
     // 1e-10 a step.

@@ -1,7 +1,7 @@
 //! Sizes known at run time: every shipped model through the loops compiled for it and through those of any model.
 
 use super::Table;
-use sim::{Compiled, Erased, InPlace, Mechanism, Model, OnHeap, Run, Settings, declared_start};
+use sim::{Compiled, Erased, InPlace, Mechanism, Model, Run, Settings, declared_start};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -44,7 +44,7 @@ fn compare<M: Compiled>(mechanism: M) -> Option<Compared> {
 fn shortest_erased(model: Arc<dyn Model>) -> Option<(Vec<u64>, Duration)> {
     match Erased::<InPlace<8>>::new(model.clone()) {
         Some(mechanism) => shortest(&mechanism),
-        None => shortest(&Erased::<OnHeap<64>>::new(model)?),
+        None => shortest(&Erased::of(model)),
     }
 }
 

@@ -49,13 +49,10 @@ impl<M> Typed<M> {
 macro_rules! by_loops {
     ($function:ident::<$type:ty>($($argument:expr),*)) => {{
         #[cfg(debug_assertions)]
-        let mechanism = sim::Erased::<sim::OnHeap<64>>::new(sim::erase(<$type>::defaults()));
+        let mechanism = sim::Erased::of(sim::erase(<$type>::defaults()));
         #[cfg(not(debug_assertions))]
-        let mechanism = Some(<$type>::defaults());
-        match mechanism {
-            Some(mechanism) => $function(&mechanism, $($argument),*),
-            None => Err(Refusal::Panic("larger than any linkage should be".to_owned())),
-        }
+        let mechanism = <$type>::defaults();
+        $function(&mechanism, $($argument),*)
     }};
 }
 

@@ -11,7 +11,7 @@ pub(super) fn measure(table: &mut Table) {
         table.at_most("runs by partitioning that fail", 1.0, 0.0);
         return;
     };
-    let (_, by_partitioning) = end(Stabilisation::Partitioning, adaptive(1e-10)).unwrap_or((exact, 0));
+    let (_, by_partitioning) = end(Stabilisation::Partitioning, adaptive(1e-10)).unwrap_or((exact.clone(), 0));
     for stabilisation in [Stabilisation::Projection, Stabilisation::MassProjection] {
         let error = |steps| {
             let found = end(stabilisation, Settings::equal_steps(Method::Rk4, 2.0, steps));
@@ -32,7 +32,7 @@ pub(super) fn measure(table: &mut Table) {
 fn end(stabilisation: Stabilisation, settings: Settings) -> Option<(State<Bennett>, u64)> {
     let settings = Settings { stabilisation, rows: Rows::Even(1), ..settings };
     let run = tests::run_with(Bennett::default(), &settings).ok().filter(|run| run.trajectory.failure.is_none())?;
-    Some((run.trajectory.samples.last()?.state, run.evaluations))
+    Some((run.trajectory.samples.last()?.state.clone(), run.evaluations))
 }
 
 /// The largest difference of positions and speeds.
