@@ -4,8 +4,8 @@
 
 use models::CartPole;
 use sim::{
-    Compiled, Controller, Erased, InPlace, Input, Mechanism, Method, Model, OnHeap, Run, Sample, Settings,
-    Stabilisation, Table, declared_start, run_controlled,
+    Compiled, Controller, Erased, InPlace, Input, Mechanism, Method, Model, Run, Sample, Settings, Stabilisation,
+    Table, declared_start, run_controlled,
 };
 use std::fs;
 use std::path::PathBuf;
