@@ -172,10 +172,25 @@ pub(super) fn blank_envelope<S: Scalar, M: Mechanism<S>>(mechanism: &M) -> M::En
     M::Envelope::repeat(last.map_or(0, |row| row.diagonal + 1), S::ZERO)
 }
 
-/// The inner product.
+/// The inner product, as four sums: one would wait for each of its additions.
 #[inline(always)]
 pub(super) fn dot<S: Scalar>(a: &[S], b: &[S]) -> S {
-    sum(a.iter().zip(b).map(|(a, b)| *a * *b))
+    let ([a, last_of_a], [b, last_of_b]) = (in_fours(a), in_fours(b));
+    let mut sums = [S::ZERO; 4];
+    for (a, b) in a.chunks_exact(4).zip(b.chunks_exact(4)) {
+        for k in 0..4 {
+            sums[k] = sums[k] + a[k] * b[k];
+        }
+    }
+    let last = sum(last_of_a.iter().zip(last_of_b).map(|(a, b)| *a * *b));
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + last
+}
+
+/// The part whose length is a multiple of four, and the others.
+#[inline(always)]
+fn in_fours<S>(numbers: &[S]) -> [&[S]; 2] {
+    let (fours, last) = numbers.split_at(numbers.len() / 4 * 4);
+    [fours, last]
 }
 
 /// L D L' factors within the envelope.
