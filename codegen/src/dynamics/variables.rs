@@ -54,6 +54,8 @@ pub struct Differentiated {
 pub(super) struct Derivatives {
     /// One for each variable.
     pub(super) by_variable: Vec<Differential>,
+    /// One for the rate of each variable.
+    by_rate: Vec<Differential>,
     /// With respect to explicit time.
     by_time: Differential,
     /// The total time derivative at constant speeds: q at q', t at 1.
@@ -64,11 +66,12 @@ pub(super) struct Derivatives {
 impl Derivatives {
     pub(super) fn of(graph: &mut Graph, model: &Model, variables: &Variables) -> Derivatives {
         let by_variable = variables.positions.iter().map(|x| Differential::partial(graph, *x)).collect();
+        let by_rate = variables.speeds.iter().map(|rate| Differential::partial(graph, *rate)).collect();
         let by_time = Differential::partial(graph, model.time);
         let speeds: Vec<Expr> = variables.speeds.iter().map(|speed| graph.variable(*speed)).collect();
         let mut rates = vec![(model.time, graph.one())];
         rates.extend(variables.positions.iter().copied().zip(speeds.iter().copied()));
-        Derivatives { by_variable, by_time, convective: Differential::along(rates), speeds }
+        Derivatives { by_variable, by_rate, by_time, convective: Differential::along(rates), speeds }
     }
 
     pub(super) fn of_quantity(&mut self, graph: &mut Graph, variables: &Variables, position: Expr) -> Differentiated {
@@ -107,8 +110,7 @@ impl Derivatives {
     /// A quantity w(q, q', t) linear in the speeds, as if it were the velocity of some position: with w_q' for its
     /// Jacobian, and the part without speeds for its time derivative.
     pub(super) fn of_rate(&mut self, graph: &mut Graph, variables: &Variables, rate: Expr) -> Differentiated {
-        let jacobian =
-            variables.speeds.iter().map(|speed| Differential::partial(graph, *speed).of(graph, rate)).collect();
+        let jacobian = self.by_rate.iter_mut().map(|by_rate| by_rate.of(graph, rate)).collect();
         let zero = graph.zero();
         let at_rest: Vec<(Symbol, Expr)> = variables.speeds.iter().map(|speed| (*speed, zero)).collect();
         let time_derivative = substitute(graph, &[rate], &at_rest)[0];
