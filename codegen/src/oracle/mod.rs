@@ -25,6 +25,7 @@ mod jet;
 mod measured;
 mod mechanics;
 mod motion;
+mod names;
 mod observe;
 mod parameters;
 mod plain;
@@ -45,7 +46,9 @@ pub use state::State;
 use crate::dsl::{Activity, Declaration, Unit};
 use interpret::Interpreter;
 use mechanics::Mechanics;
+use names::Names;
 use setting::Setting;
+use std::sync::Arc;
 
 /// Evaluates one declaration at given states.
 pub struct Oracle<'d> {
@@ -53,6 +56,7 @@ pub struct Oracle<'d> {
     si_factor: &'d dyn Fn(&Unit) -> f64,
     /// Whether each constraint that events switch holds.
     active: Vec<bool>,
+    names: Arc<Names>,
 }
 
 impl<'d> Oracle<'d> {
@@ -60,7 +64,7 @@ impl<'d> Oracle<'d> {
     pub fn new(declaration: &'d Declaration, si_factor: &'d dyn Fn(&Unit) -> f64) -> Oracle<'d> {
         let initially = declaration.constraints.iter().filter_map(|constraint| constraint.initially);
         let active = initially.map(|activity| activity == Activity::Active).collect();
-        Oracle { declaration, si_factor, active }
+        Oracle { declaration, si_factor, active, names: Arc::new(Names::of(declaration)) }
     }
 
     /// The same with these activities of the constraints that events switch, instead of those at the start.
@@ -154,6 +158,6 @@ impl<'d> Oracle<'d> {
     }
 
     fn interpreter(&self, setting: Setting) -> Interpreter<'d> {
-        Interpreter::new(self.declaration, self.si_factor, setting)
+        Interpreter::with_names(self.declaration, self.si_factor, self.names.clone(), setting)
     }
 }

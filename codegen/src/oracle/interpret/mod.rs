@@ -7,17 +7,20 @@ use super::error::{OracleError, Result, refuse};
 use super::interpolation::Function;
 use super::jet::Jet;
 use super::measured::Measured;
+use super::names::{Meaning, Names};
 use super::plain::is_plain;
 use super::rotation::Rotation;
 use super::setting::{Rates, Setting};
 use super::value::{Value, cross, inner};
 use crate::dsl::{Choice, Comparison, Declaration, Equation, Expression, Kind, Operator, Unit};
+use std::sync::Arc;
 use syn::Ident;
 
 /// Evaluates the expressions of one declaration in one setting.
 pub(super) struct Interpreter<'d> {
     declaration: &'d Declaration,
     si_factor: &'d dyn Fn(&Unit) -> f64,
+    names: Arc<Names>,
     setting: Setting,
     /// The value of each `let`, once evaluated.
     definitions: Vec<Option<Value>>,
@@ -35,10 +38,20 @@ impl<'d> Interpreter<'d> {
         si_factor: &'d dyn Fn(&Unit) -> f64,
         setting: Setting,
     ) -> Interpreter<'d> {
+        Interpreter::with_names(declaration, si_factor, Arc::new(Names::of(declaration)), setting)
+    }
+
+    /// The same with the names of the declaration known, which saves most of the time at a single state.
+    pub(super) fn with_names(
+        declaration: &'d Declaration,
+        si_factor: &'d dyn Fn(&Unit) -> f64,
+        names: Arc<Names>,
+        setting: Setting,
+    ) -> Interpreter<'d> {
         let visible = declaration.lets.len();
         let tables = declaration.tables.iter().map(|_| None).collect();
         let definitions = vec![None; visible];
-        Interpreter { declaration, si_factor, setting, definitions, tables, local: vec![], visible }
+        Interpreter { declaration, si_factor, names, setting, definitions, tables, local: vec![], visible }
     }
 
     pub(super) fn scalar(&mut self, expression: &Expression) -> Result<Jet> {
@@ -110,28 +123,23 @@ impl<'d> Interpreter<'d> {
 
     /// The value of a name.
     pub(super) fn named(&mut self, name: &Ident) -> Result<Value> {
-        let declaration = self.declaration;
         if let Some((_, value)) = self.local.iter().find(|(word, _)| name == word) {
             return Ok(Value::Scalar(value.clone()));
         }
-        if let Some(index) = declaration.coordinates.iter().position(|c| c.name == *name) {
-            return self.coordinate(index, name);
+        match self.names.meaning(name) {
+            Some(Meaning::Coordinate(index)) => self.coordinate(index, name),
+            Some(Meaning::Parameter(index)) => {
+                let known = self.setting.parameters.get(index).cloned();
+                known.map(Value::Scalar).ok_or_else(|| OracleError::new(format!("`{name}` is declared later")))
+            }
+            Some(Meaning::Input(index)) => self.input(index),
+            Some(Meaning::Auxiliary(index)) => {
+                let variable = self.setting.auxiliaries.get(index).cloned();
+                Ok(variable.map_or_else(|| self.constant(0.0), Value::Scalar))
+            }
+            Some(Meaning::Let(index)) if index < self.visible => self.defined(index),
+            _ => self.reserved(name),
         }
-        if let Some(index) = declaration.parameters.iter().position(|p| p.name == *name) {
-            let known = self.setting.parameters.get(index).cloned();
-            return known.map(Value::Scalar).ok_or_else(|| OracleError::new(format!("`{name}` is declared later")));
-        }
-        if let Some(index) = declaration.inputs.iter().position(|input| input.name == *name) {
-            return self.input(index);
-        }
-        if let Some(index) = declaration.auxiliary.iter().position(|a| a.name == *name) {
-            let variable = self.setting.auxiliaries.get(index).cloned();
-            return Ok(variable.map_or_else(|| self.constant(0.0), Value::Scalar));
-        }
-        if let Some(index) = declaration.lets[..self.visible].iter().position(|l| l.name == *name) {
-            return self.defined(index);
-        }
-        self.reserved(name)
     }
 
     /// A coordinate, by its name.
