@@ -5,8 +5,9 @@
 //! motion comes to rest, the run ends with a message.
 
 use crate::motion::Motion;
+use crate::motion::ahead::foretold;
 use crate::motion::project::project;
-use crate::motion::singular::{BESIDE, Followed, foretold, weakest_constraint};
+use crate::motion::singular::{BESIDE, Followed, weakest_constraint};
 use crate::numerics::arrays::inner;
 use crate::numerics::nearest::{Known, MOST_KNOWN, nearest_polynomial};
 use crate::state::failure::Failure;
@@ -61,7 +62,9 @@ impl<'a, M: Mechanism> Around<'a, M> {
     /// the motion, but lie on its branch.
     fn extrapolated(&self) -> (M::Q, f64) {
         let (state, measures) = (&self.state, self.motion.measures());
-        let mut known = Vec::with_capacity(MOST_KNOWN);
+        let none = || Known { fraction: 0.0, weight: 0.0, values: self.accelerations.clone() };
+        let mut known: [Known<M::Q>; MOST_KNOWN] = std::array::from_fn(|_| none());
+        let mut count = 0;
         for node in 0..MOST_KNOWN {
             // Chebyshev's, denser towards the ends.
             let fraction = ((node as f64 + 0.5) / MOST_KNOWN as f64 * PI).cos();
@@ -77,9 +80,12 @@ impl<'a, M: Mechanism> Around<'a, M> {
             let Ok(sample) = kept.and_then(|()| self.motion.sample(there.clone())) else { continue };
             // Rounding is amplified by the inverse square of the sine.
             let weight = self.least_sine(&there).powi(4);
-            known.push(Known { fraction, weight, values: sample.accelerations });
+            known[count] = Known { fraction, weight, values: sample.accelerations };
+            count += 1;
         }
-        nearest_polynomial(&known, 0.0, self.accelerations.like(|_| 0.0), |change: &M::Q| self.motion.size(change))
+        nearest_polynomial(&known[..count], 0.0, self.accelerations.like(|_| 0.0), |change: &M::Q| {
+            self.motion.size(change)
+        })
     }
 }
 

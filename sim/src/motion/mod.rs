@@ -1,5 +1,6 @@
 //! The equations of motion of one mechanism, and how its states are kept on the constraints.
 
+pub(crate) mod ahead;
 pub(crate) mod equations;
 pub(crate) mod field;
 pub(crate) mod generalized_speeds;

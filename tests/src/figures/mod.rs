@@ -3,6 +3,7 @@
 //! An area has subjects, each a function that measures its lines one after the other; a line is printed as soon as its
 //! value is known.
 
+mod binary;
 mod builds;
 mod counts;
 mod files;
@@ -12,6 +13,7 @@ mod numbers;
 mod rooms;
 mod size;
 mod sizes;
+mod walker;
 
 use std::fmt::Display;
 

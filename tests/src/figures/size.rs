@@ -2,9 +2,11 @@
 
 use super::counts::{derived, operations};
 use super::growth::growth;
+use super::walker::walker_runs;
 use super::{Subject, Table};
 
-pub(super) const SUBJECTS: &[Subject] = &[("robots", robots), ("walker", walker), ("growth", growth)];
+pub(super) const SUBJECTS: &[Subject] =
+    &[("robots", robots), ("walker", walker), ("runs", walker_runs), ("growth", growth)];
 
 /// A kernel, and the operations of the recursion that is specialised to the robot (articulated bodies, Newton-Euler and
 /// composite bodies in the bodies' own frames, inertial parameters regrouped), sines aside.

@@ -8,7 +8,7 @@ mod sparse;
 mod turned;
 
 pub(crate) use dense::Dense;
-pub(crate) use sparse::{Sparse, is_sparse, sparse_rows};
+pub(crate) use sparse::{Envelope, Sparse, is_sparse, sparse_rows};
 pub(crate) use turned::{may_have_turned, mixed_pivots};
 
 use crate::motion::measures::Measures;

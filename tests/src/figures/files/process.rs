@@ -2,9 +2,8 @@
 
 use super::milliseconds;
 use crate::figures::Table;
+use crate::figures::binary::Binary;
 use std::io;
-use std::path::{Path, PathBuf};
-use std::process::Command;
 use std::time::Instant;
 
 /// Runs of the binary, of which the median counts.
@@ -18,20 +17,8 @@ pub(super) fn whole_process(table: &mut Table) {
 }
 
 fn processes(table: &mut Table) -> io::Result<()> {
-    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let folder = workspace.join("target/figures-files");
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder)?;
-    let mut build = Command::new("cargo");
-    succeed(build.args(["build", "--release", "--quiet", "-p", "sim"]).current_dir(&workspace))?;
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or(workspace.join("target"), PathBuf::from);
-    let sim = target.join("release/sim");
-    let command = |words: &[&str]| {
-        let mut command = Command::new(&sim);
-        command.args(words).current_dir(&folder);
-        command
-    };
-    succeed(&mut command(&["new", "--file", "quick-return.mech", "--from", "quick-return"]))?;
+    let binary = Binary::built("figures-files")?;
+    binary.succeed(&["new", "--file", "quick-return.mech", "--from", "quick-return"])?;
     let without_png = ["run", "quick-return.mech", "--quiet", "--no-png"];
     let plain = ["run", "quick-return.mech", "--quiet", "--no-figures", "--no-report"];
     for (what, words, bound) in [
@@ -42,19 +29,11 @@ fn processes(table: &mut Table) -> io::Result<()> {
         let mut times = Vec::new();
         for _ in 0..PROCESSES {
             let clock = Instant::now();
-            succeed(&mut command(words))?;
+            binary.succeed(words)?;
             times.push(milliseconds(clock.elapsed()));
         }
         times.sort_by(f64::total_cmp);
         table.at_most(&format!("sim run quick-return.mech, {what}"), times[PROCESSES / 2], bound);
     }
     Ok(())
-}
-
-fn succeed(command: &mut Command) -> io::Result<()> {
-    let output = command.output()?;
-    match output.status.success() {
-        true => Ok(()),
-        false => Err(io::Error::other(String::from_utf8_lossy(&output.stderr).into_owned())),
-    }
 }
