@@ -71,6 +71,26 @@ fn a_run_from_a_file_is_made_again() {
     }
 }
 
+/// Columns by names and patterns, in their order, with the time; a name that no column has is refused before the run.
+#[test]
+fn columns_may_be_chosen() {
+    let folder = folder("columns", &[("bob.mech", BOB)]);
+    let run = |words: &[&str]| within(&folder, &[&["run", "--no-figures", "--no-report"], words].concat());
+    let header = |out: &str| {
+        let text = fs::read_to_string(folder.join(out).join("trajectory.csv")).unwrap();
+        text.lines().next().unwrap().to_owned()
+    };
+    assert!(run(&["bob.mech", "--columns", "height,phi*t", "--out", "few"]).status.success());
+    assert_eq!(header("few"), "t [s],phi_dot [rad/s],phi_ddot [rad/s^2],height [mm]");
+    assert!(run(&["few/run.json", "--out", "again"]).status.success());
+    assert_eq!(header("again"), header("few"));
+    assert!(run(&["bob.mech", "--out", "all"]).status.success());
+    assert_eq!(column(&folder.join("few"), "height [mm]"), column(&folder.join("all"), "height [mm]"));
+    let refused = run(&["bob.mech", "--columns", "hieght", "--out", "none"]);
+    assert!(!folder.join("none").exists() && refused.status.code() == Some(2));
+    assert!(stderr(&refused).contains("no column is called `hieght`; did you mean `height`?"), "{}", stderr(&refused));
+}
+
 /// Without PNG, those of an earlier run in the folder are gone too.
 #[test]
 fn figures_may_be_vectors_alone() {

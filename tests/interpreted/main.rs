@@ -5,6 +5,7 @@
 mod against_oracle;
 mod links;
 mod mangled;
+mod many_rows;
 mod parts;
 mod robots;
 

@@ -180,6 +180,11 @@ fn unknown<'a>(kind: &str, name: &str, known: impl Iterator<Item = &'a str>) -> 
 }
 
 fn not_among(kind: &str, name: &str, known: &[&str]) -> Stop {
+    Stop::Usage(missing(kind, name, known))
+}
+
+/// The sentence on a name that nothing has.
+fn missing(kind: &str, name: &str, known: &[&str]) -> String {
     let near = nearest::suggestion(name, known.iter().copied());
-    Stop::Usage(format!("no {kind} is called `{name}`{near}\nknown: {}", known.join(", ")))
+    format!("no {kind} is called `{name}`{near}\nknown: {}", known.join(", "))
 }

@@ -115,9 +115,42 @@ impl Table {
         self.outputs().iter().filter_map(|column| Some((column.name.as_str(), self.times()[first(column)?]))).collect()
     }
 
+    /// The same with the time and these columns alone, each by its name or, where `*` stands for anything, by a pattern.
+    ///
+    /// # Errors
+    /// The first word that is the name of no column.
+    pub fn choose<'w>(&self, words: &'w [String]) -> Result<Table, &'w str> {
+        let are_asked = |column: &Column| words.iter().any(|word| is_like(word, &column.name));
+        if let Some(word) = words.iter().find(|word| !self.columns.iter().any(|column| is_like(word, &column.name))) {
+            return Err(word);
+        }
+        let chosen = |columns: &[Column]| columns.iter().filter(|column| are_asked(column)).cloned().collect();
+        let (before, outputs) = self.columns.split_at(self.first_output);
+        let (time, before) = before.split_at(1);
+        let columns: Vec<Column> = [time.to_vec(), chosen(before), chosen(outputs)].concat();
+        let first_output = columns.len() - outputs.iter().filter(|column| are_asked(column)).count();
+        Ok(Table { columns, provenance: self.provenance.clone(), first_output })
+    }
+
+    /// The table of no samples of a mechanism: what its columns are called.
+    pub(crate) fn headers(description: &'static Description) -> Table {
+        Table::empty(description, 0)
+    }
+
     /// A column by name.
     pub fn column(&self, name: &str) -> Option<&Column> {
         self.columns.iter().find(|column| column.name == name)
+    }
+}
+
+/// Whether a name is like a pattern, in which `*` stands for any letters or none.
+fn is_like(pattern: &str, name: &str) -> bool {
+    match pattern.split_once('*') {
+        None => pattern == name,
+        Some((head, tail)) => {
+            let rest = name.strip_prefix(head);
+            rest.is_some_and(|rest| (0..=rest.len()).any(|k| rest.is_char_boundary(k) && is_like(tail, &rest[k..])))
+        }
     }
 }
 

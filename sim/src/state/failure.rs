@@ -38,15 +38,21 @@ impl Failure {
     }
 }
 
+/// The coordinates that a message shows.
+const MOST_SHOWN: usize = 12;
+
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let coordinates = self.state.iter().zip(&self.units);
-        let state: Vec<String> = coordinates
+        let coordinates = self.state.iter().zip(&self.units).take(MOST_SHOWN);
+        let mut state: Vec<String> = coordinates
             .map(|((name, value), (unit, factor))| {
                 let unit = if *unit == "1" { String::new() } else { format!(" {unit}") };
                 format!("{name} = {}{unit}", readable(value / factor))
             })
             .collect();
+        if self.state.len() > MOST_SHOWN {
+            state.push(format!("and {} others", self.state.len() - MOST_SHOWN));
+        }
         write!(f, "at t = {:.6} s, {}: {}", self.time, state.join(", "), self.what)
     }
 }

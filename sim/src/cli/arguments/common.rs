@@ -1,8 +1,10 @@
 //! Arguments of several commands.
 
-use crate::Format;
+use crate::cli::missing;
 use crate::output::show::FigureSettings;
+use crate::{Format, Table};
 use clap::Args;
+use std::borrow::Cow;
 
 /// The form of the output.
 #[derive(Args, Clone, Copy)]
@@ -50,6 +52,10 @@ pub(in crate::cli) struct WrittenArguments {
     #[arg(long, value_name = "FORMAT", value_delimiter = ',', default_value = "csv", value_parser = format)]
     pub(in crate::cli) format: Vec<Format>,
 
+    /// Columns of the table, besides the time, as in `--columns 'alpha*,work'`; `*` stands for anything [default: all].
+    #[arg(long, value_name = "NAME", value_delimiter = ',')]
+    pub(in crate::cli) columns: Vec<String>,
+
     /// Width and height of figures in pixels of SVG; PNG has twice as many.
     #[arg(long, value_name = "WxH", default_value = "960x540")]
     pub(in crate::cli) size: Size,
@@ -69,6 +75,18 @@ pub(in crate::cli) struct WrittenArguments {
 }
 
 impl WrittenArguments {
+    /// The asked columns of a table.
+    ///
+    /// # Errors
+    /// If one is not there.
+    pub(in crate::cli) fn chosen<'t>(&self, table: &'t Table) -> Result<Cow<'t, Table>, String> {
+        if self.columns.is_empty() {
+            return Ok(Cow::Borrowed(table));
+        }
+        let names: Vec<&str> = table.columns.iter().map(|column| column.name.as_str()).collect();
+        table.choose(&self.columns).map(Cow::Owned).map_err(|word| missing("column", word, &names))
+    }
+
     /// How figures are written.
     pub(in crate::cli) fn figures(&self) -> FigureSettings {
         FigureSettings { size: self.size.show(), png: !self.no_png }

@@ -49,6 +49,7 @@ impl WatchArguments {
             out: None,
             written: WrittenArguments {
                 format: vec![Format::Csv],
+                columns: Vec::new(),
                 size: Size(960.0, 540.0),
                 csv_comments: false,
                 no_figures: false,

@@ -51,6 +51,7 @@ fn asked<M: Mechanism>(mechanism: &M, arguments: &PoincareArguments) -> Result<A
     if !(1e-14..=0.1).contains(&arguments.rtol) {
         return Err(Stop::Usage("--rtol from 1e-14 to 0.1 is possible; numbers here have 16 digits".into()));
     }
+    arguments.written.chosen(&Table::headers(description)).map_err(Stop::Usage)?;
     let section = Sectioning { event, crossing: arguments.direction.crossing(), count: arguments.count as usize };
     let end = positive("--t-end", &arguments.t_end)?;
     let settings = Settings::adaptive(Method::Dop853, end, arguments.rtol);

@@ -47,6 +47,7 @@ pub(in crate::cli) fn asked<M: Mechanism>(mechanism: &M, arguments: &RunArgument
     let (mechanism, start) = as_given(mechanism, &arguments.set, &arguments.initial)?;
     let mechanism = held_at(&mechanism, &arguments.input)?;
     let settings = arguments.settings.settings(mechanism.description())?;
+    arguments.written.chosen(&Table::headers(mechanism.description())).map_err(Stop::Usage)?;
     let reproduction = Reproduction::new(&mechanism, &start, &settings, arguments);
     Ok(Asked { mechanism, start, settings, reproduction })
 }

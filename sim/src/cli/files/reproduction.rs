@@ -160,6 +160,9 @@ fn options(settings: &Settings, arguments: &RunArguments, events: &[sim_kernel::
         put("until", format!("{name}:{}", stop.occurrence).into());
     }
     put("format", arguments.written.format.iter().map(|format| format.name()).collect::<Vec<_>>().into());
+    if !arguments.written.columns.is_empty() {
+        put("columns", arguments.written.columns.clone().into());
+    }
     put("size", arguments.written.size.to_string().into());
     put("csv-comments", arguments.written.csv_comments.into());
     put("no-figures", arguments.written.no_figures.into());

@@ -8,6 +8,7 @@ use crate::output::show::{FigureSettings, Figures, ShowError};
 use crate::{Format, Table, write_commented_csv, write_table};
 use serde_json::Value;
 use sim_kernel::Description;
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 /// Files written one after the other, and finally moved to a folder. One that cannot be written does not stop the
@@ -44,8 +45,13 @@ impl Files {
         }
     }
 
-    /// Writes a table in all formats that are asked for.
+    /// Writes the columns of a table that are asked for, all if one is not there, in all formats that are.
     pub(in crate::cli) fn add_table(&mut self, table: &Table, written: &WrittenArguments) {
+        let chosen = written.chosen(table).unwrap_or_else(|why| {
+            self.failures.push(why);
+            Cow::Borrowed(table)
+        });
+        let table = &*chosen;
         for format in Format::ALL.iter().filter(|format| written.format.contains(format)) {
             self.add(&format!("trajectory.{}", format.name()), |path| match format {
                 Format::Csv if written.csv_comments => write_commented_csv(table, path),

@@ -53,7 +53,8 @@ pub(crate) fn mixed_pivots<M: Mechanism>(mechanism: &M, before: &M::Entries, aft
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::DMatrix;
+    use crate::motion::rows::{Rows, Sparse};
+    use nalgebra::{DMatrix, DVector};
 
     sim_kernel::mechanism! {
         /// Eight rods that hang from each other, each a free body.
@@ -65,6 +66,31 @@ mod tests {
             bodies { rod_[i]: free, mass m, inertia m*l^2/12; }
             let P_[i] = on(rod_[i], [l/2, 0]);
             joints { pin_[i]: pin P_[i-1] to on(rod_[i], [-l/2, 0]); }
+        }
+    }
+
+    /// The part of a row by its factors is what orthogonal projection leaves of it, and its square is the mixed pivot of a
+    /// position with itself; with half of the digits, since the factors are those of squares.
+    #[test]
+    fn parts_are_what_projection_leaves() {
+        let mechanism = Chain::<f64>::default();
+        for k in 0..40 {
+            let q = <Chain<f64> as Mechanism>::Q::with_len(24, |i| (f64::from(k) * 1.7 + i as f64 * 2.3).sin() * 3.0);
+            let entries = mechanism.sparse_linearization(0.0, &q).jacobian;
+            let mut factors = Sparse::no_factors(&mechanism);
+            Sparse::factorise(&mechanism, &entries, &mut factors).expect("finite");
+            let pivots = mixed_pivots(&mechanism, &entries, &entries);
+            let (rows, jacobian) = (sparse_rows(&mechanism), mechanism.constraint_jacobian(0.0, &q));
+            let of = |k: usize| DVector::from_fn(24, |j, _| jacobian[rows[k].constraint][j]);
+            for k in 0..rows.len() {
+                let before = DMatrix::from_columns(&(0..k).map(of).collect::<Vec<_>>());
+                let along = before.svd(true, false).u.unwrap_or_default();
+                let left = of(k) - &along * (along.transpose() * of(k));
+                let part = factors.part(&mechanism, &entries, rows[k].constraint);
+                let off = (DVector::from_column_slice(part.as_ref()) - &left).norm();
+                let square = (pivots[rows[k].constraint] - left.norm_squared()).abs();
+                assert!(off < 1e-8 && square < 1e-8, "{k}: {off:e} {square:e}");
+            }
         }
     }
 
