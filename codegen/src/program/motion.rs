@@ -231,8 +231,8 @@ pub(super) fn system(equations: &EquationsOfMotion, form: &ConstraintForm, lower
     system_with(equations, entries, form, lowering)
 }
 
-/// The same without the mass matrix, where only the constraint Jacobian in coordinates alone is wanted. Its entries
-/// decide the order in which intermediates are eliminated, so they stay where there are any.
+/// The same without the mass matrix, which the constraint Jacobian of many constraints does not need. Its entries decide
+/// the order in which intermediates are eliminated, so they stay where there are any.
 pub(super) fn constraint_system(equations: &EquationsOfMotion, lowering: &mut Lowering) -> System {
     match equations.intermediates.is_empty() {
         true => system_with(equations, Vec::new(), &equations.declared, lowering),

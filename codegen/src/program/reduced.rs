@@ -33,7 +33,7 @@ pub(super) fn dense_mass_matrix(equations: &EquationsOfMotion, lowering: &mut Lo
 /// C_q, m x n.
 pub(super) fn constraint_jacobian(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
     let first = equations.variables.len();
-    let system = constraint_system(equations, lowering);
+    let system = system(equations, &equations.declared, lowering);
     matrix(equations, lowering, system, first..first + equations.model.constraints.len())
 }
 

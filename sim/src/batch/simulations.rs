@@ -91,7 +91,7 @@ impl<M: Mechanism> Block<'_, M> {
             starts.push(self.simulations[*lane].start_of_step()?.clone());
         }
         let longest = lanes.map(|lane| self.simulations[lane].motion().longest());
-        plain.longest.replace(gather(|lane| &longest[lane]));
+        plain.longest.set(gather(|lane| &longest[lane]));
         let from = sample::<M>(plain.mechanism(), &starts);
         let time = Lanes::from_fn(|lane| targets[lanes[lane]].map_or(f64::NAN, |target| target.time));
         let tolerance = targets[lanes[0]].and_then(|target| target.tolerance);
@@ -129,7 +129,7 @@ impl<M: Mechanism> SideBySide<M> {
             error: reached.error(in_lane),
             to: sample_of::<M>(&reached.to, lane, simulation.mechanism().inputs()),
             closeness: in_lane(reached.closeness),
-            longest: lane_of(&*plain.longest.borrow(), lane),
+            longest: lane_of(&plain.longest.get(), lane),
             evaluations: reached.evaluations,
         };
         simulation.take_attempt(target, attempted, method, in_lane)

@@ -45,14 +45,14 @@ pub(super) fn attempt<M: Mechanism>(
     if !(error <= 1.0) {
         return Ok(error);
     }
-    let before = end.clone();
+    let before = tolerance.map(|tolerance| (tolerance, end.clone()));
     motion.keep(&mut end)?;
-    *to = motion.sample_in_place(end.clone())?;
-    let moved = |tolerance: &Tolerance| {
+    let moved = before.map(|(tolerance, before)| {
         let [positions, speeds] = difference(&before, &end);
         tolerance.norm(motion.measures(), &before, &end, [&positions, &speeds])
-    };
-    Ok(tolerance.map_or(error, |tolerance| with_move(error, moved(tolerance), motion.relative_sine())))
+    });
+    *to = motion.sample_in_place(end)?;
+    Ok(moved.map_or(error, |moved| with_move(error, moved, motion.relative_sine())))
 }
 
 /// The estimate of an error with the move by projection, in units of the tolerance, to where this is the smallest sine.

@@ -6,6 +6,7 @@ use crate::motion::measures::Measures;
 use crate::motion::reduction::Reduction;
 use crate::numerics::solve::{Solved, solve};
 use crate::state::failure::{Failure, What, constraint_name};
+use crate::state::trajectory::State;
 use sim_kernel::{Array, Dynamics, Mechanism};
 
 /// M^-1 C_q' (C_q M^-1 C_q')^-1 r: the change of speeds by an impulse along the constraints that changes their rates by
@@ -105,11 +106,9 @@ pub(crate) fn solve_equations<M: Mechanism>(
 pub(crate) fn accelerate_redundant<M: Mechanism>(
     mechanism: &M,
     measures: &Measures<M>,
-    time: f64,
-    q: &M::Q,
-    qd: &M::Q,
+    state: State<M>,
 ) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
-    accelerate_by_pivoting(mechanism, Some(measures), time, q.clone(), qd.clone())
+    accelerate_by_pivoting(mechanism, Some(measures), state.time, state.positions, state.speeds)
 }
 
 /// Whether all of a solution is.

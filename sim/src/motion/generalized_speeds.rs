@@ -8,9 +8,9 @@ use crate::motion::measures::Measures;
 use crate::motion::project::project;
 use crate::numerics::arrays::inner;
 use crate::numerics::solve::Definite;
+use crate::state::slot::Slot;
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
-use std::cell::RefCell;
 
 /// The least fraction of the longest distance so far between a row of W, or of the rows that hold by construction, and
 /// the rows before it. With 0.7, equal steps of order 4 near the singularity are fifty times worse than in rates; with
@@ -29,21 +29,22 @@ pub(crate) fn determine_speeds<M: Mechanism>(
     mechanism: &M,
     measures: &Measures<M>,
     (from, time): (&Sample<M>, f64),
-    farthest: &RefCell<M::Q>,
+    farthest: &Slot<M::Q>,
 ) -> bool {
     let Some(left) = mechanism.rows_left() else { return false };
     let state = &from.state;
     let distances_at =
         |positions, time| distances(mechanism, measures, &State { time, positions, ..state.clone() }, left);
-    let lengthen = |by: &M::Q| farthest.replace_with(|longest| longest.like(|row| longest[row].max(by[row])));
-    if farthest.borrow().iter().all(|square| *square == 0.0) {
-        around(mechanism, measures, state).for_each(|beside| {
-            lengthen(&distances_at(beside.positions, beside.time));
-        });
+    let lengthen = |by: &M::Q| {
+        let longest = farthest.take();
+        farthest.set(longest.like(|row| longest[row].max(by[row])));
+    };
+    if farthest.get().iter().all(|square| *square == 0.0) {
+        around(mechanism, measures, state).for_each(|beside| lengthen(&distances_at(beside.positions, beside.time)));
     }
     let here = distances_at(state.positions.clone(), state.time);
     lengthen(&here);
-    let longest = farthest.borrow();
+    let longest = farthest.get();
     let are_apart = |found: &M::Q| (0..found.len()).all(|row| found[row] > LEAST_PART * LEAST_PART * longest[row]);
     let ahead = |fraction: f64| {
         let h = fraction * (time - state.time);

@@ -33,6 +33,7 @@ use crate::motion::residuals::rates;
 use crate::state::failure::{Failure, What};
 use crate::state::saved::{Bytes, Damaged};
 use crate::state::settings::Stabilisation;
+use crate::state::slot::Slot;
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 use std::cell::{Cell, RefCell};
@@ -47,7 +48,7 @@ pub struct Motion<M: Mechanism> {
     measures: Measures<M>,
     evaluations: Cell<u64>,
     /// The squares of the longest rows of C_q so far.
-    longest: RefCell<M::L>,
+    longest: Slot<M::L>,
     /// With redundant constraints, the largest value so far of the smallest sine.
     widest: Cell<f64>,
     /// 1/s^2 where a state was last projected onto the constraints; s is the smallest sine between a row of C_q and
@@ -58,7 +59,7 @@ pub struct Motion<M: Mechanism> {
     /// Whether the step is made in generalised speeds.
     is_in_speeds: Cell<bool>,
     /// The squares of the longest distances so far between the rows that then determine the speeds.
-    farthest_of_speeds: RefCell<M::Q>,
+    farthest_of_speeds: Slot<M::Q>,
 }
 
 impl<M: Mechanism> Motion<M> {
@@ -70,12 +71,12 @@ impl<M: Mechanism> Motion<M> {
             partition: RefCell::new(Partition::new(&mechanism)),
             measures,
             evaluations: Cell::new(0),
-            longest: RefCell::new(M::L::repeat(mechanism.m(), 0.0)),
+            longest: Slot::new(M::L::repeat(mechanism.m(), 0.0)),
             widest: Cell::new(0.0),
             closeness: Cell::new(0.0),
             keeps_stages: Cell::new(false),
             is_in_speeds: Cell::new(false),
-            farthest_of_speeds: RefCell::new(M::Q::repeat(mechanism.n(), 0.0)),
+            farthest_of_speeds: Slot::new(M::Q::repeat(mechanism.n(), 0.0)),
             mechanism,
         }
     }
@@ -128,7 +129,7 @@ impl<M: Mechanism> Motion<M> {
     /// Takes what a projection elsewhere found: 1/s^2, as [`keep`](Motion::keep), and the greatest squared lengths of rows.
     pub(crate) fn take_projection(&self, closeness: f64, longest: M::L) {
         self.closeness.set(closeness);
-        self.longest.replace(longest);
+        self.longest.set(longest);
     }
 
     /// The right-hand side at a state inside a step. With partitioning, the dependent parts of the coordinates are
@@ -150,10 +151,11 @@ impl<M: Mechanism> Motion<M> {
         }
         let mut dynamics = match self.measures.is_redundant() {
             false => solve_equations(&self.mechanism, &self.prepared, state.time, &state.positions, &state.speeds)?,
-            true => accelerate_redundant(&self.mechanism, &self.measures, state.time, &state.positions, &state.speeds)?,
+            // By value, as below, so that other states stay in registers.
+            true => accelerate_redundant(&self.mechanism, &self.measures, state.clone())?,
         };
         if let Stabilisation::Baumgarte(rate) = self.stabilisation {
-            let push = baumgarte(&self.mechanism, &self.measures, &state, rate)?;
+            let push = baumgarte(&self.mechanism, &self.measures, state.clone(), rate)?;
             dynamics.accelerations = dynamics.accelerations.like(|i| dynamics.accelerations[i] - push[i]);
         }
         Ok(Sample::new(state, dynamics, self.mechanism.inputs()))
@@ -242,7 +244,7 @@ impl<M: Mechanism> Motion<M> {
 
     /// The squares of the longest rows of C_q so far.
     pub(crate) fn longest(&self) -> M::L {
-        self.longest.borrow().clone()
+        self.longest.get()
     }
 
     /// Records a smallest sine: for combinations of redundant constraints its regular value depends on the mechanism,
@@ -255,8 +257,9 @@ impl<M: Mechanism> Motion<M> {
 
     /// Records the squares of the lengths of rows.
     pub(crate) fn lengthen(&self, square: impl Fn(usize) -> f64) {
-        let mut longest = self.longest.borrow_mut();
+        let mut longest = self.longest.take();
         longest.as_mut().iter_mut().enumerate().for_each(|(row, longest)| *longest = longest.max(square(row)));
+        self.longest.set(longest);
     }
 
     /// Whether the step is made in generalised speeds.
@@ -295,12 +298,7 @@ impl<M: Mechanism> Motion<M> {
 /// The correction that Baumgarte's method subtracts from the accelerations: x with
 /// [M C_q'; C_q 0] [x; .] = [0; 2 a C' + a^2 C].
 #[cold]
-fn baumgarte<M: Mechanism>(
-    mechanism: &M,
-    measures: &Measures<M>,
-    state: &State<M>,
-    rate: f64,
-) -> Result<M::Q, Failure> {
+fn baumgarte<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: State<M>, rate: f64) -> Result<M::Q, Failure> {
     let linear = mechanism.constraint_linearization(state.time, &state.positions);
     let speeds = rates(mechanism, &linear, &state.speeds);
     let open = speeds.like(|i| 2.0 * rate * speeds[i] + rate * rate * linear.values[i]);

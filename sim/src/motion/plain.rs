@@ -9,9 +9,10 @@ use super::project::project_by_rows;
 use super::velocity_variables::Integrated;
 use crate::numerics::numbers::are_finite;
 use crate::state::failure::{Failure, What};
+use crate::state::slot::Slot;
 use crate::state::trajectory::{Rates, Sample, State};
 use sim_kernel::{Array, Mask, Mechanism, Scalar};
-use std::cell::{Cell, RefCell};
+use std::cell::Cell;
 
 /// The equations of motion of one mechanism, or of several side by side.
 #[derive(Clone, Debug)]
@@ -20,7 +21,7 @@ pub(crate) struct Plain<M: Mechanism<S>, S: Scalar> {
     prepared: M::Prepared,
     measures: Measures<M, S>,
     /// The greatest squared length so far of each row of C_q D.
-    pub(crate) longest: RefCell<M::L>,
+    pub(crate) longest: Slot<M::L>,
     /// The number of right-hand sides evaluated so far.
     pub(crate) evaluations: Cell<u64>,
 }
@@ -28,7 +29,7 @@ pub(crate) struct Plain<M: Mechanism<S>, S: Scalar> {
 impl<S: Scalar, M: Mechanism<S>> Plain<M, S> {
     /// The equations of motion of a mechanism without redundant constraints.
     pub(crate) fn new(mechanism: M, measures: Measures<M, S>) -> Plain<M, S> {
-        let longest = RefCell::new(M::L::repeat(mechanism.m(), S::ZERO));
+        let longest = Slot::new(M::L::repeat(mechanism.m(), S::ZERO));
         Plain { prepared: mechanism.prepare(), measures, longest, evaluations: Cell::new(0), mechanism }
     }
 

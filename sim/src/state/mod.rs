@@ -6,5 +6,6 @@ pub(crate) mod interpolate;
 pub(crate) mod provenance;
 pub(crate) mod saved;
 pub(crate) mod settings;
+pub(crate) mod slot;
 pub(crate) mod trajectory;
 pub(crate) mod what;

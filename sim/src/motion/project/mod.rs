@@ -18,11 +18,11 @@ use crate::numerics::arrays::subtract;
 use crate::numerics::numbers::{are_finite, larger};
 use crate::numerics::solve::Undefined;
 use crate::state::failure::{Failure, What, constraint_name, largest};
+use crate::state::slot::Slot;
 use crate::state::trajectory::State;
 pub(crate) use by_mass::{by_mass, smallest_by_inertia};
 use redundant::{correct_redundant_positions, project_redundant, reduced_change};
 use sim_kernel::{Array, ConstraintLinearization, Mask, Mechanism, Scalar};
-use std::cell::RefCell;
 
 /// Corrections after which a projection that has not converged is given up.
 const MOST_CORRECTIONS: usize = 10;
@@ -41,7 +41,7 @@ type Linearization<M> = ConstraintLinearization<<M as Mechanism>::L, <M as Mecha
 /// As those, and [`What::SingularPosition`] where constraints are dependent that were independent at the start.
 #[inline]
 pub fn project<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &mut State<M>) -> Result<(), Failure> {
-    project_measured(mechanism, measures, state, &RefCell::new(M::L::repeat(mechanism.m(), 0.0))).map(|_| ())
+    project_measured(mechanism, measures, state, &Slot::new(M::L::repeat(mechanism.m(), 0.0))).map(|_| ())
 }
 
 /// The same; gives 1/s^2, where s is the smallest sine between a row of C_q D and those before it, of those that are
@@ -51,7 +51,7 @@ pub(crate) fn project_measured<M: Mechanism>(
     mechanism: &M,
     measures: &Measures<M>,
     state: &mut State<M>,
-    longest: &RefCell<M::L>,
+    longest: &Slot<M::L>,
 ) -> Result<f64, Failure> {
     if mechanism.m() > 0 && measures.is_redundant() {
         return project_redundant(mechanism, measures, state);
@@ -68,7 +68,7 @@ pub(crate) fn project_by_rows<S: Scalar, M: Mechanism<S>>(
     mechanism: &M,
     measures: &Measures<M, S>,
     state: &mut State<M, S>,
-    longest: &RefCell<M::L>,
+    longest: &Slot<M::L>,
 ) -> Result<S, Failure> {
     match (mechanism.m(), is_sparse(mechanism)) {
         (0, _) => Ok(S::ZERO),
@@ -83,7 +83,7 @@ fn project_independent<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     mechanism: &M,
     measures: &Measures<M, S>,
     state: &mut State<M, S>,
-    longest: &RefCell<M::L>,
+    longest: &Slot<M::L>,
 ) -> Result<S, Failure> {
     let (time, q) = (state.time, &mut state.positions);
     let (mut linear, mut factors) = (R::linearization(mechanism, time, q), R::no_factors(mechanism));
@@ -104,12 +104,13 @@ fn project_independent<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     if !R::is_regular(mechanism, &factors) {
         check_dependent_rates::<S, M, R>(mechanism, &linear, measures, time, q, &state.speeds)?;
     }
-    let (mut squares, mut closeness) = (longest.borrow_mut(), S::ZERO);
+    let (mut squares, mut closeness) = (longest.take(), S::ZERO);
     for k in 0..mechanism.m() {
         let (row, (square, inverse_pivot)) = (R::constraint(mechanism, k), R::pivot(mechanism, &factors, k));
         squares[row] = larger(squares[row], square);
         closeness = larger(closeness, squares[row] * inverse_pivot);
     }
+    longest.set(squares);
     Ok(closeness)
 }
 
