@@ -84,21 +84,33 @@ fn tells_of_a_place(message: &str) -> bool {
 fn shown(message: &str, [start, end]: [Position; 2], file: &str, text: &str) -> String {
     let (message, more) = message.split_once('\n').unwrap_or((message, ""));
     let Position { line, column, .. } = start;
-    let words = text.lines().nth(line).unwrap_or_default();
+    let words: Vec<char> = text.lines().nth(line).unwrap_or_default().chars().collect();
     let number = (line + 1).to_string();
     let margin = " ".repeat(number.len());
-    let length = words.chars().count();
-    let end = if end.line == line { end.column } else { length };
-    let underline = "^".repeat(end.min(length.max(column + 1)).saturating_sub(column).max(1));
+    let [first, last] = excerpt(words.len(), column);
+    let [before, after] = [first > 0, last < words.len()].map(|is_cut| if is_cut { "..." } else { "" });
+    let end = if end.line == line { end.column } else { words.len() };
+    let underline = "^".repeat(end.min(last.max(column + 1)).saturating_sub(column).max(1));
     // Tabs stay tabs, so that the mark stands under the word.
-    let indent: String = words.chars().take(column).map(|c| if c == '\t' { c } else { ' ' }).collect();
+    let blank = before.chars().chain(words[first..last].iter().copied().take(column - first));
+    let indent: String = blank.map(|c| if c == '\t' { c } else { ' ' }).collect();
+    let words: String = words[first..last].iter().collect();
     let mut out = format!("{message}\n{margin}--> {file}:{number}:{}\n{margin} |\n", column + 1);
-    out += &format!("{number} | {words}\n{margin} | {indent}{underline}");
+    out += &format!("{number} | {before}{words}{after}\n{margin} | {indent}{underline}");
     more.lines().for_each(|line| {
         // Writing to a string does not fail.
         let _ = write!(out, "\n{margin} = {}", line.trim_start());
     });
     out
+}
+
+/// The longest line that is shown whole, in characters.
+const WIDEST: usize = 160;
+
+/// The columns of a line that are shown: all, or those around a column.
+fn excerpt(length: usize, column: usize) -> [usize; 2] {
+    let first = column.saturating_sub(WIDEST / 2).min(length.saturating_sub(WIDEST)).min(column);
+    [first, length.min(first + WIDEST)]
 }
 
 impl Position {
@@ -122,6 +134,20 @@ mod tests {
         let shown =
             "no word\n --> bob.mech:3:16\n  |\n3 | \tbodies { ball: mas m; }\n  | \t              ^^^\n  = known: mass";
         assert_eq!(mistake.shown("bob.mech", text), shown);
+        // Of a long line the part around the word, with dots where it is cut.
+        let long = format!("a{};\n", " + a".repeat(100));
+        let (message, related) = ("no word".into(), Vec::new());
+        let mistake = Mistake {
+            code: "E-FORM",
+            message,
+            start: Position::of(&long, 0, 200),
+            end: Position::of(&long, 0, 201),
+            related,
+        };
+        let shown = mistake.shown("bob.mech", &long);
+        let lines: Vec<&str> = shown.lines().collect();
+        assert!(lines[3].starts_with("1 | ...a + a") && lines[3].ends_with("a + a + ..."), "{shown}");
+        assert_eq!(lines[3].chars().nth(lines[4].chars().count() - 1), Some('a'), "{shown}");
         // A letter of four bytes and two units stands before this.
         assert_eq!(at(1, 16), Position { line: 1, column: 16, column_utf16: 17, byte: 9 + 19 });
         assert_eq!(at(9, 0).byte, text.len());

@@ -12,8 +12,8 @@ pub use close::Form;
 
 use crate::model::AnyMechanism;
 use sim_kernel::Mechanism;
-use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A loop that closes in closed form.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -113,17 +113,17 @@ fn dependence(mechanism: &dyn AnyMechanism, q: &[f64]) -> Vec<Vec<bool>> {
 
 /// One constraint in one unknown coordinate, otherwise two in two, that have not been refused.
 fn next_block(depends: &[Vec<bool>], known: &[bool], refused: &[Block]) -> Option<Block> {
-    let unknowns = |rows: &[usize]| -> Vec<usize> {
-        (0..known.len()).filter(|j| !known[*j] && rows.iter().any(|i| depends[*i][*j])).collect()
-    };
-    let rows = depends.len();
-    let single = (0..rows).map(|i| vec![i]);
-    let pairs = (0..rows).flat_map(|i| (i + 1..rows).map(move |k| vec![i, k]));
-    let blocks = single.chain(pairs).map(|rows| (unknowns(&rows), rows)).map(|(unknowns, rows)| (rows, unknowns));
-    let determines = |(rows, unknowns): &Block| {
-        rows.len() == unknowns.len() && rows.iter().all(|i| unknowns.iter().any(|j| depends[*i][*j]))
-    };
-    blocks.filter(determines).find(|block| !refused.contains(block))
+    let unknowns: Vec<Vec<usize>> =
+        depends.iter().map(|row| (0..known.len()).filter(|j| !known[*j] && row[*j]).collect()).collect();
+    let open: Vec<usize> = (0..depends.len()).filter(|i| (1..=2).contains(&unknowns[*i].len())).collect();
+    let single = open.iter().map(|i| (vec![*i], unknowns[*i].clone()));
+    let pairs = open.iter().enumerate().flat_map(|(k, i)| open[k + 1..].iter().map(move |j| [*i, *j]));
+    let pairs = pairs.map(|[i, k]| {
+        let both: BTreeSet<usize> = unknowns[i].iter().chain(&unknowns[k]).copied().collect();
+        (vec![i, k], both.into_iter().collect())
+    });
+    let is_square = |(rows, unknowns): &Block| rows.len() == unknowns.len();
+    single.chain(pairs).filter(is_square).find(|block| !refused.contains(block))
 }
 
 /// All solutions of a loop from each configuration so far; `None` if its form is unknown. Configurations that differ
