@@ -82,7 +82,7 @@ mod tests {
             let pivots = mixed_pivots(&mechanism, &entries, &entries);
             let (rows, jacobian) = (sparse_rows(&mechanism), mechanism.constraint_jacobian(0.0, &q));
             let of = |k: usize| DVector::from_fn(24, |j, _| jacobian[rows[k].constraint][j]);
-            for k in 0..rows.len() {
+            for k in 1..rows.len() {
                 let before = DMatrix::from_columns(&(0..k).map(of).collect::<Vec<_>>());
                 let along = before.svd(true, false).u.unwrap_or_default();
                 let left = of(k) - &along * (along.transpose() * of(k));
