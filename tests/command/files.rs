@@ -88,7 +88,7 @@ fn columns_may_be_chosen() {
     assert_eq!(column(&folder.join("few"), "height [mm]"), column(&folder.join("all"), "height [mm]"));
     let refused = run(&["bob.mech", "--columns", "hieght", "--out", "none"]);
     assert!(!folder.join("none").exists() && refused.status.code() == Some(2));
-    assert!(stderr(&refused).contains("no column is called `hieght`; did you mean `height`?"), "{}", stderr(&refused));
+    assert!(stderr(&refused).contains("no column is called `hieght` (did you mean `height`?)"), "{}", stderr(&refused));
 }
 
 /// Without PNG, those of an earlier run in the folder are gone too.
