@@ -198,7 +198,6 @@ where
         report_text(&found, &outcome, &table, &about)
     };
     let problem = problem(outcome.failure.as_ref(), &problems);
-    let table = arguments.written.chosen(&table).map_err(Stop::Usage)?.into_owned();
     Ok(Answer { summary, table: Some(table), problem, page: Some(Box::new(page)) })
 }
 

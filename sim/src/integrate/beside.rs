@@ -62,8 +62,8 @@ impl<'a, M: Mechanism> Around<'a, M> {
     /// the motion, but lie on its branch.
     fn extrapolated(&self) -> (M::Q, f64) {
         let (state, measures) = (&self.state, self.motion.measures());
-        let none = || Known { fraction: 0.0, weight: 0.0, values: self.accelerations.clone() };
-        let mut known: [Known<M::Q>; MOST_KNOWN] = std::array::from_fn(|_| none());
+        let none = |_| Known { fraction: 0.0, weight: 0.0, values: self.accelerations.clone() };
+        let mut known: [Known<M::Q>; MOST_KNOWN] = std::array::from_fn(none);
         let mut count = 0;
         for node in 0..MOST_KNOWN {
             // Chebyshev's, denser towards the ends.
@@ -149,6 +149,9 @@ pub(crate) fn first_sample<M: Mechanism>(motion: &Motion<M>, state: State<M>) ->
         note(State { time: state.time + ahead, positions, ..state.clone() });
     }
     let known = direct.accelerations.clone();
-    let better = better_accelerations(motion, state, Some(known.clone()), known.clone(), 0.0);
-    Ok(Sample { accelerations: better.unwrap_or(known), ..direct })
+    let better = better_accelerations(motion, state, Some(known.clone()), known, 0.0);
+    Ok(match better {
+        Some(accelerations) => Sample { accelerations, ..direct },
+        None => direct,
+    })
 }

@@ -54,10 +54,16 @@ impl<M: Mechanism> Dop853<M> {
         )
     }
 
-    fn interpolant(&mut self, motion: &Motion<M>, from: &Sample<M>, to: &Sample<M>) -> Result<[Rates<M>; 7], Failure> {
-        if let Some(interpolant) = &self.interpolant {
-            return Ok(interpolant.clone());
-        }
+    /// The coefficients of the interpolant, which are computed once for a step.
+    fn interpolant(&mut self, motion: &Motion<M>, from: &Sample<M>, to: &Sample<M>) -> Result<&[Rates<M>; 7], Failure> {
+        let coefficients = match self.interpolant.take() {
+            Some(coefficients) => coefficients,
+            None => self.coefficients(motion, from, to)?,
+        };
+        Ok(self.interpolant.insert(coefficients))
+    }
+
+    fn coefficients(&mut self, motion: &Motion<M>, from: &Sample<M>, to: &Sample<M>) -> Result<[Rates<M>; 7], Failure> {
         let h = to.state.time - from.state.time;
         let [start, end] = [from, to].map(|sample| motion.integrated(&sample.state));
         let rates = [from, to].map(|sample| motion.rates(sample));
@@ -76,7 +82,7 @@ impl<M: Mechanism> Dop853<M> {
         let third = sum([(1.0, &difference), (-h, &rates[1]), (-1.0, &second)]);
         let higher = DENSE_D.map(|weights| sum([(h, &self.method.combined(weights)), (0.0, &none), (0.0, &none)]));
         let [a, b, c, d] = higher;
-        Ok(self.interpolant.insert([difference, second, third, a, b, c, d]).clone())
+        Ok([difference, second, third, a, b, c, d])
     }
 }
 

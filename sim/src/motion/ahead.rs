@@ -121,8 +121,8 @@ pub(crate) fn foretold<M: Mechanism>(state: &State<M>, accelerations: &M::Q, ahe
 fn singularity_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &Lie) -> Option<(f64, f64)> {
     let state = &from.state;
     let followed = Followed::at(motion, state);
-    let watch = Watch::new(&followed, from, lie);
-    let may_reverse = |row: &usize| watch.as_ref().is_none_or(|watch| watch.may_reverse(*row));
+    let outlook = followed.is_sparse().then(|| Outlook::new(&followed, from, lie));
+    let may_reverse = |row: &usize| outlook.as_ref().is_none_or(|outlook| outlook.may_reverse(*row));
     let mut rows = (0..motion.mechanism().m()).filter(may_reverse).peekable();
     rows.peek()?;
     let parts = |ahead: f64| followed.parts_at(state.time + ahead, &foretold(state, &from.accelerations, ahead));
@@ -148,59 +148,43 @@ fn singularity_ahead<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, lie: &L
     rows.filter_map(of_row).min_by(|(a, _), (b, _)| a.total_cmp(b))
 }
 
-/// Which sparse rows may reverse on the way ahead. It takes time linear in their number and excludes almost all.
-struct Watch<'a, M: Mechanism> {
+/// Pivots between sparse rows here and ahead, which exclude almost all rows that do not reverse, in the time of a few
+/// projections.
+struct Outlook<'a, M: Mechanism> {
     followed: &'a Followed<'a, M>,
     from: &'a Sample<M>,
     lie: &'a Lie,
     here: M::Entries,
-    /// The pivots here, after the longest ordinary step, and as far as the way over a position in it is searched.
-    squares: M::L,
-    next: M::L,
-    beyond: M::L,
+    /// With those here, after the longest ordinary step, and as far as the way over a position in it is searched.
+    pivots: [M::L; 3],
     longest: M::L,
 }
 
-impl<'a, M: Mechanism> Watch<'a, M> {
-    /// `None` if rows are not sparse.
-    fn new(followed: &'a Followed<'a, M>, from: &'a Sample<M>, lie: &'a Lie) -> Option<Watch<'a, M>> {
-        let here = followed.entries(from.state.time, &from.state.positions)?;
-        let none = || M::L::repeat(followed.motion.mechanism().m(), f64::NAN);
-        let mut watch = Watch {
-            followed,
-            from,
-            lie,
-            here,
-            squares: none(),
-            next: none(),
-            beyond: none(),
-            longest: followed.motion.longest(),
-        };
-        [watch.squares, watch.next, watch.beyond] =
-            [0.0, lie.longest, REACH * lie.longest].map(|ahead| watch.along(ahead));
-        Some(watch)
+impl<'a, M: Mechanism> Outlook<'a, M> {
+    fn new(followed: &'a Followed<'a, M>, from: &'a Sample<M>, lie: &'a Lie) -> Outlook<'a, M> {
+        let here = followed.entries(from.state.time, &from.state.positions);
+        let pivots = [0.0, lie.longest, REACH * lie.longest].map(|ahead| pivots(followed, from, &here, ahead));
+        Outlook { followed, from, lie, here, pivots, longest: followed.motion.longest() }
     }
 
-    /// The pivots between the rows here and ahead.
-    fn along(&self, ahead: f64) -> M::L {
-        let (state, mechanism) = (&self.from.state, self.followed.motion.mechanism());
-        let there = self.followed.entries(state.time + ahead, &foretold(state, &self.from.accelerations, ahead));
-        match there {
-            Some(there) => mixed_pivots(mechanism, &self.here, &there),
-            None => self.longest.like(|_| f64::NAN),
-        }
-    }
-
+    /// Whether a row may reverse on the way that is searched for it.
     fn may_reverse(&self, row: usize) -> bool {
-        let sine = (self.squares[row] / self.longest[row]).sqrt();
-        let falls = sine * (1.0 - self.next[row] / self.squares[row]);
+        let [here, next, beyond] = self.pivots.each_ref().map(|pivots| pivots[row]);
+        let sine = (here / self.longest[row]).sqrt();
+        let falls = sine * (1.0 - next / here);
         let length = self.lie.length(falls);
         let is_clear = match () {
             () if !falls.is_finite() => false,
             () if !may_be_ahead([sine + falls, sine]) => true,
-            () if length > self.lie.longest => self.along(REACH * length)[row] > 0.0,
-            () => self.beyond[row] > 0.0,
+            () if length > self.lie.longest => pivots(self.followed, self.from, &self.here, REACH * length)[row] > 0.0,
+            () => beyond > 0.0,
         };
         !is_clear
     }
+}
+
+/// The pivots between these rows and those after so many seconds.
+fn pivots<M: Mechanism>(followed: &Followed<M>, from: &Sample<M>, here: &M::Entries, ahead: f64) -> M::L {
+    let there = foretold(&from.state, &from.accelerations, ahead);
+    mixed_pivots(followed.motion.mechanism(), here, &followed.entries(from.state.time + ahead, &there))
 }

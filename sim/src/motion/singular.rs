@@ -66,8 +66,8 @@ impl<'a, M: Mechanism> Followed<'a, M> {
     /// The same; of sparse rows by their factors, which cost as much as a projection.
     pub(super) fn parts_at(&self, time: f64, q: &M::Q) -> Parts<M> {
         let mechanism = self.motion.mechanism();
-        if let Some(entries) = self.entries(time, q) {
-            let mut factors = Sparse::no_factors(mechanism);
+        if self.is_sparse() {
+            let (entries, mut factors) = (self.entries(time, q), Sparse::no_factors(mechanism));
             if Sparse::factorise(mechanism, &entries, &mut factors).is_ok() {
                 return Parts::Factored { entries, factors };
             }
@@ -75,29 +75,33 @@ impl<'a, M: Mechanism> Followed<'a, M> {
         Parts::All(self.parts(time, q))
     }
 
-    /// The entries of sparse rows at a position, if they are tracked as they are.
-    pub(super) fn entries(&self, time: f64, q: &M::Q) -> Option<M::Entries> {
+    /// Whether the rows are sparse: combinations of redundant ones are not.
+    pub(super) fn is_sparse(&self) -> bool {
+        is_sparse(self.motion.mechanism()) && self.reduction.is_none()
+    }
+
+    /// The entries of sparse rows at a position.
+    pub(super) fn entries(&self, time: f64, q: &M::Q) -> M::Entries {
         let mechanism = self.motion.mechanism();
-        (is_sparse(mechanism) && self.reduction.is_none()).then(|| {
-            let linear = Sparse::linearization(mechanism, time, q);
-            Sparse::columns(mechanism, &linear.jacobian, self.motion.measures())
-        })
+        let linear = Sparse::linearization(mechanism, time, q);
+        Sparse::columns(mechanism, &linear.jacobian, self.motion.measures())
     }
 
     /// Whether a row may have reversed between two positions. For sparse rows this takes time linear in their number.
     pub(crate) fn may_have_passed(&self, states: [&State<M>; 2]) -> bool {
-        match states.map(|state| self.entries(state.time, &state.positions)) {
-            [Some(from), Some(to)] => may_have_turned(self.motion.mechanism(), &from, &to),
-            _ => true,
+        if !self.is_sparse() {
+            return true;
         }
+        let [from, to] = states.map(|state| self.entries(state.time, &state.positions));
+        may_have_turned(self.motion.mechanism(), &from, &to)
     }
 
     /// The part of each of these rows that is orthogonal to those before it.
     fn independent(&self, rows: &M::LQ) -> M::LQ {
         let sparse_rows = sparse_rows(self.motion.mechanism());
-        match sparse_rows.is_empty() || self.reduction.is_some() {
-            true => independent_parts(rows, |k| (k, 0)),
-            false => independent_parts(rows, |k| (sparse_rows[k].constraint, sparse_rows[k].first)),
+        match self.is_sparse() {
+            true => independent_parts(rows, |k| (sparse_rows[k].constraint, sparse_rows[k].first)),
+            false => independent_parts(rows, |k| (k, 0)),
         }
     }
 

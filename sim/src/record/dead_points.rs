@@ -41,6 +41,8 @@ pub(super) struct DeadPoints<M: Mechanism> {
     is_told_by_speed: bool,
     /// The determinant where it was last known.
     last: Option<f64>,
+    /// The power of the unit that determinants are taken in: that of the first.
+    units: Option<i32>,
     /// Whether it has been unknown since.
     is_unknown: bool,
     /// The places of pivots.
@@ -74,8 +76,20 @@ impl<M: Mechanism> DeadPoints<M> {
         let scales = M::Q::with_len(mechanism.n(), |j| if mass[j][j] > 0.0 { mass[j][j].sqrt().recip() } else { 1.0 });
         let names = independent.iter().map(|j| description.coordinates[*j].position.name).collect();
         let order = [rows.clone(), columns.clone()];
-        let (found, last, is_unknown) = (Vec::new(), None, true);
-        Some(DeadPoints { found, names, independent, rows, columns, scales, is_told_by_speed, last, is_unknown, order })
+        let (found, last, units, is_unknown) = (Vec::new(), None, None, true);
+        Some(DeadPoints {
+            found,
+            names,
+            independent,
+            rows,
+            columns,
+            scales,
+            is_told_by_speed,
+            last,
+            units,
+            is_unknown,
+            order,
+        })
     }
 
     /// Restarts after an event has changed the motion.
@@ -118,7 +132,7 @@ impl<M: Mechanism> DeadPoints<M> {
                 let tolerance = crate::events::tolerance(end.time) / length;
                 let mut value = |fraction: f64| {
                     let state = step.at(from + fraction * length)?;
-                    Ok::<f64, Failure>(self.determinant(mechanism, &state))
+                    Ok::<f64, Failure>(self.determinant(mechanism, &state).0)
                 };
                 let fraction = find_root(before, after, tolerance, &mut value)?;
                 step.at(from + fraction * length)?
@@ -133,27 +147,28 @@ impl<M: Mechanism> DeadPoints<M> {
     /// Records the determinant at a state, unless a pivot is nearly zero: then it has no sign. With many rows it is small
     /// everywhere.
     fn note(&mut self, mechanism: &M, state: &State<M>) {
-        self.order[1].clone_from(&self.columns);
-        let (value, least) = self.pivots(mechanism, state);
-        self.is_unknown = !(least > SINGULAR && value != 0.0);
+        let (value, least) = self.determinant(mechanism, state);
+        self.is_unknown = !(least > SINGULAR);
         self.last = if self.is_unknown { self.last } else { Some(value) };
     }
 
-    /// det C_qd relative to the lengths of the rows of C_q.
-    fn determinant(&mut self, mechanism: &M, state: &State<M>) -> f64 {
+    /// det C_qd relative to the lengths of the rows of C_q, times a power of two that is the same at all states, and the
+    /// least of its pivots.
+    fn determinant(&mut self, mechanism: &M, state: &State<M>) -> (f64, f64) {
         self.order[1].clone_from(&self.columns);
-        self.pivots(mechanism, state).0
+        let Pivots { product, units, least } = self.pivots(mechanism, state);
+        let units = *self.units.get_or_insert(units) - units;
+        (product * UNIT.powi(units), least)
     }
 
     /// Whether the rows of C_q do not depend on each other.
     fn has_full_rank(&mut self, mechanism: &M, state: &State<M>) -> bool {
         self.order[1] = (0..mechanism.n()).collect();
-        self.pivots(mechanism, state).1 > SINGULAR.sqrt()
+        self.pivots(mechanism, state).least > SINGULAR.sqrt()
     }
 
-    /// The product of all pivots of these columns, with the sign of their order, and the least of them; by complete pivoting, of
-    /// rows of length 1.
-    fn pivots(&mut self, mechanism: &M, state: &State<M>) -> (f64, f64) {
+    /// The pivots of these columns, by complete pivoting, of rows of length 1.
+    fn pivots(&mut self, mechanism: &M, state: &State<M>) -> Pivots {
         self.order[0].clone_from(&self.rows);
         let [rows, columns] = &mut self.order;
         let mut c = mechanism.constraint_jacobian(state.time, &state.positions);
@@ -162,17 +177,18 @@ impl<M: Mechanism> DeadPoints<M> {
             let length = c[*row].iter().map(|entry| entry * entry).sum::<f64>().sqrt();
             (0..state.positions.len()).for_each(|j| c[*row][j] /= length);
         }
-        let (mut product, mut least) = (1.0, f64::INFINITY);
+        let mut found = Pivots { product: 1.0, units: 0, least: f64::INFINITY };
         for k in 0..rows.len() {
             let places = (k..rows.len()).flat_map(|i| (k..columns.len()).map(move |j| (i, j)));
             let size = |(i, j): &(usize, usize)| c[rows[*i]][columns[*j]].abs();
-            let Some((i, j)) = places.max_by(|a, b| size(a).total_cmp(&size(b))) else { return (0.0, 0.0) };
+            let Some((i, j)) = places.max_by(|a, b| size(a).total_cmp(&size(b))) else {
+                return Pivots { product: 0.0, units: 0, least: 0.0 };
+            };
             let is_even = (i == k) == (j == k);
             rows.swap(i, k);
             columns.swap(j, k);
             let pivot = c[rows[k]][columns[k]];
-            product *= if is_even { pivot } else { -pivot };
-            least = f64::min(least, pivot.abs());
+            found.times(if is_even { pivot } else { -pivot });
             for row in &rows[k + 1..] {
                 let factor = c[*row][columns[k]] / pivot;
                 for column in &columns[k + 1..] {
@@ -181,6 +197,52 @@ impl<M: Mechanism> DeadPoints<M> {
                 }
             }
         }
-        (product, least)
+        found
+    }
+}
+
+/// The pivots of a matrix.
+struct Pivots {
+    /// Their product with the sign of their order, times a power of `UNIT`: of many rows it would be too small a number.
+    product: f64,
+    /// That power.
+    units: i32,
+    /// The least of them.
+    least: f64,
+}
+
+/// A power of two, so that it costs no digits.
+const UNIT: f64 = (1u128 << 100) as f64;
+
+impl Pivots {
+    /// With another one; its sign counts for the product alone.
+    fn times(&mut self, pivot: f64) {
+        self.least = self.least.min(pivot.abs());
+        self.product *= pivot;
+        if self.product.abs() < 1.0 / UNIT {
+            self.product *= UNIT;
+            self.units += 1;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A thousand pivots of 0.3 make 1e-523, which is no number; the sign of the last one tells on which side of a dead point it is.
+    #[test]
+    fn products_of_many_pivots_keep_sign_and_digits() {
+        let product = |last: f64| {
+            let mut found = Pivots { product: 1.0, units: 0, least: f64::INFINITY };
+            (0..1000).map(|_| 0.3).chain([last]).for_each(|pivot| found.times(pivot));
+            found
+        };
+        let [before, after] = [0.5, -0.25].map(product);
+        assert_eq!((before.units, before.least, after.least), (after.units, 0.3, 0.25));
+        assert_eq!(before.product, -2.0 * after.product);
+        // The logarithm has lost three digits.
+        let log = before.product.log2() - 100.0 * f64::from(before.units);
+        assert!((log - (1000.0 * 0.3f64.log2() - 1.0)).abs() < 1e-10, "{log}");
     }
 }
