@@ -310,28 +310,66 @@ fn a_quaternion_of_zero_is_refused() {
     assert!(is_refused(&q));
 }
 
-/// Derivatives come from a factorisation in q'', and are those of `dynamics`, which goes by the velocity of the base: by dual
-/// numbers where they are no kernel.
-#[test]
-fn derivatives_of_a_free_base() {
-    let with_kernel = FREE.replace("inverse_dynamics;", "dynamics_jacobian;");
+/// Derivatives along the tree are those of `dynamics`: by dual numbers where they are no kernel. The coordinates in `lengths` are
+/// lengths.
+fn derivatives_are_those_of_dynamics(text: &str, lengths: &[usize]) {
+    let (before, _) = text.split_once("kernels {").unwrap();
+    let with_kernel = format!("{before} kernels {{ dynamics_jacobian; }}");
     let random = &mut Random(5);
-    let [kernel, duals] = [&with_kernel, FREE].map(|text| scaled(text, 1.0, 1.0));
-    assert_eq!(kernel.description().optional_kernels, ["dynamics_jacobian"]);
-    for _ in 0..5 {
-        let [start, _] = kernel.initial();
-        let q: Vec<f64> = start.iter().map(|start| start + random.between(-0.7, 0.7)).collect();
-        let qd: Vec<f64> = q.iter().map(|_| random.between(-0.7, 0.7)).collect();
-        let at = At { time: 0.0, positions: &q, speeds: &qd, accelerations: &[], multipliers: &[] };
-        let [found, expected] = [&kernel, &duals].map(|model| called(&**model, Kernel::DynamicsJacobian, at));
-        let size = CONDITION * expected.iter().flatten().fold(0.0, |size: f64, x| size.max(x.abs()));
-        for (found, expected) in found.iter().zip(&expected) {
-            found
-                .iter()
-                .zip(expected)
-                .for_each(|(found, expected)| assert_close("derivative", *found, *expected, size));
+    for (length, mass) in [(1.0, 1.0), (1e-3, 1e-3), (100.0, 1e3)] {
+        let [kernel, duals] = [&with_kernel, text].map(|text| scaled(text, length, mass));
+        assert_eq!(kernel.description().optional_kernels, ["dynamics_jacobian"]);
+        let size = |i: usize| if lengths.contains(&i) { length } else { 1.0 };
+        for _ in 0..5 {
+            let [start, _] = kernel.initial();
+            let moved: Vec<f64> = (0..start.len()).map(|i| start[i] + size(i) * random.between(-0.7, 0.7)).collect();
+            let qd: Vec<f64> = (0..start.len()).map(|i| size(i) * random.between(-0.7, 0.7)).collect();
+            let at = At { time: 0.4, positions: &moved, speeds: &qd, accelerations: &[], multipliers: &[] };
+            let [found, expected] = [&kernel, &duals].map(|model| called(&**model, Kernel::DynamicsJacobian, at));
+            assert_eq!(found.len(), expected.len());
+            let n = start.len();
+            let m = kernel.description().constraints.len();
+            let unit = |i: usize, j: usize| match i < 2 * n {
+                true => size(j) / size(i % n),
+                false => size(j) / (mass * length * length),
+            };
+            // Where nothing acts along a quaternion multipliers are roundings of other forces.
+            let forces = vector(&*duals, Kernel::GeneralizedForces, at).into_iter().enumerate();
+            let forces = forces.map(|(i, force)| force.abs() * size(i) / (mass * length * length)).fold(0.0, f64::max);
+            let [accelerations, multipliers] = [0..2 * n, 2 * n..2 * (n + m)];
+            for rows in [accelerations, multipliers] {
+                let scaled = |all: &[Vec<f64>]| -> Vec<f64> {
+                    let places = rows.clone().flat_map(|i| (0..n).map(move |j| (i, j)));
+                    places.map(|(i, j)| all[i][j] * unit(i, j)).collect()
+                };
+                let [found, expected] = [scaled(&found), scaled(&expected)];
+                let size = CONDITION * expected.iter().fold(forces, |size: f64, x| size.max(x.abs()));
+                for (found, expected) in found.iter().zip(&expected) {
+                    assert_close("derivative", *found, *expected, size);
+                }
+            }
         }
     }
+}
+
+#[test]
+fn derivatives_of_a_free_base() {
+    derivatives_are_those_of_dynamics(FREE, &[2, 3, 4]);
+}
+
+#[test]
+fn derivatives_of_a_limb_of_many_joints() {
+    derivatives_are_those_of_dynamics(LIMB, &[3, 11, 12, 13, 18, 19, 20]);
+}
+
+#[test]
+fn derivatives_of_branches() {
+    // Only the first of them turns once.
+    let (once, driven) = (BRANCHES.replace("rotation(x, 0.3 - 2*b)", "rotation(x, 0.3)"), DRIVEN);
+    assert_ne!(once, BRANCHES);
+    derivatives_are_those_of_dynamics(&once, &[2]);
+    derivatives_are_those_of_dynamics(BRANCHES, &[2]);
+    derivatives_are_those_of_dynamics(driven, &[]);
 }
 
 #[test]

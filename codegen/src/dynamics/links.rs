@@ -73,9 +73,7 @@ impl Links {
         regroup(graph, &mut model.dependences.clone(), &mut links);
         let fixed = model.links.iter().flat_map(|link| &link.bodies).map(|fixed| fixed.body).collect::<Vec<_>>();
         let rows = load_rows_besides(graph, model, &fixed);
-        let moving = |link: &Link| link.columns.iter().map(|(coordinate, _)| *coordinate).collect();
-        let moving: Vec<Vec<usize>> = links.iter().map(moving).collect();
-        let open = OpenTree::derive(graph, model, bases, (variables, derivatives), &moving, rows.clone());
+        let open = OpenTree::derive(graph, model, bases, (variables, derivatives), &links, rows.clone());
         let rest = Tmt::derive(graph, variables, derivatives, rows);
         let gravity = model.gravity.as_ref().map_or([zero; 3], |gravity| [gravity[0], gravity[1], gravity[2]]);
         Some(Links { links, gravity, rest, open })

@@ -29,6 +29,7 @@ mod kinematics;
 mod lagrange;
 mod linear;
 mod links;
+mod open_derivatives;
 mod open_tree;
 pub mod order;
 mod outputs;
@@ -52,6 +53,7 @@ pub use inverse::Inverse;
 pub use kinematics::Kinematics;
 pub use lagrange::{Lagrange, lagrange};
 pub use links::{Link, Links, MassDistribution};
+pub use open_derivatives::{BaseDerivatives, OpenDerivatives};
 pub use open_tree::OpenTree;
 pub use outputs::Outputs;
 pub use separation::Separation;
@@ -140,18 +142,30 @@ fn derive_as(
     let (mut outputs, mut events) = (Outputs::derive(&mut graph, &model), Events::of(&model));
     let mut declared = ConstraintForm::declared(&model, &constraints);
     let mut turned = None;
-    if intermediates.is_empty() {
+    let is_plain = intermediates.is_empty();
+    let wants_by_state = is_plain && sensitivity::is_wanted_by_state(&model);
+    let is_tried = sensitivity::is_tried_by_state(&model);
+    if is_plain {
         turned = ConstraintForm::turned(&mut graph, &model, &constraints);
         for form in [&mut declared].into_iter().chain(&mut turned) {
-            sensitivity::derive(&mut graph, &model, &tmt, form, &mut derivatives);
+            if wants_by_state && is_tried {
+                sensitivity::by_state(&mut graph, &model, &tmt, form, &mut derivatives);
+            }
+            sensitivity::by_parameters(&mut graph, &model, &tmt, form);
         }
     }
     // Last, so that nothing above notices.
     auxiliary::enter(&mut graph, &model, displaced, &mut outputs, &mut events);
     let free_bases = free_base::free_bases(&mut graph, &model, &constraints);
-    let is_plain = intermediates.is_empty();
     let separations = if is_plain { separation::separations(&mut graph, &tmt, &constraints) } else { vec![] };
     let links = is_plain.then(|| links(&mut graph, &model, &variables, &mut derivatives, &free_bases)).flatten();
+    let is_recursive =
+        links.as_ref().and_then(|links| links.open.as_ref()).is_some_and(|open| open.derivatives.is_some());
+    if wants_by_state && !is_tried && !is_recursive {
+        for form in [&mut declared].into_iter().chain(&mut turned) {
+            sensitivity::by_state(&mut graph, &model, &tmt, form, &mut derivatives);
+        }
+    }
     EquationsOfMotion {
         model,
         graph,

@@ -5,7 +5,10 @@
 //! multiplier.
 
 use super::free_base::FreeBase;
+use super::links::Link;
+use super::open_derivatives::OpenDerivatives;
 use super::rows::{Along, LoadRow};
+use super::sensitivity;
 use super::tmt::Tmt;
 use super::variables::{Derivatives, Variables};
 use crate::model::Model;
@@ -15,22 +18,23 @@ use crate::symbolic::Graph;
 pub struct OpenTree {
     /// All rows of T but those of bodies fixed in links and the norms of quaternions; its mass matrix is diagonal.
     pub rest: Tmt,
+    /// What its derivatives by the state need, if they are wanted and its joints are simple ones.
+    pub derivatives: Option<OpenDerivatives>,
 }
 
 impl OpenTree {
-    /// Nothing for other mechanisms. `moving` are the coordinates that move each link, and `rows` are those of T but of bodies
-    /// fixed in links.
+    /// Nothing for other mechanisms. `rows` are those of T but of bodies fixed in links.
     pub(super) fn derive(
         graph: &mut Graph,
         model: &Model,
         bases: &[FreeBase],
         (variables, derivatives): (&Variables, &mut Derivatives),
-        moving: &[Vec<usize>],
+        links: &[Link],
         mut rows: Vec<LoadRow>,
     ) -> Option<OpenTree> {
         let mut moved = vec![0; model.coordinates.len()];
-        moving.iter().flatten().for_each(|coordinate| moved[*coordinate] += 1);
-        let is_alone = |base: &FreeBase| moving[base.link].len() == base.coordinates().count();
+        links.iter().flat_map(|link| &link.columns).for_each(|(coordinate, _)| moved[*coordinate] += 1);
+        let is_alone = |base: &FreeBase| links[base.link].columns.len() == base.coordinates().count();
         let counts = [model.constraints.len(), model.norms.len()];
         if moved.iter().any(|links| *links != 1) || counts != [bases.len(); 2] || !bases.iter().all(is_alone) {
             return None;
@@ -47,6 +51,11 @@ impl OpenTree {
             let mut entries = row.iter().enumerate().filter(|(_, entry)| !graph.is_zero(**entry));
             entries.all(|(j, _)| i == j && !of_bases.contains(&i))
         });
-        is_diagonal.then_some(OpenTree { rest })
+        if !is_diagonal {
+            return None;
+        }
+        let wanted = sensitivity::is_wanted_by_state(model);
+        let derivatives = wanted.then(|| OpenDerivatives::derive(graph, model, bases, links, &rest)).flatten();
+        Some(OpenTree { rest, derivatives })
     }
 }

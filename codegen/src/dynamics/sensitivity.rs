@@ -18,45 +18,59 @@ use crate::symbolic::{Differential, Expr, Graph, Symbol};
 /// grows with the square of the number of coordinates.
 const MOST_COORDINATES: usize = 12;
 
-/// Enters the derivatives that the model asks for.
-pub(super) fn derive(
+/// Whether the model asks for the derivatives by the state.
+pub(super) fn is_wanted_by_state(model: &Model) -> bool {
+    match model.kernels {
+        Some(_) => model.wants(KernelId::DynamicsJacobian),
+        None => model.coordinates.len() <= MOST_COORDINATES,
+    }
+}
+
+/// Whether they are derived even where recursions give them: those of few coordinates may take fewer operations.
+pub(super) fn is_tried_by_state(model: &Model) -> bool {
+    model.links.is_empty() || model.coordinates.len() <= MOST_COORDINATES
+}
+
+/// Enters the derivatives by the state.
+pub(super) fn by_state(
     graph: &mut Graph,
     model: &Model,
     tmt: &Tmt,
     form: &mut ConstraintForm,
     derivatives: &mut Derivatives,
 ) {
-    let by_state = match model.kernels {
-        Some(_) => model.wants(KernelId::DynamicsJacobian),
-        None => model.coordinates.len() <= MOST_COORDINATES,
-    };
+    let residual = residual(graph, model, tmt, form);
+    let speeds: Vec<Symbol> = model.coordinates.iter().map(|c| c.speed).collect();
+    let by_positions = columns(graph, form, &residual, &mut derivatives.by_variable);
+    let mut by_speed = partials(graph, &speeds);
+    form.by_state = Some([by_positions, columns(graph, form, &residual, &mut by_speed)]);
+}
+
+/// Enters the derivatives by the parameters, if the model asks for them.
+pub(super) fn by_parameters(graph: &mut Graph, model: &Model, tmt: &Tmt, form: &mut ConstraintForm) {
     // Whether an input follows its declared course is known at run time alone.
     let courses: Vec<Expr> = model.inputs.iter().map(|input| input.course).collect();
     let occurring = graph.symbols_of(&courses);
-    let by_parameters =
-        model.wants(KernelId::DynamicsSensitivity) && !model.parameters.iter().any(|p| occurring.contains(&p.symbol));
-    if !by_state && !by_parameters {
+    let is_wanted = model.wants(KernelId::DynamicsSensitivity);
+    if !is_wanted || model.parameters.iter().any(|p| occurring.contains(&p.symbol)) {
         return;
     }
     let residual = residual(graph, model, tmt, form);
+    let parameters: Vec<Symbol> = model.parameters.iter().map(|p| p.symbol).collect();
+    let mut by_parameter = partials(graph, &parameters);
+    form.by_parameters = Some(columns(graph, form, &residual, &mut by_parameter));
+}
+
+fn columns(
+    graph: &mut Graph,
+    form: &ConstraintForm,
+    residual: &[Expr],
+    differentials: &mut [Differential],
+) -> Vec<Column> {
     let angles: Vec<Expr> = form.turns.iter().map(|turn| turn.angle).collect();
-    let columns = |graph: &mut Graph, differentials: &mut [Differential]| -> Vec<Column> {
-        let mut all = |d: &mut Differential, exprs: &[Expr]| -> Vec<Expr> {
-            exprs.iter().map(|expr| d.of(graph, *expr)).collect()
-        };
-        differentials.iter_mut().map(|d| Column { residual: all(d, &residual), angles: all(d, &angles) }).collect()
-    };
-    if by_state {
-        let speeds: Vec<Symbol> = model.coordinates.iter().map(|c| c.speed).collect();
-        let by_positions = columns(graph, &mut derivatives.by_variable);
-        let mut by_speed = partials(graph, &speeds);
-        form.by_state = Some([by_positions, columns(graph, &mut by_speed)]);
-    }
-    if by_parameters {
-        let parameters: Vec<Symbol> = model.parameters.iter().map(|p| p.symbol).collect();
-        let mut by_parameter = partials(graph, &parameters);
-        form.by_parameters = Some(columns(graph, &mut by_parameter));
-    }
+    let mut all =
+        |d: &mut Differential, exprs: &[Expr]| -> Vec<Expr> { exprs.iter().map(|expr| d.of(graph, *expr)).collect() };
+    differentials.iter_mut().map(|d| Column { residual: all(d, residual), angles: all(d, &angles) }).collect()
 }
 
 fn partials(graph: &mut Graph, symbols: &[Symbol]) -> Vec<Differential> {

@@ -148,16 +148,8 @@ impl<'a> Motion<'a> {
     ) -> Results<Value> {
         let [accelerations_by_positions, multipliers_by_positions] = self.derivatives(lowering, by_positions);
         let [accelerations_by_speeds, multipliers_by_speeds] = self.derivatives(lowering, by_speeds);
-        Results::record(
-            Record::DynamicsJacobian,
-            [
-                ("accelerations_by_positions", accelerations_by_positions),
-                ("accelerations_by_speeds", accelerations_by_speeds),
-                ("multipliers_by_positions", multipliers_by_positions),
-                ("multipliers_by_speeds", multipliers_by_speeds),
-                ("refused", self.refused()),
-            ],
-        )
+        let accelerations = [accelerations_by_positions, accelerations_by_speeds];
+        state_derivatives(accelerations, [multipliers_by_positions, multipliers_by_speeds], self.refused())
     }
 
     /// d(q'', lambda)/d(parameters).
@@ -186,14 +178,39 @@ impl<'a> Motion<'a> {
                 solved
             })
             .collect();
-        let row = |i: usize| solved.iter().map(|column| column[i]).collect();
-        let matrix = |rows: std::ops::Range<usize>| Results::Matrix(columns.len(), rows.map(row).collect());
-        [matrix(0..n), matrix(n..self.unknowns.len())]
+        let (accelerations, multipliers): (Vec<_>, Vec<_>) =
+            solved.iter().map(|column| column.split_at(n)).map(|(a, b)| (a.to_vec(), b.to_vec())).unzip();
+        [columns_of(&accelerations), columns_of(&multipliers)]
     }
 
     fn refused(&self) -> Results<Value> {
         Results::Refused(self.pivots.clone())
     }
+}
+
+/// Derivatives by positions and by speeds.
+pub(super) fn state_derivatives(
+    accelerations: [Results<Value>; 2],
+    multipliers: [Results<Value>; 2],
+    refused: Results<Value>,
+) -> Results<Value> {
+    let ([by_positions, by_speeds], [multipliers_by_positions, multipliers_by_speeds]) = (accelerations, multipliers);
+    Results::record(
+        Record::DynamicsJacobian,
+        [
+            ("accelerations_by_positions", by_positions),
+            ("accelerations_by_speeds", by_speeds),
+            ("multipliers_by_positions", multipliers_by_positions),
+            ("multipliers_by_speeds", multipliers_by_speeds),
+            ("refused", refused),
+        ],
+    )
+}
+
+/// The matrix of these columns, of which there is at least one.
+pub(super) fn columns_of(columns: &[Vec<Value>]) -> Results<Value> {
+    let rows = columns.first().map_or(0, Vec::len);
+    Results::Matrix(columns.len(), (0..rows).map(|i| columns.iter().map(|column| column[i]).collect()).collect())
 }
 
 /// The system and its right-hand side by recursions over links.

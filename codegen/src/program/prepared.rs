@@ -1,9 +1,9 @@
 //! The kernels that run at each step, and the values that they need of the parameters, computed once for each set of
 //! parameters.
 
-use super::links::LinkTerms;
+use super::links::{LinkTerms, OpenTerms, StateDerivatives};
 use super::lower::Lowering;
-use super::motion::Motion;
+use super::motion::{Motion, columns_of, state_derivatives};
 use super::names::Names;
 use super::notes::Notes;
 use super::planner::Planner;
@@ -27,14 +27,15 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     let inverse = inverse_dynamics(planner, &mut lowering);
     planned.extend(inverse.map(|forces| (KernelId::InverseDynamics, Results::Vector(forces))));
     let differentiated = differentiable.as_ref().unwrap_or(&motion);
-    if let Some(columns) = &differentiated.form.by_state {
-        planned.push((KernelId::DynamicsJacobian, differentiated.jacobian(&mut lowering, columns)));
-    }
-    if let Some(columns) = &differentiated.form.by_parameters {
-        planned.push((KernelId::DynamicsSensitivity, differentiated.sensitivity(&mut lowering, columns)));
-    }
+    let by_state = differentiated.form.by_state.as_ref().map(|columns| differentiated.jacobian(&mut lowering, columns));
+    let by_parameters = differentiated.form.by_parameters.as_ref();
+    let by_parameters = by_parameters.map(|columns| differentiated.sensitivity(&mut lowering, columns));
     let mut notes = std::mem::take(&mut motion.notes);
     notes.extend(differentiable.as_mut().map(|motion| std::mem::take(&mut motion.notes)));
+    let by_state = [by_state, open_jacobian(planner, &mut lowering, &mut notes)].into_iter().flatten();
+    let by_state = by_state.min_by_key(|results| operations(&lowering.values, results.entries()));
+    planned.extend(by_state.map(|results| (KernelId::DynamicsJacobian, results)));
+    planned.extend(by_parameters.map(|results| (KernelId::DynamicsSensitivity, results)));
     if let Some(speeds) = &planner.equations.speeds {
         planned.extend(speeds::kernels(
             &planner.equations.graph,
@@ -63,6 +64,14 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
         }
     });
     [prepare].into_iter().chain(kernels).collect()
+}
+
+/// d(q'', lambda)/d(q, q') of an open tree, if that is wanted.
+fn open_jacobian(planner: &Planner, lowering: &mut Lowering, notes: &mut Notes) -> Option<Results<Value>> {
+    let terms = OpenTerms::of(lowering, planner.equations, planner.equations.links.as_ref()?)?;
+    let StateDerivatives { accelerations, multipliers, pivots } = terms.jacobian(lowering, notes)?;
+    let [accelerations, multipliers] = [accelerations, multipliers].map(|by| by.map(|columns| columns_of(&columns)));
+    Some(state_derivatives(accelerations, multipliers, Results::Refused(Some(pivots))))
 }
 
 /// Inverse dynamics on request: as equations of bodies, by a recursion over links, or with intermediates.

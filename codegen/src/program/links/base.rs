@@ -1,7 +1,7 @@
 //! A link that moves freely, by the velocity of its origin and its angular velocity in its own frame.
 
 use super::tree::{Column, LinkValues};
-use super::triple::{Triple, apply, cross, difference, dot, identity, inner, product, sum, transposed, zero};
+use super::triple::{Matrix, Triple, apply, cross, difference, dot, identity, inner, product, sum, transposed, zero};
 use crate::dynamics::{EquationsOfMotion, FreeBase};
 use crate::program::lower::Lowering;
 use crate::program::values::{Input, Operation, Value, Values};
@@ -11,14 +11,14 @@ pub(in crate::program) struct Base<'a> {
     pub(super) declared: &'a FreeBase,
     /// Its first unknown.
     pub(super) first: usize,
-    pub(super) turn: [Triple; 3],
+    pub(super) turn: Matrix,
     pub(super) spin: Triple,
     /// The scalar part of its quaternion, and the rest.
-    quaternion: (Value, Triple),
+    pub(super) quaternion: (Value, Triple),
     /// q.q
     pub(super) square: Value,
     /// Its reciprocal.
-    inverse_square: Value,
+    pub(super) inverse_square: Value,
 }
 
 pub(super) fn speed(values: &mut Values, coordinate: usize) -> Value {
@@ -77,6 +77,7 @@ impl<'a> Base<'a> {
         let turns = axes.map(|axis| (axis, none));
         let columns = shifts.into_iter().chain(turns).enumerate();
         link.columns = columns.map(|(i, (spin, shift))| Column { coordinate: self.first + i, spin, shift }).collect();
+        link.moves_freely = true;
         link.gravity = apply(values, &transposed(&link.turn), &link.gravity);
         link.turn = axes;
         link.offset = [none; 3];
@@ -85,9 +86,18 @@ impl<'a> Base<'a> {
 
     /// The force and the moment in its frame that forces along its coordinates are: S' Q_x and G Q_q/2.
     pub(super) fn wrench(&self, values: &mut Values, forces: &[Value]) -> [Triple; 2] {
+        self.wrench_of(values, (&self.turn, &self.quaternion), forces)
+    }
+
+    /// The same with S and q replaced, in which it is linear.
+    pub(super) fn wrench_of(
+        &self,
+        values: &mut Values,
+        (turn, (scalar, vector)): (&Matrix, &(Value, Triple)),
+        forces: &[Value],
+    ) -> [Triple; 2] {
         let place = self.declared.place.map(|i| forces[i]);
         let [first, rest @ ..] = self.declared.quaternion.map(|i| forces[i]);
-        let (scalar, vector) = &self.quaternion;
         let half = values.constant(0.5);
         let swept = cross(values, vector, &rest);
         let moment = std::array::from_fn(|i| {
@@ -96,7 +106,7 @@ impl<'a> Base<'a> {
             let both = difference(values, turned, swept[i]);
             product(values, half, both)
         });
-        [apply(values, &transposed(&self.turn), &place), moment]
+        [apply(values, &transposed(turn), &place), moment]
     }
 
     /// What forces along its quaternion leave for the multiplier of its norm: q'Q_q/(2 q.q).
@@ -120,7 +130,6 @@ impl<'a> Base<'a> {
 
     /// q'' = G' (w'/2 + w q.q'/q.q) - q c/(2 q.q), with c = 2 q'.q'.
     fn quaternion_acceleration(&self, values: &mut Values, convective: Value, turning: &Triple) -> [Value; 4] {
-        let (scalar, vector) = &self.quaternion;
         let rates = self.declared.quaternion.map(|i| speed(values, i));
         let stretched = self.along_quaternion(values, rates);
         let stretched = product(values, stretched, self.inverse_square);
@@ -128,20 +137,30 @@ impl<'a> Base<'a> {
         let along = product(values, convective, self.inverse_square);
         let along = product(values, minus_half, along);
         let turning: Triple = std::array::from_fn(|i| inner(values, &[(half, turning[i]), (stretched, self.spin[i])]));
-        let (swept, carried) = (cross(values, vector, &turning), dot(values, vector, &turning));
-        let first = product(values, *scalar, along);
-        let first = difference(values, first, carried);
-        let [x, y, z] = std::array::from_fn(|i| {
-            let own = inner(values, &[(*scalar, turning[i]), (vector[i], along)]);
-            sum(values, &[own, swept[i]])
-        });
-        [first, x, y, z]
+        quaternion_turned(values, &self.quaternion, along, &turning)
     }
 
     /// q'v.
-    fn along_quaternion(&self, values: &mut Values, [first, rest @ ..]: [Value; 4]) -> Value {
+    pub(super) fn along_quaternion(&self, values: &mut Values, [first, rest @ ..]: [Value; 4]) -> Value {
         let (scalar, vector) = &self.quaternion;
         let pairs = [(*scalar, first), (vector[0], rest[0]), (vector[1], rest[1]), (vector[2], rest[2])];
         inner(values, &pairs)
     }
+}
+
+/// G' t + q a.
+pub(super) fn quaternion_turned(
+    values: &mut Values,
+    (scalar, vector): &(Value, Triple),
+    along: Value,
+    turning: &Triple,
+) -> [Value; 4] {
+    let (swept, carried) = (cross(values, vector, turning), dot(values, vector, turning));
+    let first = product(values, *scalar, along);
+    let first = difference(values, first, carried);
+    let [x, y, z] = std::array::from_fn(|i| {
+        let own = inner(values, &[(*scalar, turning[i]), (vector[i], along)]);
+        sum(values, &[own, swept[i]])
+    });
+    [first, x, y, z]
 }

@@ -93,18 +93,7 @@ impl LinkValues {
     /// The momenta about the origin that a coordinate's speed gives a composite body.
     pub(super) fn momentum(&self, values: &mut Values, body: &Mass, column: &Column) -> [Triple; 2] {
         let shift = apply(values, &transposed(&self.turn), &column.shift);
-        let arm = cross(values, &body.first, &shift);
-        let p = &body.second;
-        let turned: Triple = std::array::from_fn(|i| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            // tr(P) - P.
-            let moment = sum(values, &[p[j][j], p[k][k]]);
-            let minus = [p[i][j], p[i][k]].map(|x| values.negate(x));
-            inner(values, &[(moment, column.spin[i]), (minus[0], column.spin[j]), (minus[1], column.spin[k])])
-        });
-        let swept = cross(values, &column.spin, &body.first);
-        let carried = shift.map(|x| product(values, body.mass, x));
-        [add(values, &turned, &arm), add(values, &swept, &carried)]
+        body.momentum(values, &[column.spin, shift])
     }
 
     /// A mass distribution of its frame, about the origin of the frame before: h + M r, P + r s' + s r' with s = h + M r/2.
@@ -188,6 +177,22 @@ impl LinkValues {
 }
 
 impl Mass {
+    /// The momenta about its origin that an angular velocity and a velocity of that origin give it.
+    pub(super) fn momentum(&self, values: &mut Values, [spin, shift]: &[Triple; 2]) -> [Triple; 2] {
+        let arm = cross(values, &self.first, shift);
+        let p = &self.second;
+        let turned: Triple = std::array::from_fn(|i| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            // tr(P) - P.
+            let moment = sum(values, &[p[j][j], p[k][k]]);
+            let minus = [p[i][j], p[i][k]].map(|x| values.negate(x));
+            inner(values, &[(moment, spin[i]), (minus[0], spin[j]), (minus[1], spin[k])])
+        });
+        let swept = cross(values, spin, &self.first);
+        let carried = shift.map(|x| product(values, self.mass, x));
+        [add(values, &turned, &arm), add(values, &swept, &carried)]
+    }
+
     pub(super) fn add(&mut self, values: &mut Values, other: &Mass) {
         self.mass = sum(values, &[self.mass, other.mass]);
         self.first = add(values, &self.first, &other.first);

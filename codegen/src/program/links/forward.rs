@@ -314,14 +314,14 @@ impl Frames<'_> {
 
 impl LinkValues {
     /// The work of a wrench along a column.
-    fn along(&self, values: &mut Values, column: &Column, [moment, force]: &[Triple; 2]) -> Value {
+    pub(super) fn along(&self, values: &mut Values, column: &Column, [moment, force]: &[Triple; 2]) -> Value {
         let pushed = apply(values, &self.turn, force);
         let parts = [dot(values, &column.spin, moment), dot(values, &column.shift, &pushed)];
         sum(values, &parts)
     }
 
     /// A wrench in the frame before, about the origin there.
-    fn wrench_before(&self, values: &mut Values, [moment, force]: &[Triple; 2]) -> [Triple; 2] {
+    pub(super) fn wrench_before(&self, values: &mut Values, [moment, force]: &[Triple; 2]) -> [Triple; 2] {
         let (turned, pushed) = (apply(values, &self.turn, moment), apply(values, &self.turn, force));
         let arm = cross(values, &self.offset[0], &pushed);
         [add(values, &turned, &arm), pushed]

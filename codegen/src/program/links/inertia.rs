@@ -141,6 +141,6 @@ fn skew(values: &mut Values, r: &Triple) -> Matrix {
 }
 
 /// [r] A, column by column.
-fn crossed(values: &mut Values, r: &Triple, a: &Matrix) -> Matrix {
+pub(super) fn crossed(values: &mut Values, r: &Triple, a: &Matrix) -> Matrix {
     transposed(&transposed(a).map(|column| cross(values, r, &column)))
 }

@@ -2,10 +2,12 @@
 
 mod base;
 mod composite;
+mod coriolis;
 mod forward;
 mod inertia;
 mod newton_euler;
 mod open;
+mod open_jacobian;
 mod terms;
 mod tree;
 mod triple;
@@ -13,4 +15,5 @@ mod triple;
 pub(super) use base::Base;
 pub(super) use forward::Joints;
 pub(super) use open::{OpenTerms, Solved};
+pub(super) use open_jacobian::StateDerivatives;
 pub(super) use terms::LinkTerms;

@@ -16,13 +16,13 @@ use crate::program::values::{Value, Values};
 
 /// The motion of a link, in its own frame.
 pub(super) struct Motion {
-    spin: Triple,
+    pub(super) spin: Triple,
     /// B.
     turning: Matrix,
     /// The acceleration of its origin less that of free fall.
-    proper: Triple,
+    pub(super) proper: Triple,
     /// The rate of the components of `spin`.
-    spin_rate: Triple,
+    pub(super) spin_rate: Triple,
 }
 
 impl LinkTree {

@@ -13,10 +13,10 @@ use crate::program::values::Value;
 /// The equations of motion of an open tree. Its unknowns are the coordinates, and after them for each free base the velocity of
 /// its origin and its angular velocity; the coordinates of free bases stand for nothing.
 pub(in crate::program) struct OpenTerms<'a> {
-    equations: &'a EquationsOfMotion,
-    open: &'a OpenTree,
-    tree: LinkTree,
-    bases: Vec<Base<'a>>,
+    pub(super) equations: &'a EquationsOfMotion,
+    pub(super) open: &'a OpenTree,
+    pub(super) tree: LinkTree,
+    pub(super) bases: Vec<Base<'a>>,
 }
 
 /// What `dynamics` solves for.
@@ -110,7 +110,7 @@ impl<'a> OpenTerms<'a> {
         sum(values, &powers)
     }
 
-    fn names(&self) -> Vec<String> {
+    pub(super) fn names(&self) -> Vec<String> {
         let coordinates = self.equations.model.coordinates.iter().map(|c| c.name.clone());
         let parts = ["velocity_x", "velocity_y", "velocity_z", "spin_x", "spin_y", "spin_z"];
         let bases = self.bases.iter().map(|base| &base.declared.name);

@@ -16,6 +16,8 @@ pub(super) struct LinkTree {
 
 pub(super) struct LinkValues {
     pub(super) before: Option<usize>,
+    /// Whether it goes by its velocity, with six columns.
+    pub(super) moves_freely: bool,
     /// g in the frame before it, if that is at rest.
     pub(super) gravity: Triple,
     /// S, from its own frame to the one before.
@@ -61,6 +63,7 @@ fn link(lowering: &mut Lowering, gravity: Triple, link: &Link) -> LinkValues {
     });
     LinkValues {
         before: link.before,
+        moves_freely: false,
         gravity,
         columns: columns.collect(),
         turn: link.turn.each_ref().map(|row| triple(lowering, row)),

@@ -14,6 +14,17 @@ include!("../../declared/panda.rs");
 include!("../../declared/anymal.rs");
 include!("../../declared/talos.rs");
 
+/// The same robots with the derivatives of forward dynamics.
+mod derivatives {
+    use sim_kernel::mechanism;
+
+    include!(concat!(env!("OUT_DIR"), "/ur5.rs"));
+    include!(concat!(env!("OUT_DIR"), "/talosarm.rs"));
+    include!(concat!(env!("OUT_DIR"), "/panda.rs"));
+    include!(concat!(env!("OUT_DIR"), "/anymal.rs"));
+    include!(concat!(env!("OUT_DIR"), "/talos.rs"));
+}
+
 const ROUNDS: usize = 200;
 const STATES: usize = 256;
 
@@ -43,11 +54,12 @@ fn state<Q: AsMut<[f64]> + Copy>(of: Q, is_free: bool, k: usize) -> [Q; 2] {
     [positions, speeds]
 }
 
-/// Forward dynamics, inverse dynamics and the mass matrix of a robot.
+/// Forward dynamics, inverse dynamics, the mass matrix and the derivatives of forward dynamics of a robot.
 macro_rules! times {
     ($robot:ident, $mass_matrix:ident, $is_free:expr) => {{
         let robot = $robot::default();
         let prepared = robot.prepare();
+        let derived = derivatives::$robot::default();
         let states: Vec<_> = (0..STATES).map(|k| state(robot.initial().positions, $is_free, k)).collect();
         [
             least(|k| {
@@ -62,18 +74,22 @@ macro_rules! times {
                 let [q, _] = &states[k];
                 black_box(black_box(&robot).$mass_matrix(0.0, q));
             }),
+            least(|k| {
+                let [q, qd] = &states[k];
+                black_box(black_box(&derived).dynamics_jacobian(0.0, q, qd));
+            }),
         ]
     }};
 }
 
-/// What Pinocchio takes for `aba`, `rnea` and `crba`, from the line that names the robot's file.
-fn of_pinocchio(text: &str, file: &str) -> Option<[f64; 3]> {
+/// What Pinocchio takes for `aba`, `rnea`, `crba` and the derivatives of `aba`, from the line that names the robot's file.
+fn of_pinocchio(text: &str, file: &str) -> Option<[f64; 4]> {
     let line = text.lines().find(|line| line.starts_with(file))?;
     let of = |name: &str| {
         let (_, rest) = line.split_once(&format!("{name} "))?;
-        rest.split(',').next()?.trim().parse().ok()
+        rest.split([',', ' ']).next()?.parse().ok()
     };
-    Some([of("aba")?, of("rnea")?, of("crba")?])
+    Some([of(": aba")?, of(", rnea")?, of(", crba")?, of(", derivatives of aba")?])
 }
 
 fn main() -> ExitCode {
@@ -83,11 +99,11 @@ fn main() -> ExitCode {
         return ExitCode::from(2);
     };
     let robots = [
-        ("UR5", "ur5_robot", times!(Ur5, mass_matrix, false), [0.10, 0.12, 0.2]),
-        ("Talos' arm", "talos_left_arm", times!(Talosarm, mass_matrix, false), [0.22, 0.20, 0.25]),
-        ("Panda", "panda", times!(Panda, mass_matrix, false), [0.24, 0.20, 0.25]),
-        ("ANYmal", "anymal", times!(Anymal, speed_mass_matrix, true), [0.27, 0.30, 0.25]),
-        ("Talos", "talos_reduced", times!(Talos, speed_mass_matrix, true), [0.30, 0.32, 0.40]),
+        ("UR5", "ur5_robot", times!(Ur5, mass_matrix, false), [0.10, 0.12, 0.2, 0.5]),
+        ("Talos' arm", "talos_left_arm", times!(Talosarm, mass_matrix, false), [0.22, 0.20, 0.25, 0.5]),
+        ("Panda", "panda", times!(Panda, mass_matrix, false), [0.24, 0.20, 0.25, 0.5]),
+        ("ANYmal", "anymal", times!(Anymal, speed_mass_matrix, true), [0.27, 0.30, 0.25, 0.5]),
+        ("Talos", "talos_reduced", times!(Talos, speed_mass_matrix, true), [0.30, 0.32, 0.40, 0.8]),
     ];
     let mut missed = 0;
     for (robot, file, times, bounds) in robots {
@@ -95,7 +111,8 @@ fn main() -> ExitCode {
             eprintln!("race: Pinocchio's times of `{file}` are missing");
             return ExitCode::from(2);
         };
-        for (i, what) in ["forward dynamics", "inverse dynamics", "mass matrix"].into_iter().enumerate() {
+        for (i, what) in ["forward dynamics", "inverse dynamics", "mass matrix", "derivatives"].into_iter().enumerate()
+        {
             let (ratio, bound) = (times[i] / others[i], bounds[i]);
             let verdict = if ratio <= bound { "met" } else { "MISSED" };
             missed += usize::from(ratio > bound);
