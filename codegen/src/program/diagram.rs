@@ -1,6 +1,6 @@
 //! A kernel as the graph of its operations, for display.
 
-use super::{Kernel, LookUp, Statement, Tree, Wave};
+use super::{Columns, Kernel, LookUp, Statement, Tree, Wave};
 use rustc_hash::FxHashMap;
 
 /// The operations of a kernel, operands before what uses them.
@@ -33,6 +33,7 @@ impl Diagram {
                 }
                 Statement::SinCos(waves) => waves.iter().for_each(|wave| drawing.wave(wave)),
                 Statement::Table(look_up) => drawing.look_up(look_up),
+                Statement::Columns(columns) => drawing.columns(columns),
             }
         }
         let mut results = Vec::new();
@@ -99,6 +100,19 @@ impl Drawing {
             if let Some(name) = name {
                 let vertex = self.vertex(&format!("table{}", "'".repeat(order)), vec![(false, argument)]);
                 self.name(vertex, name);
+            }
+        }
+    }
+
+    fn columns(&mut self, columns: &Columns) {
+        let operands = columns.operands().map(|tree| (false, self.tree(tree))).collect();
+        let matrix = self.vertex("solve", operands);
+        for (i, row) in columns.names.iter().enumerate() {
+            for (j, name) in row.iter().enumerate() {
+                if let Some(name) = name {
+                    let vertex = self.vertex(&format!("[{i}, {j}]"), vec![(false, matrix)]);
+                    self.name(vertex, name);
+                }
             }
         }
     }

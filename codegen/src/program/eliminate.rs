@@ -55,13 +55,13 @@ impl System {
 
 /// A factorised system, which solves any right-hand side.
 pub(super) struct Factors {
-    steps: Vec<Step>,
+    pub(super) steps: Vec<Step>,
     /// Each pivot with the scale for its cancellation.
     pub(super) pivots: Vec<(Value, Value)>,
 }
 
 /// The elimination of one unknown.
-enum Step {
+pub(super) enum Step {
     /// Rows below with their entries of L, and the reciprocal of the pivot.
     Eliminate { unknown: usize, column: Vec<(usize, Value)>, inverse: Value },
     /// Its definition, its column of the matrix, and its diagonal entry.
@@ -239,6 +239,21 @@ fn substitute(
     Step::Substitute { unknown: k, definition: definition.to_vec(), column, diagonal }
 }
 
+impl Step {
+    /// Its unknown, given those that are eliminated after it and the rest of the right-hand side.
+    pub(super) fn unknown(&self, values: &mut Values, unknowns: &[Value], constants: &[Value]) -> Value {
+        let (first, negative, column) = match self {
+            Step::Eliminate { unknown, column, inverse } => {
+                (values.product(vec![unknowns[*unknown], *inverse]), true, column)
+            }
+            Step::Substitute { unknown, definition, .. } => (constants[*unknown], false, definition),
+        };
+        let mut terms = vec![(false, first)];
+        terms.extend(column.iter().map(|(i, factor)| (negative, values.product(vec![*factor, unknowns[*i]]))));
+        values.sum(terms)
+    }
+}
+
 impl Factors {
     /// The solution for a right-hand side, given the constants in the definitions of the intermediate quantities; both
     /// have an entry for each unknown.
@@ -251,21 +266,14 @@ impl Factors {
     ) -> Vec<Value> {
         let mut unknowns = self.forward(values, rhs, constants, label);
         for step in self.steps.iter().rev() {
-            let (k, first, negative, column) = match step {
-                Step::Eliminate { unknown, column, inverse } => {
-                    (*unknown, values.product(vec![unknowns[*unknown], *inverse]), true, column)
-                }
-                Step::Substitute { unknown, definition, .. } => (*unknown, constants[*unknown], false, definition),
-            };
-            let mut terms = vec![(false, first)];
-            terms.extend(column.iter().map(|(i, factor)| (negative, values.product(vec![*factor, unknowns[*i]]))));
-            unknowns[k] = values.sum(terms);
+            let (Step::Eliminate { unknown, .. } | Step::Substitute { unknown, .. }) = step;
+            unknowns[*unknown] = step.unknown(values, &unknowns, constants);
         }
         unknowns
     }
 
     /// The right-hand side as the steps leave it.
-    fn forward(
+    pub(super) fn forward(
         &self,
         values: &mut Values,
         rhs: Vec<Value>,

@@ -25,7 +25,7 @@ pub(super) fn times(values: &Values, listed: &[Value]) -> Vec<Time> {
         let latest = || arrivals.clone().max().unwrap_or(0);
         times[value.index()] = match values.operation(*value) {
             Operation::Constant(_) | Operation::Input(_) => 0,
-            Operation::Negate(_) | Operation::Held(..) => latest(),
+            Operation::Negate(_) | Operation::Held(..) | Operation::Entry(..) => latest(),
             Operation::Sum(_) => arrivals.reduce(|sum, term| sum.max(term) + ADDITION).unwrap_or(0),
             Operation::Product(_) => {
                 factors.clear();
@@ -33,6 +33,10 @@ pub(super) fn times(values: &Values, listed: &[Value]) -> Vec<Time> {
                 product(&mut factors)
             }
             Operation::Quotient(..) => latest() + DIVISION,
+            // Each step waits for the one before, twice.
+            Operation::Columns(columns) => {
+                latest() + 2 * columns.shape.steps.len() as Time * (MULTIPLICATION + ADDITION)
+            }
             Operation::Sqrt(_) => latest() + SQUARE_ROOT,
             Operation::Choice(..) | Operation::Call(Function::Abs, _) => latest() + ADDITION,
             Operation::Table(..) => latest() + LOOK_UP,

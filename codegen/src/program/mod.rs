@@ -2,6 +2,7 @@
 //! of computation, and names.
 
 mod collect;
+mod columns;
 mod diagram;
 mod eliminate;
 mod entries;
@@ -20,6 +21,7 @@ mod pieces;
 mod planner;
 mod prepared;
 mod reduced;
+mod responses;
 mod results;
 mod schedule;
 mod separate;
@@ -32,6 +34,7 @@ mod turns;
 mod values;
 mod ways;
 
+pub use columns::{BLOCK, ColumnsShape, ColumnsStep};
 pub use diagram::{Diagram, Vertex};
 pub use kernels::plan;
 pub use operations::Operations;
@@ -97,6 +100,22 @@ pub enum Statement {
     SinCos(Vec<Wave>),
     /// A table looked up once.
     Table(LookUp),
+    /// A system solved for many right-hand sides.
+    Columns(Columns),
+}
+
+/// A system with many right-hand sides, and its solutions.
+pub struct Columns {
+    /// The structure of the system.
+    pub shape: Rc<ColumnsShape>,
+    /// The reciprocals of pivots, by steps.
+    pub inverses: Vec<Tree>,
+    /// The entries of L, by steps.
+    pub entries: Vec<Tree>,
+    /// The right-hand sides, by rows.
+    pub right_hand_sides: Vec<Vec<Tree>>,
+    /// The names of the solutions, as far as they are needed.
+    pub names: Vec<Vec<Option<Name>>>,
 }
 
 /// The value of a table and its derivatives, as far as they are needed.

@@ -1,6 +1,6 @@
 //! Which names statements need, and which they give.
 
-use super::{Name, Statement, Tree};
+use super::{Columns, Name, Statement, Tree};
 
 impl Statement {
     /// Calls `f` for each name that the statement needs, once for each occurrence.
@@ -9,6 +9,7 @@ impl Statement {
             Statement::Let { value, .. } => value.needs(f),
             Statement::SinCos(waves) => waves.iter().for_each(|wave| wave.argument.needs(f)),
             Statement::Table(look_up) => look_up.argument.needs(f),
+            Statement::Columns(columns) => columns.operands().for_each(|tree| tree.needs(f)),
         }
     }
 
@@ -18,7 +19,15 @@ impl Statement {
             Statement::Let { name, .. } => vec![name],
             Statement::SinCos(waves) => waves.iter().flat_map(|wave| wave.sin.iter().chain(&wave.cos)).collect(),
             Statement::Table(look_up) => look_up.names.iter().flatten().collect(),
+            Statement::Columns(columns) => columns.names.iter().flatten().flatten().collect(),
         }
+    }
+}
+
+impl Columns {
+    /// All that it is computed from.
+    pub(super) fn operands(&self) -> impl Iterator<Item = &Tree> {
+        self.inverses.iter().chain(&self.entries).chain(self.right_hand_sides.iter().flatten())
     }
 }
 

@@ -36,6 +36,12 @@ impl Operations {
                     operations.count(&look_up.argument);
                     operations.table_look_ups += 1;
                 }
+                Statement::Columns(columns) => {
+                    columns.operands().for_each(|tree| operations.count(tree));
+                    let counted = columns.shape.operations();
+                    operations.additions += counted - columns.shape.steps.len() * columns.shape.columns;
+                    operations.multiplications += counted;
+                }
             }
         }
         results.entries().into_iter().for_each(|tree| operations.count(tree));

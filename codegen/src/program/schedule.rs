@@ -3,9 +3,10 @@
 //! A value used once stands inside the expression that uses it; one used more often, a sine or cosine, or one
 //! whose expression would grow beyond a line, gets a statement of its own.
 
+use super::columns::ColumnsOperation;
 use super::names::Names;
 use super::values::{Leaves, Operation, Value, Values};
-use super::{LookUp, Name, Statement, Tree, Wave};
+use super::{Columns, LookUp, Name, Statement, Tree, Wave};
 use crate::symbolic::{Function, TableId};
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
@@ -76,6 +77,12 @@ impl<'a> Schedule<'a> {
         if let Operation::Table(table, _, argument) = self.values.operation(value) {
             return self.look_up(*table, *argument);
         }
+        if let Operation::Entry(matrix, ..) = self.values.operation(value) {
+            return self.state(*matrix);
+        }
+        if let Operation::Columns(columns) = self.values.operation(value) {
+            return self.state_columns(value, columns);
+        }
         self.require(value);
         let tree = self.operation_tree(value);
         let name = self.give_name(value);
@@ -130,6 +137,36 @@ impl<'a> Schedule<'a> {
         self.statements.push(Statement::Table(LookUp { table, names, argument: tree }));
     }
 
+    /// Emits a system with its right-hand sides, and names for the solutions that are needed.
+    fn state_columns(&mut self, value: Value, columns: &ColumnsOperation) {
+        self.require(value);
+        let ColumnsOperation { shape, operands } = columns;
+        let trees: Vec<Tree> = operands.iter().map(|operand| self.tree(*operand)).collect();
+        let (inverses, rest) = trees.split_at(shape.steps.len());
+        let (entries, right_hand_sides) = rest.split_at(rest.len() - shape.steps.len() * shape.columns);
+        let name = self.give_name(value);
+        let names = (0..shape.steps.len()).map(|i| {
+            let name = |j: usize| {
+                let entry = self.values.find(&Operation::Entry(value, i, j))?;
+                self.named[entry.index()].then(|| {
+                    let wished = format!("{name}_{i}_{j}");
+                    let name = self.local_names.unique(self.labels.get(&entry).map_or(&*wished, |wished| wished));
+                    self.names.insert(entry, name.clone());
+                    name
+                })
+            };
+            (0..shape.columns).map(name).collect()
+        });
+        let names = names.collect();
+        self.statements.push(Statement::Columns(Columns {
+            shape: shape.clone(),
+            inverses: inverses.to_vec(),
+            entries: entries.to_vec(),
+            right_hand_sides: right_hand_sides.chunks(shape.columns).map(<[Tree]>::to_vec).collect(),
+            names,
+        }));
+    }
+
     fn give_name(&mut self, value: Value) -> Name {
         let name = match self.labels.get(&value) {
             Some(wished) => self.local_names.unique(wished),
@@ -161,8 +198,10 @@ impl<'a> Schedule<'a> {
         let boxed = |value: &Value| Box::new(self.tree(*value));
         match self.values.operation(value) {
             Operation::Constant(bits) => Tree::Constant(f64::from_bits(*bits)),
-            // Every input is a leaf, and every table has a statement.
-            Operation::Input(_) | Operation::Table(..) => Tree::Constant(f64::NAN),
+            // Every input is a leaf, and every table and matrix has a statement.
+            Operation::Input(_) | Operation::Table(..) | Operation::Columns(_) | Operation::Entry(..) => {
+                Tree::Constant(f64::NAN)
+            }
             Operation::Sum(terms) => {
                 Tree::Sum(terms.iter().map(|(negative, term)| (*negative, self.tree(*term))).collect())
             }
@@ -202,6 +241,7 @@ pub(super) fn derived_name<'a>(
     match values.operation(value) {
         Operation::Call(function, argument) => Some(format!("{}_{}", function.name(), short(*argument)?)),
         Operation::Sqrt(argument) => Some(format!("sqrt_{}", short(*argument)?)),
+        Operation::Columns(_) => Some("solved".to_owned()),
         Operation::Quotient(one, below) if values.is_constant(*one, 1.0) => Some(format!("inverse_{}", short(*below)?)),
         Operation::Product(factors) => match factors.as_slice() {
             [a, b] if a == b => Some(format!("{}_squared", short(*a)?)),
@@ -258,8 +298,13 @@ fn choose_named(values: &Values, uses: &[usize], needed: &[Value], leaves: &Leav
             Operation::Negate(operand) => values.operands(*operand).next().is_none() || leaves.contains_key(operand),
             _ => false,
         };
-        let several =
-            matches!(values.operation(value), Operation::Call(Function::Sin | Function::Cos, _) | Operation::Table(..));
+        let several = matches!(
+            values.operation(value),
+            Operation::Call(Function::Sin | Function::Cos, _)
+                | Operation::Table(..)
+                | Operation::Columns(_)
+                | Operation::Entry(..)
+        );
         named[value.index()] = !leaf && (several || uses[value.index()] > 1);
     }
     named

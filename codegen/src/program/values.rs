@@ -4,6 +4,7 @@
 //! that depend on parameters alone are kept together, so that they are computed once for each set of parameters.
 
 use super::Tree;
+use super::columns::ColumnsOperation;
 use crate::symbolic::{Function, TableId};
 use indexmap::IndexSet;
 use rustc_hash::{FxBuildHasher, FxHashMap};
@@ -41,6 +42,10 @@ pub(super) enum Operation {
     Table(TableId, u8, Value),
     /// An input: the value it is set to, or its declared course.
     Held(Value, Value),
+    /// The solutions of a system for many right-hand sides.
+    Columns(Box<ColumnsOperation>),
+    /// The entry of such a matrix in a row and a column.
+    Entry(Value, usize, usize),
 }
 
 /// An input of a kernel; numbers count in the order of declaration.
@@ -333,11 +338,16 @@ impl Values {
             Operation::Constant(_) | Operation::Input(_) => {}
             Operation::Sum(terms) => all_terms = terms,
             Operation::Product(factors) => all_factors = factors,
+            Operation::Columns(columns) => all_factors = &columns.operands,
             Operation::Quotient(a, b) | Operation::Power(a, b) | Operation::Atan2(a, b) | Operation::Held(a, b) => {
                 few = [Some(*a), Some(*b), None];
             }
             Operation::Choice(a, b, c) => few = [a, b, c].map(|part| Some(*part)),
-            Operation::Negate(a) | Operation::Call(_, a) | Operation::Sqrt(a) | Operation::Table(_, _, a) => {
+            Operation::Negate(a)
+            | Operation::Call(_, a)
+            | Operation::Sqrt(a)
+            | Operation::Table(_, _, a)
+            | Operation::Entry(a, ..) => {
                 few = [Some(*a), None, None];
             }
         }
@@ -362,6 +372,11 @@ impl Operation {
             Operation::Choice(difference, above, other) => Operation::Choice(f(*difference), f(*above), f(*other)),
             Operation::Table(table, order, argument) => Operation::Table(*table, *order, f(*argument)),
             Operation::Held(held, course) => Operation::Held(f(*held), f(*course)),
+            Operation::Columns(columns) => {
+                let operands = columns.operands.iter().map(|x| f(*x)).collect();
+                Operation::Columns(Box::new(ColumnsOperation { shape: columns.shape.clone(), operands }))
+            }
+            Operation::Entry(matrix, i, j) => Operation::Entry(f(*matrix), *i, *j),
         }
     }
 }

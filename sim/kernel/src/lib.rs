@@ -6,6 +6,7 @@
 extern crate self as sim_kernel;
 
 mod array;
+mod columns;
 mod description;
 mod dual;
 pub mod event;
@@ -18,6 +19,7 @@ mod table;
 mod wave;
 
 pub use array::{Array, Element, FixedArray};
+pub use columns::{ColumnsStep, solve_columns};
 pub use description::{Coordinate, Description, Figure, Quantity, RunDefault, Shape, SparseRow, Start};
 pub use dual::Dual;
 pub use input::Input;

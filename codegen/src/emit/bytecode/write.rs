@@ -6,7 +6,7 @@ use super::instruction::{Instruction, LookUp, Wave, Waves};
 use super::{Code, Field, Returned};
 use crate::kernel_id::{Argument, KernelId, Receiver};
 use crate::model::Model;
-use crate::program::{self, Entries, Kernel, Name, Program, Results, Statement, Tree};
+use crate::program::{self, BLOCK, Columns, ColumnsStep, Entries, Kernel, Name, Program, Results, Statement, Tree};
 use crate::symbolic::Function;
 use rustc_hash::FxHashMap;
 
@@ -159,6 +159,46 @@ impl<'a> Writer<'a> {
                 self.look_ups.push(LookUp { table: table.index(), to, count: names.len() });
                 self.instructions.push(Instruction::LookUp { place, a });
             }
+            Statement::Columns(columns) => self.columns(columns),
+        }
+    }
+
+    /// Each operation of `sim_kernel::solve_columns`, in its order.
+    fn columns(&mut self, columns: &Columns) {
+        let Columns { shape, inverses, entries, right_hand_sides, names } = columns;
+        let mut places = |trees: &[Tree]| trees.iter().map(|tree| self.value(tree)).collect::<Vec<_>>();
+        let (inverses, entries) = (places(inverses), places(entries));
+        let mut rows: Vec<Vec<Place>> = right_hand_sides.iter().map(|row| places(row)).collect();
+        let mut at = 0;
+        let mut steps = Vec::new();
+        for (ColumnsStep { unknown, rows: after, .. }, inverse) in shape.steps.iter().zip(inverses) {
+            let column: Vec<(usize, Place)> = after.iter().copied().zip(entries[at..].iter().copied()).collect();
+            at += after.len();
+            steps.push((*unknown, inverse, column));
+        }
+        for (step, (unknown, _, column)) in shape.steps.iter().zip(&steps) {
+            for j in (0..shape.columns).filter(|j| step.meets(j / BLOCK)) {
+                let c = rows[*unknown][j];
+                for (row, b) in column {
+                    let (a, to) = (rows[*row][j], self.local());
+                    rows[*row][j] = self.push(|to| Instruction::SubtractProduct { to, a, b: *b, c }, to);
+                }
+            }
+        }
+        for (unknown, inverse, column) in steps.iter().rev() {
+            for j in 0..shape.columns {
+                let (a, to) = (rows[*unknown][j], self.local());
+                let mut solved = self.push(|to| Instruction::Multiply { to, a, b: *inverse }, to);
+                for (row, b) in column {
+                    let (a, c, to) = (solved, rows[*row][j], self.local());
+                    solved = self.push(|to| Instruction::SubtractProduct { to, a, b: *b, c }, to);
+                }
+                rows[*unknown][j] = solved;
+            }
+        }
+        for (names, places) in names.iter().zip(rows) {
+            let named = names.iter().zip(places).filter_map(|(name, place)| Some((name.clone()?, place)));
+            self.names.extend(named);
         }
     }
 

@@ -7,8 +7,8 @@ use super::{ident, size, table_constant};
 use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::{Argument, Arguments, Associated, KernelId, Receiver, Record, Type};
 use crate::model::Model;
-use crate::program::{Kernel, LookUp, Name, Piece, Program, Results, Statement, Tree};
-use proc_macro2::{Delimiter, Group, Ident, TokenStream};
+use crate::program::{Columns, Kernel, LookUp, Name, Piece, Program, Results, Statement, Tree};
+use proc_macro2::{Delimiter, Group, Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 /// All kernels, as methods of the mechanism and of what is prepared from its parameters.
@@ -44,12 +44,12 @@ fn function(equations: &EquationsOfMotion, kernel: &Kernel, concrete: &Concrete,
     let docs = docs.lines().map(|line| format!(" {line}"));
     let arguments = concrete.arguments(kernel.id.signature().arguments);
     let returns = returns(model, kernel, concrete);
-    let statements = kernel.statements.iter().map(|each| statement(equations, each));
+    let statements = kernel.statements.iter().map(|each| statement(equations, each, path));
     let body = [entries(kernel), calls(kernel)].into_iter().chain(statements).chain([results(model, kernel, path)]);
     let body = braces(body);
     let inline = inline(kernel);
     let pieces =
-        kernel.pieces.iter().enumerate().map(|(i, piece)| piece_function(equations, kernel, i, piece, concrete));
+        kernel.pieces.iter().enumerate().map(|(i, piece)| piece_function(equations, kernel, i, piece, concrete, path));
     quote! {
         #(#pieces)*
 
@@ -75,6 +75,7 @@ fn piece_function(
     i: usize,
     piece: &Piece,
     concrete: &Concrete,
+    path: &TokenStream,
 ) -> TokenStream {
     let name = piece_name(kernel, i);
     let mut arguments = concrete.arguments(kernel.id.signature().arguments);
@@ -84,7 +85,7 @@ fn piece_function(
         arguments.push(quote! { found: &[S; #len] });
         unpacked = Some(quote! { let [#(#names),*] = *found; });
     }
-    let statements = piece.statements.iter().map(|each| statement(equations, each));
+    let statements = piece.statements.iter().map(|each| statement(equations, each, path));
     let (len, handed_on) = (size(piece.handed_on.len()), piece.handed_on.iter().map(|name| ident(name)));
     let handed_on = quote! { [#(#handed_on),*] };
     let body = braces([entries(kernel)].into_iter().chain(unpacked).chain(statements).chain([handed_on]));
@@ -169,7 +170,7 @@ fn pattern(name: &Option<Name>) -> Ident {
     ident(name.as_deref().unwrap_or("_"))
 }
 
-fn statement(equations: &EquationsOfMotion, statement: &Statement) -> TokenStream {
+fn statement(equations: &EquationsOfMotion, statement: &Statement, path: &TokenStream) -> TokenStream {
     match statement {
         Statement::Let { name, value } => {
             let name = ident(name);
@@ -187,6 +188,29 @@ fn statement(equations: &EquationsOfMotion, statement: &Statement) -> TokenStrea
             let table = table_constant::constant(&equations.graph.table(*table).name);
             quote! { let [#(#names),*] = #mechanism::<S>::#table.at(#argument); }
         }
+        Statement::Columns(solved) => columns(solved, path),
+    }
+}
+
+/// A system solved for many right-hand sides.
+fn columns(columns: &Columns, path: &TokenStream) -> TokenStream {
+    let Columns { shape, inverses, entries, right_hand_sides, names } = columns;
+    let steps = shape.steps.iter().map(|step| {
+        let (unknown, blocks) = (size(step.unknown), Literal::u64_unsuffixed(step.blocks));
+        let rows = step.rows.iter().map(|row| size(*row));
+        quote! { #path::ColumnsStep { unknown: #unknown, rows: &[#(#rows),*], blocks: #blocks } }
+    });
+    let names = names.iter().map(|row| {
+        let row = row.iter().map(pattern);
+        quote! { [#(#row),*] }
+    });
+    let (inverses, entries, right_hand_sides) = (row(inverses), row(entries), matrix(right_hand_sides));
+    quote! {
+        let [#(#names),*] = {
+            let (inverses, entries, mut columns) = (#inverses, #entries, #right_hand_sides);
+            #path::solve_columns(&[#(#steps),*], &inverses, &entries, &mut columns);
+            columns
+        };
     }
 }
 

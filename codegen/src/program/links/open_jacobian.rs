@@ -6,11 +6,11 @@
 
 use super::base::{Base, quaternion_turned, speed};
 use super::coriolis::Derivatives;
-use super::newton_euler::Motion;
 use super::open::OpenTerms;
-use super::triple::{Matrix, Triple, apply, difference, inner, product, sum};
+use super::triple::{Triple, apply, difference, inner, product, sum};
 use crate::dynamics::order::Multipliers;
 use crate::dynamics::{BaseDerivatives, OpenDerivatives};
+use crate::program::columns::solve_each;
 use crate::program::eliminate::{Factors, System, Unknown, factorise};
 use crate::program::lower::Lowering;
 use crate::program::notes::Notes;
@@ -44,7 +44,7 @@ struct Moving<'a> {
     stretched: Value,
     along: Value,
     /// For each component of the angular velocity the derivatives of all accelerations.
-    by_spin: [Vec<Value>; 3],
+    by_spin: &'a [Vec<Value>],
 }
 
 /// The variable of a column: a coordinate, or its speed.
@@ -55,33 +55,59 @@ struct Variable {
     level: usize,
 }
 
+/// What the columns come from.
+struct Parts<'a> {
+    derivatives: &'a OpenDerivatives,
+    along_tree: Derivatives,
+    /// Of what acts beside links, at the coordinates.
+    forces: Vec<Value>,
+    /// By all unknowns.
+    accelerations: Vec<Value>,
+}
+
 impl OpenTerms<'_> {
     /// Nothing where they are not wanted or a joint is not a simple one.
     pub(in crate::program) fn jacobian(&self, lowering: &mut Lowering, notes: &mut Notes) -> Option<StateDerivatives> {
         let derivatives = self.open.derivatives.as_ref()?;
         let eliminated = self.eliminated(lowering, notes)?;
         let forces = lowering.lower_all(&self.open.rest.right_hand_side);
-        let (mut needed, zero) = (self.along_unknowns(&mut lowering.values, &forces), lowering.values.constant(0.0));
-        for (needed, taken) in needed.iter_mut().zip(self.tree.forces(&mut lowering.values, None)) {
-            *needed = difference(&mut lowering.values, *needed, taken);
+        let values = &mut lowering.values;
+        let mut needed = self.along_unknowns(values, &forces);
+        for (needed, taken) in needed.iter_mut().zip(self.tree.forces(values, None)) {
+            *needed = difference(values, *needed, taken);
         }
-        let accelerations = eliminated.solve(&mut lowering.values, needed, zero);
-        let along_tree = self.tree.derivatives(&mut lowering.values, &accelerations);
-        let bases = self.bases.iter().zip(&derivatives.bases).map(|(base, derivatives)| {
-            self.moving(lowering, &eliminated, &along_tree, (base, derivatives), &accelerations)
-        });
+        let accelerations = eliminated.solve(values, vec![needed]).concat();
+        let along_tree = self.tree.derivatives(values, &accelerations);
+        let parts = Parts { derivatives, along_tree, forces, accelerations };
+        let variables = self.variables();
+        let spins = self.bases.iter().flat_map(|base| base.first + 3..base.first + 6);
+        let taken = spins.map(|spin| &parts.along_tree.by_speeds[spin]);
+        let by_spins = taken.map(|taken| taken.iter().map(|x| lowering.values.negate(*x)).collect());
+        let mut needed: Vec<Vec<Value>> = by_spins.collect();
+        needed.extend(variables.iter().map(|of| self.needed(lowering, &parts, *of)));
+        let mut solved = eliminated.solve(&mut lowering.values, needed);
+        let by_variable = solved.split_off(3 * self.bases.len());
+        let bases = self.bases.iter().zip(&derivatives.bases).zip(solved.chunks(3));
+        let bases = bases
+            .map(|((base, derivatives), by_spin)| Moving::of(self, lowering, &parts, (base, derivatives), by_spin));
         let bases: Vec<Moving> = bases.collect();
-        let mut columns = [0, 1].map(|level| {
-            let all = (0..self.equations.model.coordinates.len()).map(|coordinate| Variable { coordinate, level });
-            let column = |of| self.column(lowering, &eliminated, derivatives, (&along_tree, &bases, &forces), of);
-            all.map(column).collect::<Vec<_>>()
-        });
+        let none = vec![vec![]; self.equations.model.coordinates.len()];
+        let (mut accelerations, mut multipliers) = ([none.clone(), none.clone()], [none.clone(), none]);
+        for (of, solved) in variables.into_iter().zip(by_variable) {
+            let column = self.column(lowering, &parts, &bases, of, solved);
+            [accelerations[of.level][of.coordinate], multipliers[of.level][of.coordinate]] = column;
+        }
         let mut pivots = eliminated.factors.pivots;
         pivots.extend(self.bases.iter().map(|base| (base.square, base.square)));
-        let multipliers =
-            columns.each_mut().map(|columns| columns.iter_mut().map(|(_, own)| std::mem::take(own)).collect());
-        let accelerations = columns.map(|columns| columns.into_iter().map(|(own, _)| own).collect());
         Some(StateDerivatives { accelerations, multipliers, pivots })
+    }
+
+    /// All of them, those of one limb beside each other, as their right-hand sides are zero elsewhere.
+    fn variables(&self) -> Vec<Variable> {
+        let mut coordinates: Vec<usize> = self.bases.iter().flat_map(|base| base.declared.coordinates()).collect();
+        let joints = self.tree.links.iter().filter(|link| !link.moves_freely);
+        coordinates.extend(joints.flat_map(|link| &link.columns).map(|column| column.coordinate));
+        coordinates.into_iter().flat_map(|coordinate| [0, 1].map(|level| Variable { coordinate, level })).collect()
     }
 
     fn eliminated(&self, lowering: &mut Lowering, notes: &mut Notes) -> Option<Eliminated> {
@@ -111,22 +137,88 @@ impl OpenTerms<'_> {
         all
     }
 
-    fn moving<'a>(
+    /// d(Q - M q'' - h) by a variable, but what comes with the angular velocity of a base.
+    fn needed(&self, lowering: &mut Lowering, parts: &Parts, of: Variable) -> Vec<Value> {
+        let Parts { derivatives, along_tree, forces, .. } = parts;
+        let beside = lowering.lower_all(&derivatives.rest[of.level][of.coordinate]);
+        let mut needed = self.along_unknowns(&mut lowering.values, &beside);
+        let taken = if of.level == 0 { &along_tree.by_positions } else { &along_tree.by_speeds };
+        for (needed, taken) in needed.iter_mut().zip(&taken[of.coordinate]) {
+            *needed = difference(&mut lowering.values, *needed, *taken);
+        }
+        for (base, derivatives) in self.bases.iter().zip(&derivatives.bases).filter(|_| of.level == 0) {
+            let Some(component) = of.component(base) else { continue };
+            // Loads on its coordinates, as it is turned.
+            let turn = derivatives.turn[component].map(|row| row.map(|x| lowering.lower(x)));
+            let values = &mut lowering.values;
+            let unit = unit(values, component);
+            let turned = base.wrench_of(values, (&turn, &unit), forces).concat();
+            for (needed, turned) in needed[base.first..].iter_mut().zip(turned) {
+                *needed = sum(values, &[*needed, turned]);
+            }
+        }
+        needed
+    }
+
+    /// The derivatives of q'' and of lambda by a variable, from what is solved for its right-hand side.
+    fn column(
         &self,
         lowering: &mut Lowering,
-        eliminated: &Eliminated,
-        along_tree: &Derivatives,
-        (base, derivatives): (&'a Base<'a>, &'a BaseDerivatives),
-        accelerations: &[Value],
-    ) -> Moving<'a> {
-        let convective = lowering.lower(self.equations.constraints.convective[base.declared.norm]);
-        let values = &mut lowering.values;
+        parts: &Parts,
+        bases: &[Moving],
+        of: Variable,
+        mut solved: Vec<Value>,
+    ) -> [Vec<Value>; 2] {
+        let beside = lowering.lower_all(&parts.derivatives.rest[of.level][of.coordinate]);
+        for moving in bases {
+            moving.add_turning(lowering, of, &mut solved);
+        }
+        let mut multipliers = vec![lowering.values.constant(0.0); self.equations.model.constraints.len()];
+        for moving in bases {
+            moving.finish(lowering, of, &mut solved);
+            let values = &mut lowering.values;
+            let stretched = moving.multiplier_stretched(values, of, &parts.forces);
+            let multiplier = moving.base.multiplier(values, &beside);
+            multipliers[moving.base.declared.norm] = sum(values, &[multiplier, stretched]);
+        }
+        solved.truncate(self.equations.model.coordinates.len());
+        [solved, multipliers]
+    }
+}
+
+impl Eliminated {
+    /// The solutions for forces along the unknowns, zero for what stands for nothing.
+    fn solve(&self, values: &mut Values, mut forces: Vec<Vec<Value>>) -> Vec<Vec<Value>> {
         let zero = values.constant(0.0);
-        let by_spin = std::array::from_fn(|i| {
-            let taken = along_tree.by_speeds[base.first + 3 + i].iter().map(|x| values.negate(*x)).collect();
-            eliminated.solve(values, taken, zero)
-        });
-        let Motion { proper, .. } = along_tree.motions[base.declared.link];
+        let acts = |values: &Values, column: &[Value]| column.iter().any(|x| !values.is_zero(*x));
+        let acting: Vec<usize> = (0..forces.len()).filter(|j| acts(values, &forces[*j])).collect();
+        let sides = acting.iter().map(|j| self.unknowns.iter().map(|unknown| forces[*j][*unknown]).collect());
+        let solved = solve_each(values, &self.factors, sides.collect());
+        for (j, solved) in acting.into_iter().zip(solved) {
+            forces[j].fill(zero);
+            self.unknowns.iter().zip(solved).for_each(|(unknown, x)| forces[j][*unknown] = x);
+        }
+        forces
+    }
+}
+
+impl Variable {
+    /// Which component of a base's quaternion it is, or the rate of which.
+    fn component(&self, base: &Base) -> Option<usize> {
+        base.declared.quaternion.iter().position(|i| *i == self.coordinate)
+    }
+}
+
+impl<'a> Moving<'a> {
+    fn of(
+        terms: &OpenTerms,
+        lowering: &mut Lowering,
+        parts: &Parts,
+        (base, derivatives): (&'a Base<'a>, &'a BaseDerivatives),
+        by_spin: &'a [Vec<Value>],
+    ) -> Moving<'a> {
+        let convective = lowering.lower(terms.equations.constraints.convective[base.declared.norm]);
+        let values = &mut lowering.values;
         let rates = base.declared.quaternion.map(|i| speed(values, i));
         let stretched = base.along_quaternion(values, rates);
         let (stretched, minus_half) = (product(values, stretched, base.inverse_square), values.constant(-0.5));
@@ -134,89 +226,17 @@ impl OpenTerms<'_> {
         Moving {
             base,
             derivatives,
-            proper,
-            turning: std::array::from_fn(|i| accelerations[base.first + 3 + i]),
+            proper: parts.along_tree.motions[base.declared.link].proper,
+            turning: std::array::from_fn(|i| parts.accelerations[base.first + 3 + i]),
             stretched,
             along: product(values, minus_half, along),
             by_spin,
         }
     }
 
-    /// The derivatives of q'' and of lambda by a variable.
-    fn column(
-        &self,
-        lowering: &mut Lowering,
-        eliminated: &Eliminated,
-        derivatives: &OpenDerivatives,
-        (along_tree, bases, forces): (&Derivatives, &[Moving], &[Value]),
-        of: Variable,
-    ) -> (Vec<Value>, Vec<Value>) {
-        let beside = lowering.lower_all(&derivatives.rest[of.level][of.coordinate]);
-        let mut needed = self.along_unknowns(&mut lowering.values, &beside);
-        let own = bases.iter().find_map(|moving| Some((moving, moving.component(of)?)));
-        let taken = if of.level == 0 { &along_tree.by_positions } else { &along_tree.by_speeds };
-        for (needed, taken) in needed.iter_mut().zip(&taken[of.coordinate]) {
-            *needed = difference(&mut lowering.values, *needed, *taken);
-        }
-        if let Some((moving, component)) = own.filter(|_| of.level == 0) {
-            let turned = moving.wrench_turned(lowering, component, forces).concat();
-            let values = &mut lowering.values;
-            for (needed, turned) in needed[moving.base.first..].iter_mut().zip(turned) {
-                *needed = sum(values, &[*needed, turned]);
-            }
-        }
-        let zero = lowering.values.constant(0.0);
-        let mut solved = match needed.iter().all(|x| lowering.values.is_zero(*x)) {
-            true => needed,
-            false => eliminated.solve(&mut lowering.values, needed, zero),
-        };
-        if let Some((moving, component)) = own {
-            moving.add_turning(lowering, of, component, &mut solved);
-        }
-        let mut multipliers = vec![zero; self.equations.model.constraints.len()];
-        for moving in bases {
-            let component = own.filter(|(own, _)| std::ptr::eq(*own, moving)).map(|(_, component)| component);
-            moving.finish(lowering, of, component, &mut solved);
-            let values = &mut lowering.values;
-            let norm = moving.base.declared.norm;
-            multipliers[norm] = moving.base.multiplier(values, &beside);
-            if let Some(component) = component.filter(|_| of.level == 0) {
-                let stretched = moving.multiplier_stretched(values, component, forces);
-                multipliers[norm] = sum(values, &[multipliers[norm], stretched]);
-            }
-        }
-        solved.truncate(self.equations.model.coordinates.len());
-        (solved, multipliers)
-    }
-}
-
-impl Eliminated {
-    /// The solution for forces along the unknowns, zero for what stands for nothing.
-    fn solve(&self, values: &mut Values, forces: Vec<Value>, zero: Value) -> Vec<Value> {
-        let mut all = vec![zero; forces.len()];
-        let right_hand_side = self.unknowns.iter().map(|unknown| forces[*unknown]).collect();
-        let constants = vec![zero; self.unknowns.len()];
-        let solved = self.factors.solve(values, right_hand_side, &constants, &mut |_, _| ());
-        self.unknowns.iter().zip(solved).for_each(|(unknown, x)| all[*unknown] = x);
-        all
-    }
-}
-
-impl Moving<'_> {
-    /// Which component of its quaternion a variable is, or the rate of which.
-    fn component(&self, of: Variable) -> Option<usize> {
-        self.base.declared.quaternion.iter().position(|i| *i == of.coordinate)
-    }
-
-    /// What the wrench of loads on its coordinates changes by as it is turned.
-    fn wrench_turned(&self, lowering: &mut Lowering, component: usize, forces: &[Value]) -> [Triple; 2] {
-        let turn = lowered(lowering, &self.derivatives.turn[component]);
-        let unit = unit(&mut lowering.values, component);
-        self.base.wrench_of(&mut lowering.values, (&turn, &unit), forces)
-    }
-
     /// -lambda (q.q)_q/q.q, and what stands with q in it.
-    fn multiplier_stretched(&self, values: &mut Values, component: usize, forces: &[Value]) -> Value {
+    fn multiplier_stretched(&self, values: &mut Values, of: Variable, forces: &[Value]) -> Value {
+        let Some(component) = of.component(self.base).filter(|_| of.level == 0) else { return values.constant(0.0) };
         let (half, minus_two) = (values.constant(0.5), values.constant(-2.0));
         let multiplier = self.base.multiplier(values, forces);
         let own = product(values, half, forces[self.base.declared.quaternion[component]]);
@@ -237,7 +257,8 @@ impl Moving<'_> {
     }
 
     /// What comes with its angular velocity.
-    fn add_turning(&self, lowering: &mut Lowering, of: Variable, component: usize, solved: &mut [Value]) {
+    fn add_turning(&self, lowering: &mut Lowering, of: Variable, solved: &mut [Value]) {
+        let Some(component) = of.component(self.base) else { return };
         let spin = self.spin(lowering, of, component);
         let values = &mut lowering.values;
         for (i, solved) in solved.iter_mut().enumerate() {
@@ -247,8 +268,8 @@ impl Moving<'_> {
     }
 
     /// x'' and q'' from the accelerations in its frame.
-    fn finish(&self, lowering: &mut Lowering, of: Variable, component: Option<usize>, solved: &mut [Value]) {
-        let base = self.base;
+    fn finish(&self, lowering: &mut Lowering, of: Variable, solved: &mut [Value]) {
+        let (base, component) = (self.base, of.component(self.base));
         let own = |solved: &[Value], first: usize| std::array::from_fn(|i| solved[base.first + first + i]);
         let (pushed, turned): (Triple, Triple) = (own(solved, 0), own(solved, 3));
         let half = lowering.values.constant(0.5);
@@ -267,7 +288,7 @@ impl Moving<'_> {
         }
         let mut quaternion = quaternion_turned(&mut lowering.values, &base.quaternion, along, &turning);
         if let Some(component) = component.filter(|_| of.level == 0) {
-            let turn = lowered(lowering, &self.derivatives.turn[component]);
+            let turn = self.derivatives.turn[component].map(|row| row.map(|x| lowering.lower(x)));
             let values = &mut lowering.values;
             let swung = apply(values, &turn, &self.proper);
             place = std::array::from_fn(|i| sum(values, &[place[i], swung[i]]));
@@ -295,10 +316,6 @@ impl Moving<'_> {
         };
         [stretched, along].map(|x| product(values, x, self.base.inverse_square))
     }
-}
-
-fn lowered(lowering: &mut Lowering, matrix: &[[crate::symbolic::Expr; 3]; 3]) -> Matrix {
-    matrix.map(|row| row.map(|x| lowering.lower(x)))
 }
 
 /// A quaternion of one component.
