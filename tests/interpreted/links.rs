@@ -312,12 +312,13 @@ fn a_quaternion_of_zero_is_refused() {
 
 /// Derivatives along the tree are those of `dynamics`: by dual numbers where they are no kernel. The coordinates in `lengths` are
 /// lengths.
-fn derivatives_are_those_of_dynamics(text: &str, lengths: &[usize]) {
+pub(crate) fn derivatives_are_those_of_dynamics(text: &str, lengths: &[usize]) {
     let (before, _) = text.split_once("kernels {").unwrap();
-    let with_kernel = format!("{before} kernels {{ dynamics_jacobian; }}");
+    let [with_kernel, without] =
+        ["dynamics_jacobian", "inverse_dynamics"].map(|kernel| format!("{before} kernels {{ {kernel}; }}"));
     let random = &mut Random(5);
     for (length, mass) in [(1.0, 1.0), (1e-3, 1e-3), (100.0, 1e3)] {
-        let [kernel, duals] = [&with_kernel, text].map(|text| scaled(text, length, mass));
+        let [kernel, duals] = [&with_kernel, &without].map(|text| scaled(text, length, mass));
         assert_eq!(kernel.description().optional_kernels, ["dynamics_jacobian"]);
         let size = |i: usize| if lengths.contains(&i) { length } else { 1.0 };
         for _ in 0..5 {

@@ -3,6 +3,7 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 mod against_oracle;
+mod columns;
 mod links;
 mod mangled;
 mod many_rows;
