@@ -107,6 +107,37 @@ const LIMB: &str = "
     }
     kernels { inverse_dynamics; speed_mass_matrix; }";
 
+/// An arm on the ground: turns about axes of a frame and askew, one that slides askew, and two motors of one turn.
+const ARM: &str = "
+    pub Arm;
+    parameters { L [m] = 1; m [kg] = 1; k [N/m] = 20; }
+    coordinates { a [rad]; b [rad]; s [m]; c [rad]; d [rad]; h [rad]; f [rad]; }
+    let A = rotation(x, 0.3)*rotation(z, a);
+    let B = A*rotation([0.6, 0, 0.8], b);
+    let PB = A*[0.1*L, 0.2*L, 0.3*L];
+    let PS = PB + B*[0.3*L, 0.6*s, 0.8*s];
+    let C = B*rotation(y, c + 3*d);
+    let PC = PS + B*[0, 0.1*L, 0.2*L];
+    let E = C*rotation(x, h);
+    let PE = PC + C*[0.2*L, 0, 0.1*L];
+    let F = E*rotation(y, f);
+    let PF = PE + E*[0, 0.3*L, 0];
+    bodies {
+        one: mass m at A*[0.01*L, 0.03*L, 0.2*L], inertia [0.05*m*L^2, 0.06*m*L^2, 0.03*m*L^2, 0.001*m*L^2, 0, 0.002*m*L^2], attitude A;
+        two: mass 0.7*m at PB + B*[0.02*L, 0, 0.15*L], inertia [0.02*m*L^2, 0.03*m*L^2, 0.015*m*L^2], attitude B;
+        three: mass 0.6*m at PS + B*[0.02*L, 0.1*L, 0], inertia [0.02*m*L^2, 0.03*m*L^2, 0.025*m*L^2], attitude B;
+        four: mass 0.5*m at PC + C*[0.1*L, 0.02*L, 0], inertia [0.01*m*L^2, 0.012*m*L^2, 0.008*m*L^2, 0, 0.001*m*L^2, 0], attitude C;
+        five: mass 0.4*m at PE + E*[0, 0.1*L, 0.03*L], inertia [0.01*m*L^2, 0.008*m*L^2, 0.009*m*L^2], attitude E;
+        six: mass 0.3*m at PF + F*[0.1*L, 0, 0.1*L], inertia [0.004*m*L^2, 0.006*m*L^2, 0.005*m*L^2], attitude F;
+        motor: inertia 0.02*m*L^2, angle d;
+    }
+    loads {
+        gravity [1 [m/s^2], 0, -9.81 [m/s^2]];
+        spring k, length 0.1*L from PB to PF;
+        torque -0.1*m*L^2*dot(h)/(1 [s]) on h;
+    }
+    kernels { inverse_dynamics; }";
+
 /// A table that time turns and lifts carries an arm: the power is that of loads and drives.
 const DRIVEN: &str = "
     pub Driven;
@@ -361,6 +392,12 @@ fn derivatives_of_a_free_base() {
 #[test]
 fn derivatives_of_a_limb_of_many_joints() {
     derivatives_are_those_of_dynamics(LIMB, &[3, 11, 12, 13, 18, 19, 20]);
+}
+
+#[test]
+fn an_arm_on_the_ground() {
+    agrees(ARM, &[2]);
+    derivatives_are_those_of_dynamics(ARM, &[2]);
 }
 
 #[test]

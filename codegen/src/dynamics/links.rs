@@ -8,13 +8,15 @@
 //! is at rest. Forces along the coordinates stay what they are.
 
 use super::free_base::FreeBase;
+use super::link::Link;
+use super::mass_distribution::MassDistribution;
 use super::open_tree::OpenTree;
 use super::rows::load_rows_besides;
 use super::tmt::Tmt;
 use super::variables::{Derivatives, Variables};
-use crate::model::triple::{Matrix, Triple, add, apply, identity, product, scaled, transposed};
-use crate::model::{Body, Dependence, Dependences, FixedBody, Model};
-use crate::symbolic::{Differential, Expr, Graph, Number, substitute};
+use crate::model::triple::Triple;
+use crate::model::{Dependence, Dependences, FixedBody, Model};
+use crate::symbolic::{Differential, Expr, Graph, substitute};
 
 /// A tree of links, and what else moves.
 pub struct Links {
@@ -26,33 +28,6 @@ pub struct Links {
     pub rest: Tmt,
     /// The same with what moves freely by its velocity, if the tree is open.
     pub open: Option<OpenTree>,
-}
-
-/// A frame, its motion in the one before, and the mass in it.
-pub struct Link {
-    /// The link before it, by index; none if that is the world.
-    pub before: Option<usize>,
-    /// S, from its own frame to the one before.
-    pub turn: Matrix,
-    /// Its angular velocity in the frame before, in its own; and the rate of these components where q'' = 0.
-    pub spin: [Triple; 2],
-    /// Its origin in the frame before, r, with r'; and r'' where q'' = 0.
-    pub offset: [Triple; 3],
-    /// For each coordinate that moves it in the frame before: the derivatives of `spin` and r' by its speed.
-    pub columns: Vec<(usize, [Triple; 2])>,
-    /// The mass that moves with it, regrouped.
-    pub mass: MassDistribution,
-}
-
-/// A mass distribution about an origin.
-#[derive(Clone)]
-pub struct MassDistribution {
-    /// M.
-    pub mass: Expr,
-    /// h, the integral of r.
-    pub first: Triple,
-    /// P, the integral of r r', by rows.
-    pub second: Matrix,
 }
 
 impl Links {
@@ -77,6 +52,13 @@ impl Links {
         let rest = Tmt::derive(graph, variables, derivatives, rows);
         let gravity = model.gravity.as_ref().map_or([zero; 3], |gravity| [gravity[0], gravity[1], gravity[2]]);
         Some(Links { links, gravity, rest, open })
+    }
+}
+
+impl Links {
+    /// Whether derivatives by the state come from recursions.
+    pub(super) fn have_derivatives(&self) -> bool {
+        self.open.as_ref().is_some_and(|open| open.derivatives.is_some())
     }
 }
 
@@ -136,82 +118,5 @@ fn regroup(graph: &mut Graph, dependences: &mut Dependences, links: &mut [Link])
         let (Some(moved), Some(before)) = (moved, links[at].before) else { continue };
         let seen = moved.seen_from(graph, &links[at].turn, &links[at].offset[0]);
         links[before].mass.add(graph, &seen);
-    }
-}
-
-impl Link {
-    /// Whether its turning leaves an axis of its frame at rest.
-    fn turns_about(&self, graph: &mut Graph, axis: usize) -> bool {
-        let unit = identity(graph)[axis];
-        self.turn[axis] == unit && transposed(&self.turn)[axis] == unit
-    }
-}
-
-impl MassDistribution {
-    fn none(graph: &mut Graph) -> MassDistribution {
-        let zero = graph.zero();
-        MassDistribution { mass: zero, first: [zero; 3], second: [[zero; 3]; 3] }
-    }
-
-    fn add(&mut self, graph: &mut Graph, other: &MassDistribution) {
-        self.mass = graph.add(self.mass, other.mass);
-        self.first = add(graph, self.first, other.first);
-        self.second = std::array::from_fn(|i| add(graph, self.second[i], other.second[i]));
-    }
-
-    /// P = tr(J)/2 - J + m c c' with the inertia J about the centre of mass c.
-    fn add_body(&mut self, graph: &mut Graph, body: &Body, centre: Option<Triple>) {
-        let zero = graph.zero();
-        let Some(attitude) = &body.attitude else { return };
-        let trace = graph.sum(&attitude.inertia.moments);
-        let half = graph.scale(&Number::HALF, trace);
-        let second = std::array::from_fn(|i| {
-            std::array::from_fn(|j| {
-                let moment = attitude.inertia.entry(i, j);
-                graph.sub(if i == j { half } else { zero }, moment)
-            })
-        });
-        let about_centre = MassDistribution { mass: zero, first: [zero; 3], second };
-        self.add(graph, &about_centre);
-        if let (Some((mass, _)), Some(centre)) = (&body.mass, centre) {
-            let point = MassDistribution { mass: *mass, ..MassDistribution::none(graph) };
-            let point = point.moved(graph, &centre);
-            self.add(graph, &point);
-        }
-    }
-
-    /// Takes out the part that turning about an axis does not move.
-    fn take_rod(&mut self, graph: &mut Graph, axis: usize) -> MassDistribution {
-        let zero = graph.zero();
-        let mut rod = MassDistribution::none(graph);
-        rod.mass = std::mem::replace(&mut self.mass, zero);
-        rod.first[axis] = std::mem::replace(&mut self.first[axis], zero);
-        rod.second[axis][axis] = std::mem::replace(&mut self.second[axis][axis], zero);
-        rod
-    }
-
-    /// The same in the frame before, where it has to be fixed: S h, S P S', about the origin there.
-    fn seen_from(&self, graph: &mut Graph, turn: &Matrix, offset: &Triple) -> MassDistribution {
-        let first = apply(graph, turn, &self.first);
-        let half = product(graph, turn, &self.second);
-        let second = product(graph, &half, &transposed(turn));
-        MassDistribution { mass: self.mass, first, second }.moved(graph, offset)
-    }
-
-    /// The same about another origin, from which this one is at r: h + M r, P + r h' + h r' + M r r'.
-    fn moved(&self, graph: &mut Graph, r: &Triple) -> MassDistribution {
-        let carried = scaled(graph, self.mass, *r);
-        let second = std::array::from_fn(|i| {
-            std::array::from_fn(|j| {
-                let terms = [
-                    self.second[i][j],
-                    graph.mul(r[i], self.first[j]),
-                    graph.mul(self.first[i], r[j]),
-                    graph.mul(carried[i], r[j]),
-                ];
-                graph.sum(&terms)
-            })
-        });
-        MassDistribution { mass: self.mass, first: add(graph, self.first, carried), second }
     }
 }

@@ -28,7 +28,9 @@ mod inverse;
 mod kinematics;
 mod lagrange;
 mod linear;
+mod link;
 mod links;
+mod mass_distribution;
 mod open_derivatives;
 mod open_tree;
 pub mod order;
@@ -52,7 +54,9 @@ pub use intermediates::Intermediate;
 pub use inverse::Inverse;
 pub use kinematics::Kinematics;
 pub use lagrange::{Lagrange, lagrange};
-pub use links::{Link, Links, MassDistribution};
+pub use link::Link;
+pub use links::Links;
+pub use mass_distribution::MassDistribution;
 pub use open_derivatives::{BaseDerivatives, OpenDerivatives};
 pub use open_tree::OpenTree;
 pub use outputs::Outputs;
@@ -143,15 +147,10 @@ fn derive_as(
     let mut declared = ConstraintForm::declared(&model, &constraints);
     let mut turned = None;
     let is_plain = intermediates.is_empty();
-    let wants_by_state = is_plain && sensitivity::is_wanted_by_state(&model);
-    let is_tried = sensitivity::is_tried_by_state(&model);
     if is_plain {
         turned = ConstraintForm::turned(&mut graph, &model, &constraints);
         for form in [&mut declared].into_iter().chain(&mut turned) {
-            if wants_by_state && is_tried {
-                sensitivity::by_state(&mut graph, &model, &tmt, form, &mut derivatives);
-            }
-            sensitivity::by_parameters(&mut graph, &model, &tmt, form);
+            sensitivity::derive(&mut graph, &model, &tmt, form, &mut derivatives);
         }
     }
     // Last, so that nothing above notices.
@@ -159,11 +158,9 @@ fn derive_as(
     let free_bases = free_base::free_bases(&mut graph, &model, &constraints);
     let separations = if is_plain { separation::separations(&mut graph, &tmt, &constraints) } else { vec![] };
     let links = is_plain.then(|| links(&mut graph, &model, &variables, &mut derivatives, &free_bases)).flatten();
-    let is_recursive =
-        links.as_ref().and_then(|links| links.open.as_ref()).is_some_and(|open| open.derivatives.is_some());
-    if wants_by_state && !is_tried && !is_recursive {
+    if is_plain && !links.as_ref().is_some_and(Links::have_derivatives) {
         for form in [&mut declared].into_iter().chain(&mut turned) {
-            sensitivity::by_state(&mut graph, &model, &tmt, form, &mut derivatives);
+            sensitivity::derive_left_out(&mut graph, &model, &tmt, form, &mut derivatives);
         }
     }
     EquationsOfMotion {

@@ -1,7 +1,7 @@
 //! What the derivatives of an open tree's accelerations by its state need beside recursions.
 
 use super::free_base::FreeBase;
-use super::links::Link;
+use super::link::Link;
 use super::tmt::Tmt;
 use crate::model::triple::{Matrix, Triple, cross};
 use crate::model::{Dependence, Dependences, Model};

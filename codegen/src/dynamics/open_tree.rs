@@ -5,7 +5,7 @@
 //! multiplier.
 
 use super::free_base::FreeBase;
-use super::links::Link;
+use super::link::Link;
 use super::open_derivatives::OpenDerivatives;
 use super::rows::{Along, LoadRow};
 use super::sensitivity;

@@ -26,19 +26,32 @@ pub(super) fn is_wanted_by_state(model: &Model) -> bool {
     }
 }
 
-/// Whether they are derived even where recursions give them: those of few coordinates may take fewer operations.
-pub(super) fn is_tried_by_state(model: &Model) -> bool {
-    model.links.is_empty() || model.coordinates.len() <= MOST_COORDINATES
-}
-
-/// Enters the derivatives by the state.
-pub(super) fn by_state(
+/// Enters the derivatives that the model asks for, but those by many coordinates where links may give them by recursion: of few
+/// coordinates they may take fewer operations than that.
+pub(super) fn derive(
     graph: &mut Graph,
     model: &Model,
     tmt: &Tmt,
     form: &mut ConstraintForm,
     derivatives: &mut Derivatives,
 ) {
+    if model.links.is_empty() || model.coordinates.len() <= MOST_COORDINATES {
+        derive_left_out(graph, model, tmt, form, derivatives);
+    }
+    by_parameters(graph, model, tmt, form);
+}
+
+/// Enters the derivatives by the state, if the model asks for them and they are not there.
+pub(super) fn derive_left_out(
+    graph: &mut Graph,
+    model: &Model,
+    tmt: &Tmt,
+    form: &mut ConstraintForm,
+    derivatives: &mut Derivatives,
+) {
+    if form.by_state.is_some() || !is_wanted_by_state(model) {
+        return;
+    }
     let residual = residual(graph, model, tmt, form);
     let speeds: Vec<Symbol> = model.coordinates.iter().map(|c| c.speed).collect();
     let by_positions = columns(graph, form, &residual, &mut derivatives.by_variable);
@@ -47,7 +60,7 @@ pub(super) fn by_state(
 }
 
 /// Enters the derivatives by the parameters, if the model asks for them.
-pub(super) fn by_parameters(graph: &mut Graph, model: &Model, tmt: &Tmt, form: &mut ConstraintForm) {
+fn by_parameters(graph: &mut Graph, model: &Model, tmt: &Tmt, form: &mut ConstraintForm) {
     // Whether an input follows its declared course is known at run time alone.
     let courses: Vec<Expr> = model.inputs.iter().map(|input| input.course).collect();
     let occurring = graph.symbols_of(&courses);

@@ -23,6 +23,7 @@ mod prepared;
 mod reduced;
 mod responses;
 mod results;
+mod right_hand_sides;
 mod schedule;
 mod separate;
 mod separated;

@@ -10,7 +10,7 @@ use super::planner::Planner;
 use super::results::Results;
 use super::schedule::derived_name;
 use super::speeds;
-use super::values::{Input, Leaves, Operation, Value};
+use super::values::{Input, Leaves, Operation, Value, Values};
 use super::ways::{Solution, can_be_by_rows, operations};
 use super::{Kernel, Name, Tree, reduced};
 use crate::dynamics::{EquationsOfMotion, Inverse};
@@ -23,28 +23,22 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     let Some(Solution { mut lowering, mut motion, mut differentiable }) = Solution::cheapest(planner) else {
         return vec![];
     };
-    let mut planned = vec![(KernelId::Dynamics, motion.dynamics())];
     let inverse = inverse_dynamics(planner, &mut lowering);
-    planned.extend(inverse.map(|forces| (KernelId::InverseDynamics, Results::Vector(forces))));
     let differentiated = differentiable.as_ref().unwrap_or(&motion);
     let by_state = differentiated.form.by_state.as_ref().map(|columns| differentiated.jacobian(&mut lowering, columns));
     let by_parameters = differentiated.form.by_parameters.as_ref();
     let by_parameters = by_parameters.map(|columns| differentiated.sensitivity(&mut lowering, columns));
     let mut notes = std::mem::take(&mut motion.notes);
     notes.extend(differentiable.as_mut().map(|motion| std::mem::take(&mut motion.notes)));
-    let by_state = [by_state, open_jacobian(planner, &mut lowering, &mut notes)].into_iter().flatten();
-    let by_state = by_state.min_by_key(|results| operations(&lowering.values, results.entries()));
+    let EquationsOfMotion { model, graph, speeds, .. } = planner.equations;
+    let in_speeds = speeds.as_ref().map(|speeds| speeds::kernels(graph, model, speeds, &mut lowering, &mut notes));
+    let along_tree = open_jacobian(planner, &mut lowering);
+    let by_state = cheaper(&lowering.values, by_state, along_tree, &mut notes);
+    let mut planned = vec![(KernelId::Dynamics, motion.dynamics())];
+    planned.extend(inverse.map(|forces| (KernelId::InverseDynamics, Results::Vector(forces))));
     planned.extend(by_state.map(|results| (KernelId::DynamicsJacobian, results)));
     planned.extend(by_parameters.map(|results| (KernelId::DynamicsSensitivity, results)));
-    if let Some(speeds) = &planner.equations.speeds {
-        planned.extend(speeds::kernels(
-            &planner.equations.graph,
-            &planner.equations.model,
-            speeds,
-            &mut lowering,
-            &mut notes,
-        ));
-    }
+    planned.extend(in_speeds.into_iter().flatten());
     let roots: Vec<Value> = planned.iter().flat_map(|(_, results)| results.entries()).copied().collect();
     let fields = fields(planner, &lowering, &notes, &roots);
     let leaves: Leaves = fields.iter().map(|(name, value)| (*value, Tree::Field(name.clone()))).collect();
@@ -66,12 +60,31 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     [prepare].into_iter().chain(kernels).collect()
 }
 
+/// The derivatives from the factors of the equations of motion, or those along the tree with what is noted of them.
+fn cheaper(
+    values: &Values,
+    by_factors: Option<Results<Value>>,
+    along_tree: Option<(Results<Value>, Notes)>,
+    notes: &mut Notes,
+) -> Option<Results<Value>> {
+    let cost = |results: &Results<Value>| operations(values, results.entries());
+    match (by_factors, along_tree) {
+        (Some(own), Some((other, _))) if cost(&own) <= cost(&other) => Some(own),
+        (_, Some((other, more))) => {
+            notes.extend([more]);
+            Some(other)
+        }
+        (own, None) => own,
+    }
+}
+
 /// d(q'', lambda)/d(q, q') of an open tree, if that is wanted.
-fn open_jacobian(planner: &Planner, lowering: &mut Lowering, notes: &mut Notes) -> Option<Results<Value>> {
+fn open_jacobian(planner: &Planner, lowering: &mut Lowering) -> Option<(Results<Value>, Notes)> {
+    let mut notes = Notes::default();
     let terms = OpenTerms::of(lowering, planner.equations, planner.equations.links.as_ref()?)?;
-    let StateDerivatives { accelerations, multipliers, pivots } = terms.jacobian(lowering, notes)?;
+    let StateDerivatives { accelerations, multipliers, pivots } = terms.jacobian(lowering, &mut notes)?;
     let [accelerations, multipliers] = [accelerations, multipliers].map(|by| by.map(|columns| columns_of(&columns)));
-    Some(state_derivatives(accelerations, multipliers, Results::Refused(Some(pivots))))
+    Some((state_derivatives(accelerations, multipliers, Results::Refused(Some(pivots))), notes))
 }
 
 /// Inverse dynamics on request: as equations of bodies, by a recursion over links, or with intermediates.

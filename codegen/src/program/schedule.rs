@@ -3,9 +3,8 @@
 //! A value used once stands inside the expression that uses it; one used more often, a sine or cosine, or one
 //! whose expression would grow beyond a line, gets a statement of its own.
 
-use super::columns::ColumnsOperation;
 use super::names::Names;
-use super::values::{Leaves, Operation, Value, Values};
+use super::values::{ColumnsOperation, Leaves, Operation, Value, Values};
 use super::{Columns, LookUp, Name, Statement, Tree, Wave};
 use crate::symbolic::{Function, TableId};
 use rustc_hash::FxHashMap;

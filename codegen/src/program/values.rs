@@ -4,10 +4,11 @@
 //! that depend on parameters alone are kept together, so that they are computed once for each set of parameters.
 
 use super::Tree;
-use super::columns::ColumnsOperation;
+use super::columns::ColumnsShape;
 use crate::symbolic::{Function, TableId};
 use indexmap::IndexSet;
 use rustc_hash::{FxBuildHasher, FxHashMap};
+use std::rc::Rc;
 
 /// A value of the program. Operands have smaller indices than their results.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
@@ -46,6 +47,14 @@ pub(super) enum Operation {
     Columns(Box<ColumnsOperation>),
     /// The entry of such a matrix in a row and a column.
     Entry(Value, usize, usize),
+}
+
+/// A matrix of right-hand sides with what solves it.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub(super) struct ColumnsOperation {
+    pub(super) shape: Rc<ColumnsShape>,
+    /// The reciprocals of pivots and the entries of L, by steps; then the right-hand sides, by rows.
+    pub(super) operands: Vec<Value>,
 }
 
 /// An input of a kernel; numbers count in the order of declaration.

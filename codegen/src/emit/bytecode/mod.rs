@@ -4,6 +4,7 @@
 //! [`Instruction`], in the order in which the generated Rust does it: whoever executes them gets the same bits.
 
 mod allocate;
+mod columns;
 mod in_place;
 mod instruction;
 mod write;

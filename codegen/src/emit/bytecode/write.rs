@@ -6,7 +6,7 @@ use super::instruction::{Instruction, LookUp, Wave, Waves};
 use super::{Code, Field, Returned};
 use crate::kernel_id::{Argument, KernelId, Receiver};
 use crate::model::Model;
-use crate::program::{self, BLOCK, Columns, ColumnsStep, Entries, Kernel, Name, Program, Results, Statement, Tree};
+use crate::program::{self, Entries, Kernel, Name, Program, Results, Statement, Tree};
 use crate::symbolic::Function;
 use rustc_hash::FxHashMap;
 
@@ -43,10 +43,10 @@ fn fields_of_prepared(prepare: &Kernel) -> Vec<(&str, Field)> {
 }
 
 /// Writes one kernel.
-struct Writer<'a> {
+pub(super) struct Writer<'a> {
     fields_by_name: &'a FxHashMap<&'a str, Field>,
     inputs: &'a FxHashMap<&'a str, usize>,
-    names: FxHashMap<Name, Place>,
+    pub(super) names: FxHashMap<Name, Place>,
     constants: Vec<f64>,
     constants_by_bits: FxHashMap<u64, Place>,
     fields: Vec<Field>,
@@ -163,46 +163,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Each operation of `sim_kernel::solve_columns`, in its order.
-    fn columns(&mut self, columns: &Columns) {
-        let Columns { shape, inverses, entries, right_hand_sides, names } = columns;
-        let mut places = |trees: &[Tree]| trees.iter().map(|tree| self.value(tree)).collect::<Vec<_>>();
-        let (inverses, entries) = (places(inverses), places(entries));
-        let mut rows: Vec<Vec<Place>> = right_hand_sides.iter().map(|row| places(row)).collect();
-        let mut at = 0;
-        let mut steps = Vec::new();
-        for (ColumnsStep { unknown, rows: after, .. }, inverse) in shape.steps.iter().zip(inverses) {
-            let column: Vec<(usize, Place)> = after.iter().copied().zip(entries[at..].iter().copied()).collect();
-            at += after.len();
-            steps.push((*unknown, inverse, column));
-        }
-        for (step, (unknown, _, column)) in shape.steps.iter().zip(&steps) {
-            for j in (0..shape.columns).filter(|j| step.meets(j / BLOCK)) {
-                let c = rows[*unknown][j];
-                for (row, b) in column {
-                    let (a, to) = (rows[*row][j], self.local());
-                    rows[*row][j] = self.push(|to| Instruction::SubtractProduct { to, a, b: *b, c }, to);
-                }
-            }
-        }
-        for (unknown, inverse, column) in steps.iter().rev() {
-            for j in 0..shape.columns {
-                let (a, to) = (rows[*unknown][j], self.local());
-                let mut solved = self.push(|to| Instruction::Multiply { to, a, b: *inverse }, to);
-                for (row, b) in column {
-                    let (a, c, to) = (solved, rows[*row][j], self.local());
-                    solved = self.push(|to| Instruction::SubtractProduct { to, a, b: *b, c }, to);
-                }
-                rows[*unknown][j] = solved;
-            }
-        }
-        for (names, places) in names.iter().zip(rows) {
-            let named = names.iter().zip(places).filter_map(|(name, place)| Some((name.clone()?, place)));
-            self.names.extend(named);
-        }
-    }
-
-    fn local(&mut self) -> Place {
+    pub(super) fn local(&mut self) -> Place {
         self.locals += 1;
         Place::Local(self.locals - 1)
     }
@@ -217,7 +178,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Where the value of an expression is, after the instructions that compute it.
-    fn value(&mut self, tree: &Tree) -> Place {
+    pub(super) fn value(&mut self, tree: &Tree) -> Place {
         match tree {
             Tree::Constant(value) => self.constant(*value),
             Tree::Name(name) => self.names.get(name).copied().unwrap_or_else(|| self.constant(f64::NAN)),
@@ -250,7 +211,7 @@ impl<'a> Writer<'a> {
         }))
     }
 
-    fn push(&mut self, instruction: impl FnOnce(Place) -> Instruction<Place>, to: Place) -> Place {
+    pub(super) fn push(&mut self, instruction: impl FnOnce(Place) -> Instruction<Place>, to: Place) -> Place {
         self.instructions.push(instruction(to));
         to
     }

@@ -10,10 +10,10 @@ use super::open::OpenTerms;
 use super::triple::{Triple, apply, difference, inner, product, sum};
 use crate::dynamics::order::Multipliers;
 use crate::dynamics::{BaseDerivatives, OpenDerivatives};
-use crate::program::columns::solve_each;
 use crate::program::eliminate::{Factors, System, Unknown, factorise};
 use crate::program::lower::Lowering;
 use crate::program::notes::Notes;
+use crate::program::right_hand_sides::solve_each;
 use crate::program::values::{Value, Values};
 
 /// Derivatives by the coordinates, then by their speeds.
