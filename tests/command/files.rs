@@ -1,7 +1,7 @@
 //! Mechanisms in files: what a command does with one is what it does with a compiled one, and mistakes show at their place.
 
 use crate::{column, fresh, sim, stderr, stdout};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -132,6 +132,44 @@ fn a_declaration_says_how_it_is_run() {
         |option: &str| told["run"].as_array().unwrap().iter().find(|each| each["option"] == option).unwrap().clone();
     assert_eq!((&of("t-end")["value"], &of("t-end")["from"]), (&"300 ms".into(), &"declaration".into()));
     assert_eq!((&of("method")["value"], &of("method")["from"]), (&"dop853".into(), &"default".into()));
+}
+
+/// Of two links, about z and y, by hand: the second one's mass, and its second moment along y, go to the first.
+#[test]
+fn base_parameters_are_regrouped() {
+    let arm = "pub Arm; coordinates { a [rad]; b [rad]; } parameters { l [m] = 2; m [kg] = 3; }
+        let A = rotation(z, a);
+        let B = A*rotation(y, b);
+        bodies {
+            one: mass 5 [kg] at A*[1 [m], 0, 0], inertia [4 [kg*m^2], 6 [kg*m^2], 8 [kg*m^2]], attitude A;
+            two: mass m at A*[l, 0, 0] + B*[0.5 [m], 0, 0], inertia [1 [kg*m^2], 2 [kg*m^2], 2.5 [kg*m^2]], attitude B;
+        }
+        loads { gravity [0, 0, -9.81 [m/s^2]]; }";
+    let folder = folder("arm", &[("arm.mech", arm)]);
+    let told: Value = serde_json::from_str(&stdout(&within(&folder, &["info", "arm.mech", "--json"]))).unwrap();
+    let of = |name: &str, value: f64, unit: &str| json!({ "name": name, "value": value, "unit": unit });
+    let expected = json!([
+        { "coordinates": ["a"], "bodies": ["one"], "parameters": [
+            of("first_moment_x", 5.0 + 3.0 * 2.0, "kg*m"),
+            of("second_moment_xx", 5.0 + 5.0 + 3.0 * 4.0, "kg*m^2"),
+            of("second_moment_yy", 3.0 + 0.75, "kg*m^2"),
+        ] },
+        { "coordinates": ["b"], "bodies": ["two"], "parameters": [
+            of("first_moment_x", 3.0 * 0.5, "kg*m"),
+            of("second_moment_xx", 1.75 + 3.0 * 0.25, "kg*m^2"),
+            of("second_moment_zz", 0.25, "kg*m^2"),
+        ] },
+    ]);
+    assert_eq!(told["base_parameters"], expected);
+    // The kernels are those that run.
+    let dynamics = told["kernels"].as_array().unwrap().iter().find(|kernel| kernel["name"] == "dynamics").unwrap();
+    let counted = codegen::derive(arm.parse().unwrap()).unwrap().program;
+    let counted = counted.kernels.iter().find(|kernel| kernel.id.name() == "dynamics").unwrap();
+    assert_eq!(dynamics["operations"], counted.operations.total());
+    assert!(
+        stdout(&within(&folder, &["info", "arm.mech"]))
+            .contains("h_x = 1.5 kg*m, P_xx = 2.5 kg*m^2, P_zz = 0.25 kg*m^2")
+    );
 }
 
 #[test]

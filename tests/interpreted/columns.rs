@@ -54,4 +54,8 @@ fn columns_have_the_same_bits() {
 fn derivatives_by_columns() {
     let text = &erase(Spider::default()).description().declaration;
     derivatives_are_those_of_dynamics(text, &[0, 1, 2]);
+    // In straight lines, where a limb follows the base that another one moves.
+    let two_limbs = text.replace("use Limb(4 [rad]) as hind;", "");
+    assert_ne!(&two_limbs, text);
+    derivatives_are_those_of_dynamics(&two_limbs, &[0, 1, 2]);
 }

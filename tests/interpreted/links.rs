@@ -96,7 +96,7 @@ const LIMB: &str = "
         nine: mass 0.3*m at PI + I*[0.05*L, 0.1*L, 0.1*L], inertia [0.009*m*L^2, 0.012*m*L^2, 0.008*m*L^2], attitude I;
         ten: mass m at on(other, [0.1*L, 0, 0.2*L]) + O*[0.1*L, 0.1*L, 0], inertia [0.1*m*L^2, 0.12*m*L^2, 0.08*m*L^2], attitude O;
         rotor: inertia 0.02*m*L^2, angle b;
-        gear: inertia 0.03*m*L^2, angle u;
+        gear: inertia 0.03*m*L^2, angle u + 0.2*sin(u);
     }
     loads {
         gravity [1 [m/s^2], 0, -9.81 [m/s^2]];

@@ -54,3 +54,23 @@ fn shape(values: &Values, steps: &[(usize, Value, &[(usize, Value)])], columns: 
     });
     ColumnsShape { steps: steps.collect(), columns: columns.len().next_multiple_of(BLOCK) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::values::Input;
+
+    /// A row takes over what is other than zero in those that are eliminated before it, column by column.
+    #[test]
+    fn blocks_are_handed_on() {
+        let mut values = Values::default();
+        let (zero, x) = (values.constant(0.0), values.add(Operation::Input(Input::Position(0))));
+        let steps = [(1, x, &[(0, x)][..]), (0, x, &[(2, x)][..]), (2, x, &[][..])];
+        let mut columns = vec![vec![zero; 3]; BLOCK + 1];
+        columns[0][1] = x;
+        columns[BLOCK][2] = x;
+        let shape = shape(&values, &steps, &columns);
+        let met: Vec<u64> = shape.steps.iter().map(|step| step.blocks).collect();
+        assert_eq!((met, shape.columns), (vec![0b01, 0b01, 0b11], 2 * BLOCK));
+    }
+}

@@ -1,12 +1,14 @@
 //! `sim info`.
 
+use super::base_parameters::{BaseParameters, base_parameters};
 use crate::cli::arguments::Voice;
-use crate::cli::said::counted;
+use crate::cli::said::{counted, short};
 use crate::cli::settings::SettingsArguments;
 use crate::cli::{Stop, print};
 use crate::output::happening::happening;
 use crate::{Mobility, assemble, declared_start, mobility};
 use codegen::dsl::Activity;
+use codegen::program::Kernel;
 use serde_json::{Value, json};
 use sim_kernel::event::Event;
 use sim_kernel::{Array, Coordinate, Description, Mechanism, Quantity, Start};
@@ -20,14 +22,24 @@ struct Facts {
     start: Vec<(f64, f64)>,
     /// Degrees of freedom and redundant constraints at the assembled start, or why there is none.
     mobility: Result<Mobility, String>,
+    /// The inertial parameters that its motion tells apart, if it is a tree of bodies in space.
+    base_parameters: Vec<BaseParameters>,
+    /// Each kernel with the number of its operations, and of which kinds they are.
+    kernels: Vec<(String, usize, String)>,
 }
 
 fn facts<M: Mechanism>(mechanism: &M) -> Facts {
     let start = declared_start(mechanism);
     let assembled = assemble(mechanism, &start).map_err(|failure| failure.to_string());
+    let (description, defaults) = (mechanism.description(), mechanism.parameters().iter().copied().collect::<Vec<_>>());
+    let derived = description.declaration.parse().ok().and_then(|tokens| codegen::derive(tokens).ok());
+    let kernel =
+        |kernel: &Kernel| (kernel.id.name().to_owned(), kernel.operations.total(), kernel.operations.to_string());
     Facts {
-        description: mechanism.description(),
-        defaults: mechanism.parameters().iter().copied().collect(),
+        description,
+        base_parameters: derived.as_ref().map_or(vec![], |derived| base_parameters(&derived.equations, &defaults)),
+        kernels: derived.map_or(vec![], |derived| derived.program.kernels.iter().map(kernel).collect()),
+        defaults,
         start: start.positions.iter().copied().zip(start.speeds.iter().copied()).collect(),
         mobility: assembled.map(|state| mobility(mechanism, state.time, &state.positions)),
     }
@@ -55,8 +67,8 @@ fn as_json(facts: &Facts) -> Value {
             "start_speed": c.speed_given.then_some(speed / c.speed.factor),
         })
     });
-    let kernels =
-        kernels(d).into_iter().map(|(name, total, text)| json!({ "name": name, "operations": total, "of": text }));
+    let kernels = facts.kernels.iter();
+    let kernels = kernels.map(|(name, total, text)| json!({ "name": name, "operations": total, "of": text }));
     json!({
         "name": d.name,
         "type": d.type_name,
@@ -74,6 +86,7 @@ fn as_json(facts: &Facts) -> Value {
         "events": d.events.iter().map(|event| json!({ "name": event.name, "does": happening(event, d) })).collect::<Vec<_>>(),
         "figures": d.figures.iter().map(|figure| figure.name).collect::<Vec<_>>(),
         "run": runs(d).map(|(option, value, from)| json!({ "option": option, "value": value, "from": from })).collect::<Vec<_>>(),
+        "base_parameters": facts.base_parameters.iter().map(BaseParameters::as_json).collect::<Vec<_>>(),
         "kernels": kernels.collect::<Vec<_>>(),
     })
 }
@@ -112,7 +125,13 @@ fn as_text(facts: &Facts) -> String {
         let event = |event: &Event| [event.name.to_owned(), happening(event, d), String::new(), String::new()];
         text += &section("Events", d.events.iter().map(event).collect());
     }
-    let kernels = kernels(d).into_iter().map(|(name, total, of)| [name, total.to_string(), of, String::new()]);
+    let base = facts.base_parameters.iter().map(BaseParameters::line).collect();
+    text += &section(
+        "Base parameters of links: mass, first moments h and second moments P about the origin, in the link's frame",
+        base,
+    );
+    let kernels = facts.kernels.iter();
+    let kernels = kernels.map(|(name, total, of)| [name.clone(), total.to_string(), of.clone(), String::new()]);
     text + &section("Operations of each kernel", kernels.collect())
 }
 
@@ -188,13 +207,6 @@ pub(in crate::cli) fn freedom(mobility: &Mobility) -> String {
     }
 }
 
-/// Ten digits at most, the shortest way.
-fn short(value: f64) -> String {
-    let rounded: f64 = format!("{value:.9e}").parse().unwrap_or(value);
-    let plain = rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs());
-    if plain { format!("{rounded}") } else { format!("{rounded:e}") }
-}
-
 fn unit(quantity: &Quantity) -> String {
     if quantity.unit == "1" { String::new() } else { quantity.unit.to_owned() }
 }
@@ -227,15 +239,4 @@ fn equations(description: &Description) -> Vec<(String, String)> {
     };
     let equation = |c: &codegen::dsl::Equation| format!("{} = {}{}", c.left, c.right, switched(c.initially));
     constraints.iter().map(|c| (c.name.to_string(), equation(c))).collect()
-}
-
-/// Each kernel with the number of its operations, and of which kinds they are.
-fn kernels(description: &Description) -> Vec<(String, usize, String)> {
-    let equations = description.declaration.parse().ok().and_then(|tokens| codegen::equations(tokens).ok());
-    let Some(mut equations) = equations else { return Vec::new() };
-    let program = codegen::program::plan(&mut equations);
-    let of = |kernel: &codegen::program::Kernel| {
-        (kernel.id.name().to_owned(), kernel.operations.total(), kernel.operations.to_string())
-    };
-    program.kernels.iter().map(of).collect()
 }

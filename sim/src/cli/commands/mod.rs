@@ -1,5 +1,6 @@
 //! The commands.
 
+mod base_parameters;
 pub(super) mod check;
 pub(super) mod compare;
 pub(super) mod evaluate;
