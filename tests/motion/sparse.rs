@@ -108,11 +108,29 @@ sim::mechanism! {
     initial { crank = pi/2; dot(crank) = -v/l; }
 }
 
+sim::mechanism! {
+    /// Twelve cylinders on one crank.
+    pub Engine;
+    const n = 12;
+    coordinates { a [rad]; repeat i in 1..=n { b_[i] [rad]; x_[i] [m]; } }
+    parameters { m [kg] = 1; l [m] = 1; g [m/s^2] = 9.81; v [m/s] = 1; }
+    bodies { wheel: inertia m*l^2, angle a; }
+    loads { gravity [-g, 0]; }
+    repeat i in 1..=n {
+        let P_[i] = 0.3*l*[cos(a + 0.7*i), sin(a + 0.7*i)];
+        let Q_[i] = P_[i] + l*[cos(b_[i]), sin(b_[i])];
+        bodies { rod_[i]: mass m at (P_[i] + Q_[i])/2, inertia m*l^2/12, angle b_[i]; piston_[i]: mass m at [x_[i], 0]; }
+        constraints { pin_[i]: Q_[i] = [x_[i], 0]; }
+        initial { guess b_[i] = 0; guess x_[i] = l; }
+    }
+    initial { a = 0.1; dot(a) = v/l; }
+}
+
 /// Every entry of C_q that the sparse rows leave out is 0, and they have all others.
 fn sparse_entries_are_those_of_c_q<M: Compiled>(mechanism: M) {
     let (rows, mut random) = (M::DESCRIPTION.sparsity, Random(3));
     assert_eq!(rows.len(), M::L::LEN);
-    // Two rows for each pin, and each has to do with the next one.
+    // Two rows for each pin, and each has to do with the next one, or with a crank that all turn with.
     assert!(rows.iter().enumerate().all(|(k, row)| k - row.first <= 3));
     for _ in 0..20 {
         let q = M::Q::from_fn(|_| random.between(-3.0, 3.0));
@@ -133,6 +151,7 @@ fn sparse_entries_are_those_of_c_q<M: Compiled>(mechanism: M) {
 fn sparse_entries_are_all_of_c_q() {
     sparse_entries_are_those_of_c_q(Free::default());
     sparse_entries_are_those_of_c_q(Shuffled::default());
+    sparse_entries_are_those_of_c_q(Engine::default());
 }
 
 /// Projection with sparse rows, beside the two projections with dense ones, from states off the constraints.
@@ -166,6 +185,10 @@ fn sparse_projection_is_that_of_dense_rows() {
     sparse_projection_is_the_dense_one(Shuffled::default());
     sparse_projection_is_the_dense_one(Free { l: 1e-3, ..Free::default() });
     sparse_projection_is_the_dense_one(Free { l: 100.0, ..Free::default() });
+    assert_eq!(Engine::<f64>::DESCRIPTION.common_column, Some(0));
+    for l in [1e-3, 1.0, 100.0] {
+        sparse_projection_is_the_dense_one(Engine { l, v: f64::sqrt(l), ..Engine::default() });
+    }
 }
 
 /// The angles at the end of a swing, at a tolerance of 1e-12.

@@ -26,6 +26,7 @@ pub fn describe(equations: &EquationsOfMotion, program: &Program, source: &Sourc
         speed_constraints: (0..model.constraints.len()).filter(is_between_speeds).collect(),
         norm_constraints: model.norm_constraints.clone(),
         sparsity: program.sparsity.iter().flat_map(|sparsity| sparsity.rows.clone()).collect(),
+        common_column: program.sparsity.as_ref().and_then(|sparsity| sparsity.common),
         conditionals: model.conditionals.iter().map(conditional).collect(),
         events: events(&model.events),
         outputs: model.outputs.iter().map(|o| Quantity::of(&o.name, &o.unit, &o.docs)).collect(),

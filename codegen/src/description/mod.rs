@@ -41,6 +41,8 @@ pub struct Description {
     pub norm_constraints: Vec<usize>,
     /// The rows of C_q in the order of elimination, if C_q is so sparse that this pays off.
     pub sparsity: Vec<SparseRow>,
+    /// The column that parts of these rows have in common, if they fall into parts.
+    pub common_column: Option<usize>,
     /// Constraints that events switch.
     pub conditionals: Vec<Conditional>,
     /// Events.

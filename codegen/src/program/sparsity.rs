@@ -4,16 +4,23 @@
 //! algorithm (George and Liu, Computer Solution of Large Sparse Positive Definite Systems, 1981, chapter 4), unless the
 //! declared order has as small an envelope: all fill of the factors of C_q C_q' lies in it.
 //!
+//! A coordinate that most rows have in common, as the legs of a walker have a crank, would make all of them neighbours. Its column is
+//! taken out then: without it the rows fall into parts, each with an envelope of its own, and what the column adds between parts
+//! is a product of two vectors, of which each part of the factors takes its share.
+//!
 //! Sparse rows are used only where they save operations. Elsewhere rows stay dense; the choice is a constant of the
 //! type. Projection by the mass matrix, partitioning, redundant constraints and whatever runs once per simulation stay
 //! dense.
 
-use std::collections::BTreeSet;
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The sparsity of C_q.
 pub struct Sparsity {
     /// Its rows in the order in which they are eliminated.
     pub rows: Vec<SparseRow>,
+    /// The column that parts of its rows have in common, if there are parts.
+    pub common: Option<usize>,
 }
 
 /// A row of C_q.
@@ -25,8 +32,10 @@ pub struct SparseRow {
     pub columns: Vec<usize>,
     /// The place of its first entry among those of all rows.
     pub entries: usize,
-    /// The place in the order of the first row with which it has a column in common.
+    /// The place in the order of the first row of its part with which it has a column in common.
     pub first: usize,
+    /// The place in the order of the first row of its part.
+    pub part: usize,
     /// The place of its diagonal entry in the envelope of C_q C_q', row after row.
     pub diagonal: usize,
 }
@@ -36,6 +45,9 @@ const LOOK_UP: usize = 8;
 /// The same of one within the envelope, whose rows are contiguous but begin anywhere.
 const WITHIN: usize = 2;
 
+/// How many times fewer operations it must take to take out a column.
+const PARTS_SAVE: usize = 2;
+
 /// How many times smaller another order must make the envelope. The declared one goes from body to body: each row then
 /// depends least on those before it, so positions seem singular only where they are.
 const SAVES: usize = 2;
@@ -43,7 +55,41 @@ const SAVES: usize = 2;
 impl Sparsity {
     /// The sparsity of rows with entries in these columns; nothing if dense rows are as good.
     pub(super) fn of(columns: Vec<BTreeSet<usize>>, coordinates: usize) -> Option<Sparsity> {
-        let neighbours = neighbours(&columns);
+        let whole = Sparsity::whole(&columns);
+        let best = match Sparsity::in_parts(&columns) {
+            Some(parts) if PARTS_SAVE * parts.operations() < whole.operations() => parts,
+            _ => whole,
+        };
+        (best.operations() < dense_operations(columns.len(), coordinates)).then_some(best)
+    }
+
+    /// In parts that have one column in common, each in the declared order.
+    fn in_parts(columns: &[BTreeSet<usize>]) -> Option<Sparsity> {
+        let mut rows_of: BTreeMap<usize, usize> = BTreeMap::new();
+        columns.iter().flatten().for_each(|column| *rows_of.entry(*column).or_default() += 1);
+        let (common, _) = rows_of.into_iter().max_by_key(|(column, rows)| (*rows, Reverse(*column)))?;
+        let without: Vec<BTreeSet<usize>> =
+            columns.iter().map(|row| row.iter().copied().filter(|column| *column != common).collect()).collect();
+        let apart = neighbours(&without);
+        let mut order: Vec<usize> = Vec::new();
+        let mut parts: Vec<usize> = Vec::new();
+        for row in 0..columns.len() {
+            if !order.contains(&row) {
+                let (mut part, _) = by_levels(&apart, row);
+                part.sort_unstable();
+                parts.extend(part.iter().map(|_| order.len()));
+                order.extend(part);
+            }
+        }
+        let all = neighbours(columns);
+        let firsts = firsts(&order, &all).into_iter().zip(&parts).map(|(first, part)| first.max(*part)).collect();
+        let has_parts = parts.last().is_some_and(|last| *last > 0);
+        has_parts.then(|| Sparsity { common: Some(common), ..Sparsity::laid_out(columns, order, firsts, parts) })
+    }
+
+    /// In whichever order has the smaller envelope.
+    fn whole(columns: &[BTreeSet<usize>]) -> Sparsity {
+        let neighbours = neighbours(columns);
         let declared: Vec<usize> = (0..columns.len()).collect();
         let reordered = reverse_cuthill_mckee(&neighbours);
         let envelope =
@@ -51,13 +97,18 @@ impl Sparsity {
         let [by_declaration, by_order]: [usize; 2] = [envelope(&declared), envelope(&reordered)];
         let order = if SAVES * by_order < by_declaration { reordered } else { declared };
         let firsts = firsts(&order, &neighbours);
-        let mut sparsity = Sparsity { rows: Vec::new() };
-        for (k, (constraint, first)) in order.into_iter().zip(firsts).enumerate() {
+        let parts = vec![0; order.len()];
+        Sparsity::laid_out(columns, order, firsts, parts)
+    }
+
+    fn laid_out(columns: &[BTreeSet<usize>], order: Vec<usize>, firsts: Vec<usize>, parts: Vec<usize>) -> Sparsity {
+        let mut sparsity = Sparsity { rows: Vec::new(), common: None };
+        for (k, ((constraint, first), part)) in order.into_iter().zip(firsts).zip(parts).enumerate() {
             let [entries, envelope] = sparsity.sizes();
             let columns = columns[constraint].iter().copied().collect();
-            sparsity.rows.push(SparseRow { constraint, columns, entries, first, diagonal: envelope + k - first });
+            sparsity.rows.push(SparseRow { constraint, columns, entries, first, part, diagonal: envelope + k - first });
         }
-        (sparsity.operations() < dense_operations(columns.len(), coordinates)).then_some(sparsity)
+        sparsity
     }
 
     /// The number of entries of its rows and of the envelope.
@@ -69,7 +120,9 @@ impl Sparsity {
     fn operations(&self) -> usize {
         let of_row = |(k, row): (usize, &SparseRow)| {
             let inner: usize = self.rows[row.first..=k].iter().map(|other| other.columns.len()).sum();
-            LOOK_UP * inner + WITHIN * (k - row.first) * (k - row.first + 1) / 2
+            // What a common column adds takes a few for each entry of the row.
+            let common = if self.common.is_some() { 2 * WITHIN * (k - row.first + 1) } else { 0 };
+            LOOK_UP * inner + WITHIN * (k - row.first) * (k - row.first + 1) / 2 + common
         };
         self.rows.iter().enumerate().map(of_row).sum()
     }
@@ -160,6 +213,23 @@ mod tests {
     fn the_declared_order_stays_where_it_is_as_good() {
         let sparsity = Sparsity::of(chain(&(0..60).collect::<Vec<_>>()), 61).expect("sparse");
         assert!(sparsity.rows.iter().enumerate().all(|(k, row)| row.constraint == k));
+    }
+
+    /// Legs of four rows, of which the last two have to do with column 0 too, declared one row of each leg after the other.
+    #[test]
+    fn parts_with_a_common_column_lie_side_by_side() {
+        let row = |k: usize| {
+            let (leg, at) = (k % 20, k / 20);
+            let own = [1 + 4 * leg + at, 1 + 4 * leg + (at + 1) % 4];
+            own.into_iter().chain((at > 1).then_some(0)).collect()
+        };
+        let sparsity = Sparsity::of((0..80).map(row).collect(), 81).expect("sparse");
+        assert_eq!(sparsity.common, Some(0));
+        for (k, row) in sparsity.rows.iter().enumerate() {
+            assert_eq!((row.part, row.constraint), (k / 4 * 4, k / 4 + 20 * (k % 4)));
+            assert!(row.first >= row.part);
+        }
+        assert_eq!(sparsity.sizes()[1], 20 * (1 + 2 + 2 + 4));
     }
 
     #[test]

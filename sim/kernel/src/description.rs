@@ -32,6 +32,8 @@ pub struct Description {
     pub norm_constraints: &'static [usize],
     /// The rows of C_q in the order of elimination, if C_q is so sparse that this pays off; none otherwise.
     pub sparsity: &'static [SparseRow],
+    /// The column that parts of these rows have in common, if they fall into parts.
+    pub common_column: Option<usize>,
     /// Constraints that events switch.
     pub conditionals: &'static [Conditional],
     /// Events.
@@ -73,8 +75,10 @@ pub struct SparseRow {
     pub columns: &'static [usize],
     /// The place of its first entry in [`Mechanism::Entries`](crate::Mechanism::Entries).
     pub entries: usize,
-    /// The first row, in the order of elimination, with which it has a column in common.
+    /// The first row of its part, in the order of elimination, with which it has a column in common.
     pub first: usize,
+    /// The first row of its part. Parts have [`Description::common_column`] alone in common.
+    pub part: usize,
     /// The place of its diagonal entry in [`Mechanism::Envelope`](crate::Mechanism::Envelope).
     pub diagonal: usize,
 }

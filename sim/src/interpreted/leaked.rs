@@ -49,6 +49,7 @@ fn description(of: &made::Description) -> Description {
         speed_constraints: of.speed_constraints.clone().leak(),
         norm_constraints: of.norm_constraints.clone().leak(),
         sparsity: each(&of.sparsity, sparse_row),
+        common_column: of.common_column,
         conditionals: each(&of.conditionals, conditional),
         events: each(&of.events, event),
         outputs: each(&of.outputs, quantity),
@@ -100,9 +101,9 @@ fn coordinate(of: &made::Coordinate) -> Coordinate {
 }
 
 fn sparse_row(of: &made::SparseRow) -> SparseRow {
-    let made::SparseRow { constraint, columns, entries, first, diagonal } = of;
+    let made::SparseRow { constraint, columns, entries, first, part, diagonal } = of;
     let columns = columns.clone().leak();
-    SparseRow { constraint: *constraint, columns, entries: *entries, first: *first, diagonal: *diagonal }
+    SparseRow { constraint: *constraint, columns, entries: *entries, first: *first, part: *part, diagonal: *diagonal }
 }
 
 fn conditional(of: &made::Conditional) -> Conditional {

@@ -762,6 +762,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for BouncingBall<S> {
         speed_constraints: &[],
         norm_constraints: &[],
         sparsity: &[],
+        common_column: ::core::option::Option::None,
         conditionals: &[
             sim_kernel::event::Conditional {
                 name: "floor",

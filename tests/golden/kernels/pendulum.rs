@@ -641,6 +641,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Pendulum<S> {
         speed_constraints: &[],
         norm_constraints: &[],
         sparsity: &[],
+        common_column: ::core::option::Option::None,
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -903,6 +903,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Skate<S> {
         speed_constraints: &[0],
         norm_constraints: &[],
         sparsity: &[],
+        common_column: ::core::option::Option::None,
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -998,6 +998,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Top<S> {
         speed_constraints: &[],
         norm_constraints: &[],
         sparsity: &[],
+        common_column: ::core::option::Option::None,
         conditionals: &[],
         events: &[
             sim_kernel::event::Event {

@@ -21,6 +21,10 @@ pub(super) fn description(description: &Description, path: &TokenStream) -> Toke
     let norm_constraints = sizes(&description.norm_constraints);
     let rated = sizes(&description.rated_outputs);
     let sparsity = description.sparsity.iter().map(|row| sparse_row(row, path));
+    let common_column = match description.common_column.map(size) {
+        Some(column) => quote! { ::core::option::Option::Some(#column) },
+        None => quote! { ::core::option::Option::None },
+    };
     let conditionals = description.conditionals.iter().map(|c| conditional(c, path));
     let events = description.events.iter().map(|each| event(each, path));
     let figures = description.figures.iter().map(|each| figure(each, path));
@@ -42,6 +46,7 @@ pub(super) fn description(description: &Description, path: &TokenStream) -> Toke
             speed_constraints: &[#(#speed_constraints),*],
             norm_constraints: &[#(#norm_constraints),*],
             sparsity: &[#(#sparsity),*],
+            common_column: #common_column,
             conditionals: &[#(#conditionals),*],
             events: &[#(#events),*],
             outputs: &[#(#outputs),*],
@@ -75,9 +80,10 @@ pub(super) fn quantity(quantity: &Quantity, path: &TokenStream) -> TokenStream {
 /// A row of the constraint Jacobian's pattern.
 fn sparse_row(row: &SparseRow, path: &TokenStream) -> TokenStream {
     let columns = row.columns.iter().copied().map(size);
-    let [constraint, first, entries, diagonal] = [row.constraint, row.first, row.entries, row.diagonal].map(size);
+    let [constraint, first, part] = [row.constraint, row.first, row.part].map(size);
+    let [entries, diagonal] = [row.entries, row.diagonal].map(size);
     quote! {
-        #path::SparseRow { constraint: #constraint, columns: &[#(#columns),*], entries: #entries, first: #first, diagonal: #diagonal }
+        #path::SparseRow { constraint: #constraint, columns: &[#(#columns),*], entries: #entries, first: #first, part: #part, diagonal: #diagonal }
     }
 }
 

@@ -1,6 +1,15 @@
 //! Rows by their entries that may be nonzero, and factors within the envelope.
 //!
-//! Rows are taken in the order of elimination.
+//! Rows are taken in the order of elimination. Where parts of them have a single column in common, c, what that adds between parts
+//! is c_k c_j, and every part leaves less of it to the next ones: eliminating a part with the matrix M = A A' + a c c' and the
+//! factors L D L' leaves
+//!
+//! ```text
+//! a - a^2 c' M^-1 c   of a,   and   c_k v_j,  v = a D^-1 L^-1 c,   of L in the rows k of all later parts
+//! ```
+//!
+//! (a semiseparable matrix: Vandebril, Van Barel and Mastronardi, Matrix Computations and Semiseparable Matrices, 2008, chapter 4).
+//! Each part keeps its share of c c' on its way, so the pivots are those of all rows in this order.
 
 use super::{Linear, Rows, select_each};
 use crate::model::level::is_speed_row;
@@ -84,11 +93,19 @@ impl<S: Scalar, M: Mechanism<S>> Rows<S, M> for Sparse {
     #[inline]
     fn factorise(mechanism: &M, entries: &M::Entries, factors: &mut Envelope<M, S>) -> Result<(), Undefined> {
         products(mechanism, entries, entries, &mut factors.lower);
+        if let Some(column) = common_column(mechanism) {
+            common_entries(mechanism, entries, column, &mut factors.common.entries);
+        }
         factors.factorise(mechanism)
     }
 
     fn no_factors(mechanism: &M) -> Envelope<M, S> {
-        Envelope { lower: blank_envelope(mechanism), inverse_pivots: M::L::repeat(mechanism.m(), S::ZERO) }
+        let none = M::L::repeat(mechanism.m(), S::ZERO);
+        Envelope {
+            lower: blank_envelope(mechanism),
+            inverse_pivots: none.clone(),
+            common: Common { entries: none.clone(), shares: none },
+        }
     }
 
     #[inline]
@@ -116,6 +133,10 @@ impl<S: Scalar, M: Mechanism<S>> Rows<S, M> for Sparse {
         Envelope {
             lower: select_each(mask, &yes.lower, &no.lower),
             inverse_pivots: select_each(mask, &yes.inverse_pivots, &no.inverse_pivots),
+            common: Common {
+                entries: select_each(mask, &yes.common.entries, &no.common.entries),
+                shares: select_each(mask, &yes.common.shares, &no.common.shares),
+            },
         }
     }
 }
@@ -145,7 +166,27 @@ fn inner<S: Scalar, E: Array<S>, Q: Array<S>>(entries: &E, row: &'static SparseR
     sum(entries_of(entries, row).map(|(entry, j)| entry * x[j]))
 }
 
-/// The lower triangle of A B' within the envelope.
+/// The column that parts of the rows have in common.
+#[inline(always)]
+pub(super) fn common_column<S: Scalar, M: Mechanism<S>>(mechanism: &M) -> Option<usize> {
+    mechanism.description().common_column
+}
+
+/// The entries of a column, in the order of elimination.
+#[inline]
+pub(super) fn common_entries<S: Scalar, M: Mechanism<S>>(
+    mechanism: &M,
+    entries: &M::Entries,
+    column: usize,
+    common: &mut M::L,
+) {
+    for (k, row) in sparse_rows(mechanism).iter().enumerate() {
+        let own = entries_of(entries, row).find(|(_, j)| *j == column);
+        common[k] = own.map_or(S::ZERO, |(entry, _)| entry);
+    }
+}
+
+/// The lower triangle of A B' within the envelope, without what a common column adds.
 #[inline]
 pub(super) fn products<S: Scalar, M: Mechanism<S>>(
     mechanism: &M,
@@ -158,6 +199,9 @@ pub(super) fn products<S: Scalar, M: Mechanism<S>>(
     let mut spread = M::Q::repeat(mechanism.n(), S::ZERO);
     for (k, row) in rows.iter().enumerate() {
         entries_of(a, row).for_each(|(entry, j)| spread[j] = entry);
+        if let Some(column) = common_column(mechanism) {
+            spread[column] = S::ZERO;
+        }
         let own = &mut products.as_mut()[row.diagonal + row.first - k..=row.diagonal];
         for (other, product) in rows[row.first..=k].iter().zip(own) {
             *product = inner(b, other, &spread);
@@ -200,6 +244,92 @@ pub(crate) struct Envelope<M: Mechanism<S>, S: Scalar = f64> {
     lower: M::Envelope,
     /// 1/D; zero for rows that depend on those before.
     inverse_pivots: M::L,
+    common: Common<M::L>,
+}
+
+/// What parts of the rows have in common.
+#[derive(Clone, Debug)]
+struct Common<L> {
+    /// c.
+    entries: L,
+    /// v.
+    shares: L,
+}
+
+/// What is left of c c' on the way through the parts.
+struct Left<M: Mechanism<S>, S: Scalar> {
+    /// The first row of the part.
+    part: usize,
+    /// a.
+    left: S,
+    /// L^-1 c.
+    turned: M::L,
+    /// c' M^-1 c, as far as the part is eliminated.
+    taken: S,
+}
+
+impl<S: Scalar, M: Mechanism<S>> Left<M, S> {
+    /// Nothing where there are no parts.
+    #[inline]
+    fn of(mechanism: &M) -> Option<Left<M, S>> {
+        let one = S::from_f64(1.0);
+        let all = || Left { part: 0, left: one, turned: M::L::repeat(mechanism.m(), S::ZERO), taken: S::ZERO };
+        common_column(mechanism).map(|_| all())
+    }
+
+    /// Adds a c_k c_j to the entries of a row, from its first one on.
+    #[inline]
+    fn add(&mut self, row: &SparseRow, common: &[S], own: &mut [S]) {
+        if row.part != self.part {
+            let left = self.left * (S::from_f64(1.0) - self.left * self.taken);
+            (self.part, self.taken) = (row.part, S::ZERO);
+            // Where a part has taken all of it rounding is left.
+            self.left = S::select(left.greater(S::ZERO), left, S::ZERO);
+        }
+        let Some(last) = common.last() else { return };
+        let share = self.left * *last;
+        own.iter_mut().zip(common).for_each(|(own, common)| *own = *own + share * *common);
+    }
+
+    /// The row's entry of v, given that of L^-1 c and the inverse of its pivot.
+    #[inline]
+    fn take(&mut self, k: usize, turned: S, inverse: S) -> S {
+        self.turned[k] = turned;
+        self.taken = self.taken + turned * turned * inverse;
+        self.left * turned * inverse
+    }
+}
+
+/// A sum over rows, part by part in either direction.
+struct Total<S> {
+    /// The first row of the part of the last term.
+    part: usize,
+    /// Of this part, and of those before it.
+    own: S,
+    others: S,
+}
+
+impl<S: Scalar> Total<S> {
+    /// Nothing where there are no parts.
+    #[inline]
+    fn of<M: Mechanism<S>>(mechanism: &M) -> Option<Total<S>> {
+        common_column(mechanism).map(|_| Total { part: 0, own: S::ZERO, others: S::ZERO })
+    }
+
+    #[inline]
+    fn add(&mut self, row: &SparseRow, term: S) {
+        if row.part != self.part {
+            self.others = self.others + self.own;
+            (self.part, self.own) = (row.part, S::ZERO);
+        }
+        self.own = self.own + term;
+    }
+
+    /// Of the parts other than that of a row.
+    #[inline]
+    fn of_other_parts(&self, row: &SparseRow) -> S {
+        if row.part == self.part { self.others } else { self.others + self.own }
+    }
 }
 
 impl<S: Scalar, M: Mechanism<S>> Envelope<M, S> {
@@ -207,8 +337,14 @@ impl<S: Scalar, M: Mechanism<S>> Envelope<M, S> {
     #[inline]
     fn factorise(&mut self, mechanism: &M) -> Result<(), Undefined> {
         let rows = sparse_rows(mechanism);
+        let mut left = Left::<M, S>::of(mechanism);
         for (k, row) in rows.iter().enumerate() {
             let (before, own) = self.lower.as_mut().split_at_mut(row.diagonal + row.first - k);
+            let mut square = own[k - row.first];
+            if let Some(left) = &mut left {
+                left.add(row, &self.common.entries.as_ref()[row.first..=k], own);
+                square = square + self.common.entries[k] * self.common.entries[k];
+            }
             for j in row.first..k {
                 let other = &rows[j];
                 let first = row.first.max(other.first);
@@ -216,15 +352,20 @@ impl<S: Scalar, M: Mechanism<S>> Envelope<M, S> {
                 let known = dot(&own[first - row.first..j - row.first], theirs);
                 own[j - row.first] = own[j - row.first] - known;
             }
-            let square = own[k - row.first];
-            let mut pivot = square;
+            let mut pivot = own[k - row.first];
             for (entry, inverse) in own.iter_mut().zip(&self.inverse_pivots.as_ref()[row.first..k]) {
                 let scaled = *entry * *inverse;
                 pivot = pivot - *entry * scaled;
                 *entry = scaled;
             }
             let found = inverse_pivot(pivot, square);
-            self.inverse_pivots[k] = found.ok_or(Undefined { row: row.constraint })?;
+            let inverse = found.ok_or(Undefined { row: row.constraint })?;
+            self.inverse_pivots[k] = inverse;
+            if let Some(left) = &mut left {
+                own[k - row.first] = square;
+                let known = dot(&own[..k - row.first], &left.turned.as_ref()[row.first..k]);
+                self.common.shares[k] = left.take(k, self.common.entries[k] - known, inverse);
+            }
         }
         Ok(())
     }
@@ -241,11 +382,18 @@ impl<S: Scalar, M: Mechanism<S>> Envelope<M, S> {
         let (mut part, mut shares) = (M::Q::repeat(mechanism.n(), S::ZERO), M::L::repeat(rows.len(), S::ZERO));
         let place = rows.iter().position(|row| row.constraint == constraint).unwrap_or(0);
         shares[place] = S::from_f64(1.0);
+        let mut later = Total::of(mechanism);
         for (k, row) in rows[..=place].iter().enumerate().rev() {
+            if let Some(later) = &later {
+                shares[k] = shares[k] - self.common.shares[k] * later.of_other_parts(row);
+            }
             let share = shares[k];
             entries_of(entries, row).for_each(|(entry, j)| part[j] = part[j] + share * entry);
             let own = shares.as_mut()[row.first..k].iter_mut().zip(self.row_of_l(k, row));
             own.for_each(|(other, l)| *other = *other - share * *l);
+            if let Some(later) = &mut later {
+                later.add(row, share * self.common.entries[k]);
+            }
         }
         part
     }
@@ -254,16 +402,28 @@ impl<S: Scalar, M: Mechanism<S>> Envelope<M, S> {
     fn solve(&self, mechanism: &M, rhs: M::L) -> M::L {
         let rows = sparse_rows(mechanism);
         let mut x = rhs.like(|k| rhs[rows[k].constraint]);
+        let mut earlier = Total::of(mechanism);
         for (k, row) in rows.iter().enumerate() {
             let known = dot(self.row_of_l(k, row), &x.as_ref()[row.first..k]);
             x[k] = x[k] - known;
+            if let Some(earlier) = &mut earlier {
+                x[k] = x[k] - self.common.entries[k] * earlier.of_other_parts(row);
+                earlier.add(row, self.common.shares[k] * x[k]);
+            }
         }
         (0..mechanism.m()).for_each(|k| x[k] = x[k] * self.inverse_pivots[k]);
+        let mut later = Total::of(mechanism);
         for (k, row) in rows.iter().enumerate().rev() {
+            if let Some(later) = &later {
+                x[k] = x[k] - self.common.shares[k] * later.of_other_parts(row);
+            }
             let value = S::select(self.inverse_pivots[k].abs().greater(S::ZERO), x[k], S::ZERO);
             x[k] = value;
             let before = x.as_mut()[row.first..k].iter_mut();
             before.zip(self.row_of_l(k, row)).for_each(|(x, entry)| *x = *x - *entry * value);
+            if let Some(later) = &mut later {
+                later.add(row, self.common.entries[k] * value);
+            }
         }
         let mut solution = x.clone();
         rows.iter().zip(x.iter()).for_each(|(row, x)| solution[row.constraint] = *x);
