@@ -3,7 +3,7 @@
 use super::free_base::FreeBase;
 use super::link::Link;
 use super::tmt::Tmt;
-use crate::model::triple::{Matrix, Triple, cross};
+use crate::model::triple::{Matrix, Triple};
 use crate::model::{Dependence, Dependences, Model};
 use crate::symbolic::{Differential, Expr, Graph, Symbol, substitute};
 
@@ -73,7 +73,8 @@ impl BaseDerivatives {
     }
 }
 
-/// Whether a link turns about one axis that is fixed in both frames, or slides along fixed directions, or is fixed.
+/// Whether a link turns about one axis that is fixed in both frames, or slides along fixed directions, or is fixed. Turns about
+/// different axes have columns that move.
 fn is_simple(graph: &mut Graph, model: &Model, dependences: &mut Dependences, link: &Link) -> bool {
     let moving = Dependence::TIME.or(Dependence::COORDINATE).or(Dependence::SPEED).or(Dependence::INPUT);
     let mut is_fixed = |graph: &Graph, of: &[Expr]| of.iter().all(|x| !dependences.of(graph, *x).meets(moving));
@@ -83,14 +84,9 @@ fn is_simple(graph: &mut Graph, model: &Model, dependences: &mut Dependences, li
     if !has_fixed_columns || !(keeps_direction || keeps_place) {
         return false;
     }
-    // Turns about different axes notice each other.
-    let is_about_one_axis = link.columns.windows(2).all(|pair| {
-        let [(_, [first, _]), (_, [second, _])] = pair else { return false };
-        cross(graph, first, second).iter().all(|x| graph.is_zero(*x))
-    });
     // Nothing but the speeds of its coordinates moves it, and their axes stay.
     let still: Vec<_> = model.coordinates.iter().map(|c| (c.speed, graph.zero())).collect();
     let at_rest = substitute(graph, &[link.spin[0], link.offset[1]].concat(), &still);
     let convective = [link.spin[1], link.offset[2]].concat();
-    is_about_one_axis && at_rest.iter().chain(&convective).all(|x| graph.is_zero(*x))
+    at_rest.iter().chain(&convective).all(|x| graph.is_zero(*x))
 }

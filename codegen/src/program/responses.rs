@@ -10,11 +10,14 @@ use super::values::{Value, Values};
 use indexmap::IndexMap;
 use rustc_hash::FxHashMap;
 
+/// Unknowns with their coefficients.
+type Row = Vec<(usize, Value)>;
+
 /// The factors with the coefficients that are known.
 pub(super) struct Responses<'a> {
     factors: &'a Factors,
     /// For an unknown and the places of zeros after it.
-    known: FxHashMap<(usize, Vec<usize>), Vec<(usize, Value)>>,
+    known: FxHashMap<(usize, Vec<usize>), Row>,
     /// For each unknown the rows after it, with their entries of L; nothing for what is substituted.
     columns: Vec<Option<&'a [(usize, Value)]>>,
 }
@@ -52,7 +55,7 @@ impl<'a> Responses<'a> {
     }
 
     /// The coefficients of an unknown for those after it that are not zero; nothing for what is substituted.
-    fn response(&mut self, values: &mut Values, k: usize, is_zero: &[bool]) -> Option<Vec<(usize, Value)>> {
+    fn response(&mut self, values: &mut Values, k: usize, is_zero: &[bool]) -> Option<Row> {
         let column = self.columns[k]?;
         let zeros: Vec<usize> = column.iter().map(|(i, _)| *i).filter(|i| is_zero[*i]).collect();
         let key = (k, zeros);
@@ -70,7 +73,7 @@ impl<'a> Responses<'a> {
                 }
             }
         }
-        let response: Vec<_> = terms.into_iter().map(|(i, terms)| (i, values.sum(terms))).collect();
+        let response: Row = terms.into_iter().map(|(i, terms)| (i, values.sum(terms))).collect();
         self.known.insert(key, response.clone());
         Some(response)
     }

@@ -7,12 +7,15 @@ use super::responses::Responses;
 use super::values::{ColumnsOperation, Operation, Value, Values};
 use std::rc::Rc;
 
+/// An unknown with the reciprocal of its pivot and its column of L.
+type Eliminated<'a> = (usize, Value, &'a [(usize, Value)]);
+
 /// With more multiplications straight lines are too long.
 const LONGEST: usize = 15_000;
 
 /// The solutions for these right-hand sides; no constants occur in the definitions of intermediate quantities.
 pub(super) fn solve_each(values: &mut Values, factors: &Factors, columns: Vec<Vec<Value>>) -> Vec<Vec<Value>> {
-    let steps: Option<Vec<(usize, Value, &[(usize, Value)])>> = factors.steps.iter().map(eliminated).collect();
+    let steps: Option<Vec<Eliminated>> = factors.steps.iter().map(eliminated).collect();
     let Some(steps) = steps.filter(|steps| {
         let entries: usize = steps.iter().map(|(_, _, column)| column.len()).sum();
         2 * entries * columns.len() > LONGEST
@@ -34,14 +37,14 @@ pub(super) fn solve_each(values: &mut Values, factors: &Factors, columns: Vec<Ve
     (0..count).map(&mut column).collect()
 }
 
-fn eliminated(step: &Step) -> Option<(usize, Value, &[(usize, Value)])> {
+fn eliminated(step: &Step) -> Option<Eliminated<'_>> {
     match step {
         Step::Eliminate { unknown, inverse, column } => Some((*unknown, *inverse, column)),
         Step::Substitute { .. } => None,
     }
 }
 
-fn shape(values: &Values, steps: &[(usize, Value, &[(usize, Value)])], columns: &[Vec<Value>]) -> ColumnsShape {
+fn shape(values: &Values, steps: &[Eliminated], columns: &[Vec<Value>]) -> ColumnsShape {
     let mut met = vec![0u64; steps.len()];
     for (j, column) in columns.iter().enumerate().take(BLOCK * u64::BITS as usize) {
         let rows = column.iter().zip(&mut met).filter(|(x, _)| !values.is_zero(**x));

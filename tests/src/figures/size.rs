@@ -6,7 +6,7 @@ use super::walker::walker_runs;
 use super::{Subject, Table};
 
 pub(super) const SUBJECTS: &[Subject] =
-    &[("robots", robots), ("walker", walker), ("runs", walker_runs), ("growth", growth)];
+    &[("robots", robots), ("derivatives", derivatives), ("walker", walker), ("runs", walker_runs), ("growth", growth)];
 
 /// A kernel, and the operations of the recursion that is specialised to the robot (articulated bodies, Newton-Euler and
 /// composite bodies in the bodies' own frames, inertial parameters regrouped), sines aside.
@@ -68,6 +68,26 @@ fn robots(table: &mut Table) {
                 Some(count) => table.at_most(&what, count as f64, *most as f64),
                 None => table.line(&what, "no such kernel", format!("at most {most}"), false),
             }
+        }
+    }
+}
+
+/// Declarations with the operations that their derivatives may take: those before they came along the tree, and for the wishbone
+/// half of them.
+const DIFFERENTIATED: [(&str, &str, usize); 3] = [
+    ("Talos' arm", include_str!("../../robots/declared/talosarm.rs"), 19_369),
+    ("ANYmal", include_str!("../../robots/declared/anymal.rs"), 165_982),
+    ("double wishbone", include_str!("../../robots/declared/wishbone.rs"), 8000),
+];
+
+fn derivatives(table: &mut Table) {
+    table.heading("Operations of dynamics_jacobian; times of the robots are printed by tests/robots/race/race.sh");
+    for (name, text, most) in DIFFERENTIATED {
+        let text = text.replace("inverse_dynamics;", "dynamics_jacobian;");
+        let Some(derived) = derived(table, name, &text) else { continue };
+        match operations(&derived, "dynamics_jacobian") {
+            Some(count) => table.at_most(name, count as f64, most as f64),
+            None => table.line(name, "no such kernel", format!("at most {most}"), false),
         }
     }
 }
