@@ -59,3 +59,17 @@ fn derivatives_by_columns() {
     assert_ne!(&two_limbs, text);
     derivatives_are_those_of_dynamics(&two_limbs, &[0, 1, 2]);
 }
+
+/// A base that loads tell where it is.
+#[test]
+fn derivatives_with_loads_on_everything() {
+    let text = &erase(Spider::default()).description().declaration;
+    let gravity = "loads { gravity [0, 0, -9.81 [m/s^2]]; }";
+    assert!(text.contains(gravity));
+    let loads = "loads {
+        gravity [0.3 [m/s^2]*sin(t/(1 [s])), 0, -9.81 [m/s^2]];
+        force [0, 1 [N*s]*sin(left_j_1)*dot(hind_j_2), 2 [N]*hind_j_3] at on(base, [0.1*L, 0, 0]);
+        torque [0.1 [N*m]*left_j_4, 0, 0.2 [N*m]*right_j_2] on left_four;
+    }";
+    derivatives_are_those_of_dynamics(&text.replace(gravity, loads), &[0, 1, 2]);
+}

@@ -398,6 +398,10 @@ fn derivatives_of_a_limb_of_many_joints() {
 fn an_arm_on_the_ground() {
     agrees(ARM, &[2]);
     derivatives_are_those_of_dynamics(ARM, &[2]);
+    // Weights that depend on the state.
+    let swung = ARM.replace("gravity [1 [m/s^2], 0,", "gravity [1 [m/s^2], 0.3 [m/s^2]*sin(b),");
+    assert_ne!(swung, ARM);
+    derivatives_are_those_of_dynamics(&swung, &[2]);
 }
 
 #[test]

@@ -24,7 +24,7 @@ pub struct BaseDerivatives {
 }
 
 impl OpenDerivatives {
-    /// Nothing where a joint is more than an axis that is fixed in its link.
+    /// Nothing where a joint is more than an axis that is fixed in its link, or where the state changes the weights.
     pub(super) fn derive(
         graph: &mut Graph,
         model: &Model,
@@ -33,6 +33,10 @@ impl OpenDerivatives {
         rest: &Tmt,
     ) -> Option<OpenDerivatives> {
         let mut dependences = model.dependences.clone();
+        let state = Dependence::COORDINATE.or(Dependence::SPEED);
+        if model.gravity.iter().flatten().any(|g| dependences.of(graph, *g).meets(state)) {
+            return None;
+        }
         let is_base = |at: usize| bases.iter().any(|base| base.link == at);
         let joints = links.iter().enumerate().filter(|(at, _)| !is_base(*at)).map(|(_, link)| link);
         if !joints.into_iter().all(|link| is_simple(graph, model, &mut dependences, link)) {
