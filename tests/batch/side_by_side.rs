@@ -1,6 +1,6 @@
 //! Simulations side by side have the bits that each has alone: states, steps, events, memory of methods.
 
-use crate::{Folding, Rods, Turning};
+use crate::{Cylinders, Folding, Rods, Turning};
 use models::{Bennett, BouncingBall, CartPole, DoublePendulum, FourBar, QuickReturn, TumblingQuaternion};
 use sim::{
     Array, Compiled, Erased, InPlace, Input, Mechanism, Method, Settings, Simulation, Stabilisation, advance_each,
@@ -64,6 +64,15 @@ fn loops_and_chains_have_the_same_bits_side_by_side() {
     in_every_way::<FourBar>("four-bar", 1.0, 0.01);
     // With other parameters the body has no possible inertia.
     in_every_way::<TumblingQuaternion>("tumbling", 0.5, 0.0);
+}
+
+/// Parts with one crank.
+#[test]
+fn parts_have_the_same_bits_side_by_side() {
+    let settings = [Settings::equal_steps(Method::Rk4, 0.3, 60), Settings::new(0.3)];
+    settings.iter().for_each(|settings| {
+        compare("cylinders", &different(&Cylinders::default(), settings, 0.01), &[0.2, 0.3]);
+    });
 }
 
 /// Each passes singular positions at its own times, by steps of its own.
