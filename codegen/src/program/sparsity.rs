@@ -81,8 +81,11 @@ impl Sparsity {
                 order.extend(part);
             }
         }
-        let all = neighbours(columns);
-        let firsts = firsts(&order, &all).into_iter().zip(&parts).map(|(first, part)| first.max(*part)).collect();
+        let mut part_of = vec![0; columns.len()];
+        order.iter().zip(&parts).for_each(|(row, part)| part_of[*row] = *part);
+        let mut within = neighbours(columns);
+        within.iter_mut().zip(&part_of).for_each(|(others, part)| others.retain(|other| part_of[*other] == *part));
+        let firsts = firsts(&order, &within);
         let has_parts = parts.last().is_some_and(|last| *last > 0);
         has_parts.then(|| Sparsity { common: Some(common), ..Sparsity::laid_out(columns, order, firsts, parts) })
     }
