@@ -3,6 +3,7 @@
 //! Both give the same numbers, since the entries that sparse rows omit are 0. The choice is made when a mechanism is
 //! compiled.
 
+mod common;
 mod dense;
 mod sparse;
 mod turned;

@@ -5,7 +5,8 @@
 //! So the pivots of its elimination, ratios of successive ones, are positive while no such volume reverses. Only if one
 //! is not positive must the parts themselves be computed, at a cost quadratic in the number of rows.
 
-use super::sparse::{blank_envelope, common_column, common_entries, dot, products, sparse_rows};
+use super::common::common_column;
+use super::sparse::{blank_envelope, common_entries, dot, products, sparse_rows};
 use sim_kernel::{Array, Mechanism, SparseRow};
 
 /// A pivot this small relative to its terms is undecided: it has lost its digits, or the rows nearly depend on each
