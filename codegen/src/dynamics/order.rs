@@ -12,6 +12,7 @@
 //! Each step comes just before the step that needs it: two independent chains of operations then lie within the
 //! processor's reach, and run in parallel.
 
+use rustc_hash::FxHashSet;
 use std::collections::BTreeSet;
 
 /// The sparsity pattern of a symmetric system.
@@ -20,7 +21,7 @@ pub struct Pattern {
     /// For each unknown, those that share an entry with it, itself included.
     linked: Vec<BTreeSet<usize>>,
     /// The entries that depend on more than parameters, the smaller index first.
-    moving: BTreeSet<(usize, usize)>,
+    moving: FxHashSet<(usize, usize)>,
     /// The number of remaining definitions in which each unknown occurs.
     occurrences: Vec<usize>,
     /// The length of the longest chain of steps before each unknown.
@@ -82,7 +83,7 @@ impl Pattern {
     /// The pattern of a system with these unknowns and entries.
     pub fn new(kinds: Vec<Kind>, entries: impl IntoIterator<Item = Entry>) -> Pattern {
         let mut linked = vec![BTreeSet::new(); kinds.len()];
-        let mut moving = BTreeSet::new();
+        let mut moving = FxHashSet::default();
         for Entry { place: (i, j), is_moving } in entries {
             linked[i].insert(j);
             linked[j].insert(i);
@@ -204,8 +205,8 @@ impl Pattern {
         } else {
             let pivot_moves = self.is_moving(k, k);
             let moves: Vec<bool> = neighbours.iter().map(|i| pivot_moves || self.is_moving(*i, k)).collect();
-            for (i, i_moves) in neighbours.iter().zip(&moves) {
-                for (j, j_moves) in neighbours.iter().zip(&moves) {
+            for (at, (i, i_moves)) in neighbours.iter().zip(&moves).enumerate() {
+                for (j, j_moves) in neighbours.iter().zip(&moves).take(at + 1) {
                     self.link(*i, *j, *i_moves || *j_moves);
                 }
             }

@@ -20,6 +20,7 @@ use super::constraints::Constraints;
 use crate::model::Model;
 use crate::symbolic::{Expr, Function, Graph, Node, Symbol};
 use std::cmp::Reverse;
+use std::collections::BTreeSet;
 
 /// The largest sum that multiplying out may make.
 const LONGEST_EXPANSION: usize = 64;
@@ -154,9 +155,15 @@ fn zeros(graph: &Graph, columns: &[[Expr; 2]]) -> usize {
 
 /// The angles whose sines and cosines occur in short entries.
 fn angles(graph: &Graph, entries: &[Expr]) -> Vec<Expr> {
-    let reachable = graph.reachable(entries);
-    if reachable.len() > MOST_EXPRESSIONS {
-        return vec![];
+    // Not all of a large graph for each pair of rows.
+    let (mut reachable, mut stack) = (BTreeSet::new(), entries.to_vec());
+    while let Some(expr) = stack.pop() {
+        if reachable.insert(expr) {
+            stack.extend(graph.operands(expr));
+        }
+        if reachable.len() > MOST_EXPRESSIONS {
+            return vec![];
+        }
     }
     let angles = reachable.into_iter().filter_map(|expr| match graph.node(expr) {
         Node::Call(Function::Sin | Function::Cos, angle) => Some(*angle),
