@@ -5,11 +5,13 @@
 
 mod common;
 mod dense;
+#[cfg(test)]
+pub(crate) mod examples;
 mod sparse;
 mod turned;
 
 pub(crate) use dense::Dense;
-pub(crate) use sparse::{Envelope, Sparse, is_sparse, sparse_rows};
+pub(crate) use sparse::{Envelope, Sparse, first_met, is_sparse, sparse_rows};
 pub(crate) use turned::{may_have_turned, mixed_pivots};
 
 use crate::motion::measures::Measures;

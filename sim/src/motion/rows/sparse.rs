@@ -25,6 +25,11 @@ pub(crate) fn sparse_rows<S: Scalar, M: Mechanism<S>>(mechanism: &M) -> &'static
     mechanism.description().sparsity
 }
 
+/// The first row, in the order of elimination, with which a row has a column in common, that of all parts included.
+pub(crate) fn first_met<S: Scalar, M: Mechanism<S>>(mechanism: &M, row: &SparseRow) -> usize {
+    if common_column(mechanism).is_some() { 0 } else { row.first }
+}
+
 impl<S: Scalar, M: Mechanism<S>> Rows<S, M> for Sparse {
     type Jacobian = M::Entries;
     type Factors = Envelope<M, S>;
