@@ -1,11 +1,12 @@
 //! Forward sensitivities against closed forms and against differences of whole runs.
 
-use crate::{Cylinders, Rods, Turning};
+use crate::{Rods, Turning};
 use models::{Bennett, BouncingBall, FourBar, QuickReturn};
 use sim::{
     Array, Compiled, Direction, Dual, Erased, FixedArray, ForwardSensitivity, InPlace, Mechanism, Method, Settings,
     Simulation, Stabilisation, What, declared_start, erase,
 };
+use tests::engine::Engine;
 
 sim_kernel::mechanism! {
     /// A mass on a spring.
@@ -105,9 +106,9 @@ fn sparse_rows_have_derivatives_too() {
     let rods = Rods::default();
     assert!(!rods.description().sparsity.is_empty());
     check(&rods, Some(1), None, &Settings::equal_steps(Method::Rk4, 0.3, 100), 1e-6);
-    let cylinders = Cylinders::default();
-    assert_eq!(cylinders.description().common_column, Some(0));
-    check(&cylinders, Some(1), None, &Settings::equal_steps(Method::Rk4, 0.3, 100), 1e-6);
+    let engine = Engine::default();
+    assert_eq!(engine.description().common_column, Some(0));
+    check(&engine, Some(1), None, &Settings::equal_steps(Method::Rk4, 0.3, 100), 1e-6);
 }
 
 /// Steps of other lengths make differences of the order of the tolerance over 1e-5.

@@ -29,24 +29,6 @@ sim_kernel::mechanism! {
 }
 
 sim_kernel::mechanism! {
-    /// Eight cylinders on one crank, factorised one by one.
-    Cylinders;
-    const n = 8;
-    coordinates { a [rad]; repeat i in 1..=n { b_[i] [rad]; x_[i] [m]; } }
-    parameters { m [kg] = 1; l [m] = 1; }
-    bodies { wheel: inertia m*l^2, angle a; }
-    loads { gravity [-9.81 [m/s^2], 0]; }
-    repeat i in 1..=n {
-        let P_[i] = 0.3*l*[cos(a + 0.7*i), sin(a + 0.7*i)];
-        let Q_[i] = P_[i] + l*[cos(b_[i]), sin(b_[i])];
-        bodies { rod_[i]: mass m at (P_[i] + Q_[i])/2, inertia m*l^2/12, angle b_[i]; piston_[i]: mass m at [x_[i], 0]; }
-        constraints { pin_[i]: Q_[i] = [x_[i], 0]; }
-        initial { guess b_[i] = 0; guess x_[i] = l; }
-    }
-    initial { a = 0.1; dot(a) = 2; }
-}
-
-sim_kernel::mechanism! {
     /// Rods that hang from each other, each a free body.
     Rods;
     const n = 6;

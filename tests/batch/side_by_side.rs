@@ -1,11 +1,12 @@
 //! Simulations side by side have the bits that each has alone: states, steps, events, memory of methods.
 
-use crate::{Cylinders, Folding, Rods, Turning};
+use crate::{Folding, Rods, Turning};
 use models::{Bennett, BouncingBall, CartPole, DoublePendulum, FourBar, QuickReturn, TumblingQuaternion};
 use sim::{
     Array, Compiled, Erased, InPlace, Input, Mechanism, Method, Settings, Simulation, Stabilisation, advance_each,
     declared_start, erase,
 };
+use tests::engine::Engine;
 
 /// Not a multiple of the number of lanes.
 const COUNT: usize = 11;
@@ -71,7 +72,7 @@ fn loops_and_chains_have_the_same_bits_side_by_side() {
 fn parts_have_the_same_bits_side_by_side() {
     let settings = [Settings::equal_steps(Method::Rk4, 0.3, 60), Settings::new(0.3)];
     settings.iter().for_each(|settings| {
-        compare("cylinders", &different(&Cylinders::default(), settings, 0.01), &[0.2, 0.3]);
+        compare("engine", &different(&Engine::default(), settings, 0.01), &[0.2, 0.3]);
     });
 }
 

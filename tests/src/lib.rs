@@ -3,6 +3,7 @@
 pub mod by_hand;
 pub mod declarations;
 pub mod digest;
+pub mod engine;
 pub mod extremes;
 pub mod faults;
 pub mod house;
