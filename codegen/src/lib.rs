@@ -132,7 +132,10 @@ fn resolved(tokens: TokenStream) -> syn::Result<(dsl::Declaration, model::Resolv
 /// # Errors
 /// As [`generate`], and if the text is not made of Rust's tokens.
 pub fn equations_as(notation: Notation, declaration: &str) -> syn::Result<Vec<Section>> {
-    Ok(notation::equations(&equations(declaration.parse()?)?, notation))
+    let (_, mut resolved) = resolved(declaration.parse()?)?;
+    // What they need is not read.
+    resolved.model.kernels = Some(Vec::new());
+    Ok(notation::equations(&dynamics::derive(resolved), notation))
 }
 
 /// The body of the procedural macro: `path; declaration` to items, or to errors and a stub.

@@ -11,6 +11,8 @@ mod batch;
 #[cfg(feature = "cli")]
 pub mod cli;
 mod events;
+#[cfg(feature = "analysis")]
+pub mod import;
 mod integrate;
 #[cfg(feature = "analysis")]
 mod interpreted;

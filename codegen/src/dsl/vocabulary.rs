@@ -63,6 +63,7 @@ words! {
         Tables "tables"
         Speeds "speeds"
         Run "run"
+        Frames "frames"
     }
 }
 
@@ -85,13 +86,14 @@ impl Block {
             | Block::Drawing
             | Block::Kernels
             | Block::Run
-            | Block::Joints => false,
+            | Block::Joints
+            | Block::Frames => false,
         }
     }
 
     /// The block that is often called so.
     pub(super) fn often_called(word: &str) -> Option<Block> {
-        const CALLED: [(&str, Block); 7] = [
+        const CALLED: [(&str, Block); 8] = [
             ("body", Block::Bodies),
             ("forces", Block::Loads),
             ("force", Block::Loads),
@@ -99,6 +101,7 @@ impl Block {
             ("variables", Block::Coordinates),
             ("states", Block::Coordinates),
             ("joint", Block::Joints),
+            ("frame", Block::Frames),
         ];
         CALLED.iter().find(|(called, _)| *called == word).map(|(_, block)| *block)
     }
@@ -112,6 +115,15 @@ words! {
         Angle "angle"
         Attitude "attitude"
         Free "free"
+        Unchecked "unchecked"
+    }
+}
+
+words! {
+    /// What a frame has after its place.
+    FrameWord {
+        Angle "angle"
+        Attitude "attitude"
     }
 }
 

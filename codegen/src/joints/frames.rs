@@ -5,7 +5,7 @@ use crate::dsl::{Expression, Region};
 use crate::nearest;
 use syn::{Ident, Result};
 
-/// The positions and attitudes of bodies.
+/// The positions and attitudes of declared frames and of bodies.
 pub(super) struct Frames {
     pub(super) bodies: Vec<Frame>,
     /// The names of tables.
@@ -17,6 +17,16 @@ pub(super) struct Frame {
     pub(super) position: Option<Expression>,
     pub(super) angle: Option<Expression>,
     pub(super) attitude: Option<Expression>,
+    /// Whether these are the names of what the frame's line defines.
+    pub(super) is_named: bool,
+}
+
+impl Frame {
+    /// One of its parts, as it stands where the frame's own name is used.
+    fn used(&self, part: &Option<Expression>, name: &Ident) -> Option<Expression> {
+        let part = part.clone()?;
+        Some(if self.is_named { Expression { region: Region::from(name), ..part } } else { part })
+    }
 }
 
 impl Frames {
@@ -41,7 +51,8 @@ impl Frames {
             Region::from(body)
                 .error(format!("body `{body}` has no position; write `mass m at P` in its line, or make it `free`"))
         };
-        self.find(body)?.position.clone().ok_or_else(missing)
+        let frame = self.find(body)?;
+        frame.used(&frame.position, body).ok_or_else(missing)
     }
 
     pub(super) fn angle(&self, body: &Ident) -> Result<Expression> {
@@ -49,7 +60,8 @@ impl Frames {
             Region::from(body)
                 .error(format!("body `{body}` has no angle; write `angle phi` in its line, or make it `free`"))
         };
-        self.find(body)?.angle.clone().ok_or_else(missing)
+        let frame = self.find(body)?;
+        frame.used(&frame.angle, body).ok_or_else(missing)
     }
 
     pub(super) fn attitude(&self, body: &Ident) -> Result<Expression> {
@@ -57,7 +69,8 @@ impl Frames {
             let message = format!("body `{body}` has no attitude; write `attitude R` in its line, or make it `free`");
             Region::from(body).error(message)
         };
-        let rotation = self.find(body)?.attitude.clone().ok_or_else(missing)?;
+        let frame = self.find(body)?;
+        let rotation = frame.used(&frame.attitude, body).ok_or_else(missing)?;
         Ok(attitude(rotation.region, body, rotation))
     }
 

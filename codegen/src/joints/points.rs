@@ -4,16 +4,24 @@
 
 use super::frames::{Frame, Frames};
 use super::made::{binary, call, component, product};
-use crate::dsl::{Body, Declaration, Expression, Kind, Operator, Region};
+use crate::dsl::{self, Body, Declaration, Expression, Kind, Operator, Region};
 use syn::Result;
 
-/// The frames of the bodies, each expressed by those before it.
+/// The declared frames, and those of the bodies, each expressed by those before it.
 pub(super) fn frames(declaration: &Declaration) -> Result<Frames> {
     let tables = declaration.tables.iter().map(|table| table.name.to_string()).collect();
-    let mut frames = Frames { bodies: Vec::new(), tables };
+    let declared = declaration.frames.iter().map(|dsl::Frame { name, place, angle, attitude }| Frame {
+        name: name.clone(),
+        position: Some(place.clone()),
+        angle: angle.clone(),
+        attitude: attitude.clone(),
+        is_named: true,
+    });
+    let mut frames = Frames { bodies: declared.collect(), tables };
     for Body { name, mass, angle, attitude, .. } in &declaration.bodies {
         let position = mass.as_ref().and_then(|(_, position)| position.as_ref()).cloned();
-        let mut frame = Frame { name: name.clone(), position, angle: angle.clone(), attitude: attitude.clone() };
+        let (angle, attitude) = (angle.clone(), attitude.clone());
+        let mut frame = Frame { name: name.clone(), position, angle, attitude, is_named: false };
         for expression in frame.position.iter_mut().chain(&mut frame.angle).chain(&mut frame.attitude) {
             write_out(&frames, expression)?;
         }

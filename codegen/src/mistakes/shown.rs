@@ -1,6 +1,7 @@
 //! Mistakes with their places, to be shown under the user's own line.
 
 use std::fmt::Write;
+use std::ops::Range;
 
 /// A mistake in a text.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -43,6 +44,12 @@ pub struct Position {
 }
 
 impl Mistake {
+    /// A mistake at bytes of a text.
+    pub fn at(text: &str, code: &'static str, bytes: Range<usize>, message: String) -> Mistake {
+        let [start, end] = [bytes.start, bytes.end].map(|byte| Position::at(text, byte));
+        Mistake { code, message, start, end, related: Vec::new() }
+    }
+
     /// All mistakes of a kind in a text, in order of their places.
     pub fn all(text: &str, code: &'static str, mistakes: syn::Error) -> Vec<Mistake> {
         let mut all: Vec<Mistake> = Vec::new();
@@ -114,6 +121,13 @@ fn excerpt(length: usize, column: usize) -> [usize; 2] {
 }
 
 impl Position {
+    fn at(text: &str, byte: usize) -> Position {
+        let before = text.get(..byte).unwrap_or(text);
+        let line = before.matches('\n').count();
+        let column = before.rsplit('\n').next().unwrap_or_default().chars().count();
+        Position::of(text, line, column)
+    }
+
     fn of(text: &str, line: usize, column: usize) -> Position {
         let start: usize = text.split_inclusive('\n').take(line).map(str::len).sum();
         let before: String = text[start..].chars().take(column).collect();

@@ -91,7 +91,7 @@ fn resolve_attitude(b: &dsl::Body, turn: Turn, has_place: bool, interpreter: &mu
         );
         return interpreter.refuse(Region::from(&b.name), message);
     };
-    let inertia = resolve_inertia(inertia, interpreter)?;
+    let inertia = resolve_inertia(inertia, b.unchecked, interpreter)?;
     let place = match &b.mass {
         Some((_, Some(place))) if has_place => Some(interpreter.spatial_value(place)?.0),
         _ => None,

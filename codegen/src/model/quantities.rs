@@ -151,7 +151,7 @@ pub(super) fn resolve_lets(declaration: &Declaration, interpreter: &mut Interpre
         };
         refuse_rate(&definition.name, declaration, interpreter);
         let name = plain(&definition.name);
-        match value.as_ref().map(|value| &value.shape) {
+        match value.as_ref().filter(|_| !definition.is_of_frame).map(|value| &value.shape) {
             Some(Shape::Scalar(scalar)) => named.push((name.clone(), *scalar)),
             Some(Shape::Vector([x, y])) => named.extend([(format!("{name}_x"), *x), (format!("{name}_y"), *y)]),
             Some(Shape::Spatial(vector)) => {
@@ -173,6 +173,10 @@ fn later_use(expression: &Expression, later: &[dsl::Let]) -> Option<syn::Error> 
     match &expression.kind {
         Kind::Name(name) => {
             let at = later.iter().position(|definition| definition.name == *name)?;
+            if later[at].is_of_frame {
+                let message = "this frame is declared here or below; a frame stands on others above it";
+                return Some(expression.region.error(message));
+            }
             let message = match at {
                 0 => format!("`{name}` is defined by itself"),
                 _ => format!("`{name}` is defined only below; move its line above this one"),

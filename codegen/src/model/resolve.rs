@@ -8,6 +8,7 @@ use super::events::{Known, resolve_events};
 use super::interpreter::Interpreter;
 use super::loads::resolve_loads;
 use super::outputs::resolve_outputs;
+use super::placed_frames::check_frames;
 use super::quantities::{
     check_coordinates_used, resolve_coordinates, resolve_inputs, resolve_lets, resolve_parameters,
 };
@@ -49,7 +50,9 @@ fn resolve_with(declaration: &Declaration, displacements: Displacements) -> syn:
     let Symbols { mut coordinates, parameters, inputs, auxiliaries, forces, moving } =
         resolve_symbols(declaration, time, displacements, &mut interpreter);
     let named = resolve_lets(declaration, &mut interpreter);
-    let ResolvedBodies { mut bodies, turns, names: body_names, norms } = resolve_bodies(declaration, &mut interpreter);
+    let resolved = resolve_bodies(declaration, &mut interpreter);
+    check_frames(declaration, &resolved, &mut interpreter);
+    let ResolvedBodies { mut bodies, turns, names: body_names, norms } = resolved;
     let loads = resolve_loads(declaration, &moving, &bodies, &turns, &body_names, &mut interpreter);
     fall(&mut bodies, &turns, loads.falling.as_ref(), &mut interpreter);
     let links = links(&bodies, &turns, &mut interpreter);

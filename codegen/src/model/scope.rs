@@ -113,6 +113,14 @@ pub(super) fn check_reserved(name: &Ident) -> syn::Result<()> {
     Err(Region::from(name).error(format!("`{text}` is {meaning} in the language; choose another name")))
 }
 
+/// Whether a text can name anything, in the language and in Rust, without hiding a function of the language.
+pub fn is_name(text: &str) -> bool {
+    const OF_BODIES: [&str; 2] = ["attitude", "omega"];
+    let is_taken = |ident: &Ident| check_reserved(ident).is_err();
+    syn::parse_str::<Ident>(text).is_ok_and(|ident| ident == text && !is_taken(&ident))
+        && SPATIAL_FUNCTIONS.iter().chain(&OF_BODIES).all(|function| *function != text)
+}
+
 fn is_function(name: &str) -> bool {
     reserved_functions().any(|function| function == name)
 }

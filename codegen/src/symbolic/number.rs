@@ -2,26 +2,41 @@
 //!
 //! Nearly all numbers of a mechanism are small fractions, so they live in two machine words; what does
 //! not fit moves to arbitrary precision and comes back when it can. The representation is unique (a
-//! value that fits in words never stays large), so equality and hashing are structural.
+//! value that fits in words never stays large), so equality and hashing are structural. Sums and products that have become very
+//! long are rounded to the nearest `f64`.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::cmp::Ordering;
 use std::fmt;
+use std::hash::{Hash, Hasher};
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// An exact rational number in lowest terms.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Number(Repr);
 
-#[derive(Clone, PartialEq, Eq, Hash)]
+#[derive(Clone, PartialEq, Eq)]
 enum Repr {
     /// Numerator and positive denominator, coprime.
     Small(i64, i64),
     /// Only what does not fit in [`Repr::Small`].
     Big(Box<BigRational>),
 }
+
+impl Hash for Repr {
+    /// Of numerator and denominator as they are, in lowest terms. The hash of a ratio divides them like Euclid.
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        match self {
+            Repr::Small(n, d) => (n, d).hash(state),
+            Repr::Big(value) => (value.numer(), value.denom()).hash(state),
+        }
+    }
+}
+
+/// Numerator and denominator have together at most so many bits, as three decimals of 16 digits multiplied.
+const MOST_BITS: u64 = 384;
 
 impl Number {
     /// 0.
@@ -61,6 +76,15 @@ impl Number {
             (Some(n), Some(d)) => Number(Repr::Small(n, d)),
             _ => Number(Repr::Big(Box::new(value))),
         }
+    }
+
+    /// A sum or a product. One that has become very long is the nearest `f64`, as generated code would have it: along chains of
+    /// rotations given by decimals, numbers would otherwise grow with each.
+    fn shortened(value: BigRational) -> Number {
+        let is_long = value.numer().bits() + value.denom().bits() > MOST_BITS;
+        let nearest =
+            if is_long { value.to_f64().filter(|x| x.is_normal()).and_then(BigRational::from_float) } else { None };
+        Number::from_big(nearest.unwrap_or(value))
     }
 
     fn to_big(&self) -> BigRational {
@@ -232,7 +256,7 @@ impl Add for &Number {
             // |a d|, |c b| < 2^126, so the sum cannot overflow.
             return Number::reduced(a * d + c * b, b * d);
         }
-        Number::from_big(self.to_big() + other.to_big())
+        Number::shortened(self.to_big() + other.to_big())
     }
 }
 
@@ -247,7 +271,7 @@ impl Mul for &Number {
         if let (Repr::Small(a, b), Repr::Small(c, d)) = (&self.0, &other.0) {
             return Number::reduced(i128::from(*a) * i128::from(*c), i128::from(*b) * i128::from(*d));
         }
-        Number::from_big(self.to_big() * other.to_big())
+        Number::shortened(self.to_big() * other.to_big())
     }
 }
 

@@ -14,6 +14,7 @@ mod constraints_in_speeds;
 mod elements;
 mod events;
 mod expressions;
+mod frames;
 mod joints;
 mod limits;
 mod loads;

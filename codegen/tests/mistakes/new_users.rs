@@ -36,7 +36,7 @@ fn what_new_users_write() {
         "bodies { bob",
         "body { bob",
         &[
-            "5:1 `body` is not a block (did you mean `bodies`?); blocks are `coordinates`, `parameters`, `bodies`, `loads`, `constraints`, `initial`, `events`, `outputs`, `drawing`, `kernels`, `auxiliary`, `inputs`, `joints`, `tables`, `speeds`, `run`",
+            "5:1 `body` is not a block (did you mean `bodies`?); blocks are `coordinates`, `parameters`, `bodies`, `loads`, `constraints`, `initial`, `events`, `outputs`, `drawing`, `kernels`, `auxiliary`, `inputs`, `joints`, `tables`, `speeds`, `run`, `frames`",
         ],
     );
     check("pub Pendulum;", "pub S;", &["1:5 `S` is the scalar type in generated code; choose another name"]);

@@ -2,7 +2,7 @@
 
 use crate::cli::Stop;
 use crate::cli::entry::{Entry, RunCommand, find};
-use crate::{Model, load};
+use crate::{DeclarationFile, Model};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -13,10 +13,17 @@ pub(super) struct Chosen {
     pub(super) run: Option<RunCommand>,
 }
 
-/// The mechanism of this name, or of this file.
-pub(super) fn chosen(mechanisms: &[Entry], word: &str) -> Result<Chosen, Stop> {
+/// The mechanism of this name, or of this file. What a robot's file lacks is told, unless all is to be quiet.
+pub(super) fn chosen(mechanisms: &[Entry], word: &str, quiet: bool) -> Result<Chosen, Stop> {
     match file(word) {
-        Some((path, name)) => Ok(Chosen { model: load(path, name)?, run: None }),
+        Some((path, name)) => {
+            let file = DeclarationFile::read(&path)?;
+            let model = file.model(name)?;
+            if !quiet {
+                warn(&file.warnings());
+            }
+            Ok(Chosen { model, run: None })
+        }
         None => {
             let entry = find(mechanisms, word)?;
             Ok(Chosen { model: entry.model()?, run: entry.run })
@@ -24,11 +31,16 @@ pub(super) fn chosen(mechanisms: &[Entry], word: &str) -> Result<Chosen, Stop> {
     }
 }
 
-/// `FILE` or `FILE:Name`, where the word is a file's: it ends in `.mech` or `.rs`, or has a separator in it.
+/// Tells what is doubtful.
+pub(super) fn warn(warnings: &[String]) {
+    warnings.iter().for_each(|warning| eprintln!("warning: {warning}"));
+}
+
+/// `FILE` or `FILE:Name`, where the word is a file's: it ends in `.mech`, `.rs` or `.urdf`, or has a separator in it.
 pub(super) fn file(word: &str) -> Option<(PathBuf, Option<&str>)> {
     let is_file = |path: &str| {
         let extension = Path::new(path).extension();
-        extension.is_some_and(|extension| extension == "mech" || extension == "rs")
+        extension.is_some_and(|extension| ["mech", "rs", "urdf"].iter().any(|known| extension == *known))
             || path.contains(std::path::is_separator)
     };
     let is_name = |name: &str| !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '-');
@@ -49,6 +61,7 @@ mod tests {
         }
         let of = |word| file(word).unwrap();
         assert_eq!(of("a.mech"), ("a.mech".into(), None));
+        assert_eq!(of("a.urdf"), ("a.urdf".into(), None));
         assert_eq!(of("a.rs:FourBar"), ("a.rs".into(), Some("FourBar")));
         assert_eq!(of("some/four-bar"), ("some/four-bar".into(), None));
         assert_eq!(of("some/four-bar:four-bar"), ("some/four-bar".into(), Some("four-bar")));

@@ -38,8 +38,8 @@ use chosen::{Chosen, chosen};
 use clap::{FromArgMatches, Parser};
 use codegen::nearest;
 use commands::{
-    check, compare, evaluate, generate, info, kinematics, linearize, list, new, new_file, plot, poincare, run, statics,
-    verify, watch,
+    check, compare, evaluate, generate, import, info, kinematics, linearize, list, new, new_file, plot, poincare, run,
+    statics, verify, watch,
 };
 pub use entry::{Entry, entry, entry_with_own_loops, text_entry};
 use files::run_file::RunFile;
@@ -107,7 +107,7 @@ fn with_run_file(mechanisms: &[Entry], arguments: Arguments, words: &[OsString])
         _ => return execute(mechanisms, arguments),
     };
     let file = RunFile::open(&path)?;
-    let model = file.declaration().and_then(|(model, _)| chosen(mechanisms, model).ok());
+    let model = file.declaration().and_then(|(model, _)| chosen(mechanisms, model, true).ok());
     let difference = model.and_then(|chosen| file.difference(chosen.model.description()));
     if let Some(difference) = difference.filter(|_| !arguments.voice.quiet) {
         eprintln!("warning: {difference}");
@@ -124,12 +124,12 @@ fn with_run_file(mechanisms: &[Entry], arguments: Arguments, words: &[OsString])
 
 fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
     let voice = arguments.voice;
-    let model = |word: &str| Ok::<_, Stop>(chosen(mechanisms, word)?.model);
+    let model = |word: &str| Ok::<_, Stop>(chosen(mechanisms, word, voice.quiet)?.model);
     match &arguments.command {
         Command::List => list::list(mechanisms, voice),
         Command::Info(info) => info::info_command(Erased::of(model(&info.model)?), voice),
         Command::Run(run) => {
-            let Chosen { model, run: own } = chosen(mechanisms, &run.model)?;
+            let Chosen { model, run: own } = chosen(mechanisms, &run.model, voice.quiet)?;
             match own {
                 Some(own) => own(run, voice),
                 None => stepping!(run::run_command, model, run, voice),
@@ -144,6 +144,7 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
         Command::Evaluate(of) => evaluate::evaluate(&*model(&of.model)?, of),
         Command::Watch(arguments) => watch::watch(arguments, voice),
         Command::Check(arguments) => check::check(arguments, voice),
+        Command::Import(arguments) => import::import(arguments, voice),
         Command::Plot(arguments) => plot::plot(arguments, voice),
         Command::Compare(arguments) => compare::compare(arguments, voice),
         Command::New(arguments) if arguments.file => new_file::new_file(mechanisms, arguments, voice),

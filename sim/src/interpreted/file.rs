@@ -1,6 +1,7 @@
 //! Declarations in files.
 
 use super::interpret;
+use crate::import::urdf::{self, Imported};
 use crate::model::erased::Model;
 use codegen::Derived;
 use codegen::description::kebab_case;
@@ -15,12 +16,14 @@ use std::sync::Arc;
 /// The largest file that is read, in bytes.
 const LARGEST: u64 = 4 << 20;
 
-/// A file that declares mechanisms: one by itself, as the text between the braces of `mechanism! { .. }`, or several in Rust.
-/// It is read once.
+/// A file that declares mechanisms: one by itself, as the text between the braces of `mechanism! { .. }`, or several in Rust; or
+/// a robot in URDF, whose name ends in `.urdf`. It is read once.
 #[derive(Clone, Debug)]
 pub struct DeclarationFile {
     path: PathBuf,
     text: String,
+    /// How a robot is imported.
+    robots: urdf::Options,
 }
 
 /// Why a file gives no mechanism.
@@ -90,7 +93,33 @@ impl DeclarationFile {
     pub fn of(path: &Path, text: String) -> DeclarationFile {
         // Places are counted without the mark that some editors put first.
         let text = text.strip_prefix('\u{feff}').map_or_else(|| text.clone(), str::to_owned);
-        DeclarationFile { path: path.to_owned(), text }
+        DeclarationFile { path: path.to_owned(), text, robots: urdf::Options::default() }
+    }
+
+    /// The same file, its robot imported so.
+    pub fn with_robots(self, robots: urdf::Options) -> DeclarationFile {
+        DeclarationFile { robots, ..self }
+    }
+
+    /// Whether it describes a robot.
+    pub fn is_robot(&self) -> bool {
+        self.path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("urdf"))
+    }
+
+    /// A robot as a declaration, with what its file lacks or contradicts.
+    ///
+    /// # Errors
+    /// What is no robot, at its place.
+    pub fn robot(&self) -> Result<Imported, Vec<Mistake>> {
+        let folder = self.path.parent().unwrap_or(Path::new(""));
+        urdf::import(&self.text, folder, &self.robots)
+    }
+
+    /// What a robot's file lacks or contradicts, each under its line; nothing of other files.
+    pub fn warnings(&self) -> Vec<String> {
+        let warnings = if self.is_robot() { self.robot().map(|robot| robot.warnings) } else { Ok(Vec::new()) };
+        let file = self.path.display().to_string();
+        warnings.unwrap_or_default().iter().map(|warning| warning.shown(&file, &self.text)).collect()
     }
 
     /// Its text.
@@ -131,6 +160,7 @@ impl DeclarationFile {
     /// The tables that its declarations name, in the folder where tables are read or below; elsewhere none is read.
     pub fn tables(&self) -> Vec<PathBuf> {
         let folder = folder_of_tables(&self.path);
+        // A robot has none.
         let declared = dsl::declarations(&self.text).unwrap_or_default();
         let paths = declared.into_iter().flat_map(dsl::files_named);
         let is_below = |path: &PathBuf| path.components().all(|part| matches!(part, Component::Normal(_)));
@@ -138,7 +168,8 @@ impl DeclarationFile {
     }
 
     fn declarations(&self) -> Result<Vec<Declared>, Vec<Mistake>> {
-        let all = dsl::declarations(&self.text).map_err(self.of_kind("E-TEXT"))?;
+        let robot = if self.is_robot() { Some(self.robot()?.text) } else { None };
+        let all = dsl::declarations(robot.as_ref().unwrap_or(&self.text)).map_err(self.of_kind("E-TEXT"))?;
         let named = |tokens: TokenStream| {
             let name = dsl::parse_head(tokens.clone()).map_err(self.of_kind("E-FORM"))?.name.to_string();
             Ok(Declared { name, tokens })
@@ -156,7 +187,17 @@ impl DeclarationFile {
     }
 
     fn of_kind(&self, code: &'static str) -> impl Fn(codegen::Mistaken) -> Vec<Mistake> {
-        move |mistakes| Mistake::all(&self.text, code, mistakes)
+        move |mistakes| match self.is_robot() {
+            true => vec![self.unfit(&mistakes)],
+            false => Mistake::all(&self.text, code, mistakes),
+        }
+    }
+
+    /// Why a robot's declaration is none: its places are not those of the robot's file.
+    fn unfit(&self, mistakes: &codegen::Mistaken) -> Mistake {
+        let at = self.text.find("<robot").unwrap_or(0);
+        let message = format!("this robot cannot be declared: {mistakes}\n`sim import` writes its declaration");
+        Mistake::at(&self.text, "E-URDF", at..at + "<robot".len().min(self.text.len() - at), message)
     }
 
     fn mistaken(&self, mistakes: Vec<Mistake>) -> LoadError {

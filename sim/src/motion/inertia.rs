@@ -62,7 +62,7 @@ mod declared {
         q: &[f64],
     ) -> Vec<(String, [f64; 6])> {
         let (mut bodies, mut outputs) = (Vec::new(), Vec::new());
-        for body in &declaration.bodies {
+        for body in declaration.bodies.iter().filter(|body| !body.unchecked) {
             let Some(Kind::Vector(entries)) = body.inertia.as_ref().map(|inertia| &inertia.kind) else { continue };
             bodies.push((body.name.to_string(), entries.len()));
             outputs.extend(entries.iter().map(|entry| Output {

@@ -42,6 +42,7 @@ pub const CRATES: &[Crate] = &[
             "numerics",
             "state",
             "model",
+            "import",
             "interpreted",
             "motion",
             "integrate",

@@ -68,7 +68,7 @@ pub(super) fn speed(input: ParseStream) -> Result<(GeneralizedSpeed, Let)> {
         &format!("generalised speed `{name}` needs a definition: `{name} [unit] = expression;`, linear in `dot(..)`"),
     )?;
     let value = expression(input)?;
-    Ok((GeneralizedSpeed { docs, name: name.clone(), unit }, Let { name, value }))
+    Ok((GeneralizedSpeed { docs, name: name.clone(), unit }, Let { name, value, is_of_frame: false }))
 }
 
 pub(super) fn definition(input: ParseStream) -> Result<Let> {
@@ -78,14 +78,15 @@ pub(super) fn definition(input: ParseStream) -> Result<Let> {
         return Err(here(input, "a `let` has the unit of its expression; write `let name = ..;`"));
     }
     equals(input, "`let` gives a name to an expression: `let A = ..;`")?;
-    Ok(Let { name, value: expression(input)? })
+    Ok(Let { name, value: expression(input)?, is_of_frame: false })
 }
 
 pub(super) fn body(input: ParseStream) -> Result<Body> {
     docs(input)?;
     let name = name(input, "a body: `rod: mass m at G, inertia J, angle phi;`")?;
     colon(input, "a body is written `name: mass m at G, inertia J, angle phi;`")?;
-    let mut body = Body { name, mass: None, inertia: None, angle: None, attitude: None, free: None };
+    let (mass, inertia, angle, attitude, free) = (None, None, None, None, None);
+    let mut body = Body { name, mass, inertia, angle, attitude, free, unchecked: false };
     loop {
         let (word, clause) = keyword(input)?;
         let twice = match clause {
@@ -101,6 +102,7 @@ pub(super) fn body(input: ParseStream) -> Result<Body> {
                 body.free = Some(Region::from(&word));
                 false
             }
+            BodyWord::Unchecked => std::mem::replace(&mut body.unchecked, true),
         };
         if twice {
             return Err(syn::Error::new(word.span(), format!("body `{}` has its {word} twice", body.name)));

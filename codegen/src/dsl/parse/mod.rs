@@ -4,6 +4,7 @@ mod block;
 mod equation;
 mod event;
 mod expression;
+mod frame;
 mod head;
 mod joint;
 mod lines;
@@ -17,9 +18,9 @@ mod words;
 pub use head::parse_head;
 pub use unit::parse_unit;
 
-use super::Declaration;
 use super::region::here;
 use super::vocabulary::{Block, Word};
+use super::{Declaration, Frame, Let};
 use crate::mistakes::Mistakes;
 use crate::nearest;
 use head::head;
@@ -41,6 +42,7 @@ fn read(input: ParseStream) -> Result<Declaration> {
         parameters: vec![],
         lets: vec![],
         bodies: vec![],
+        frames: vec![],
         loads: vec![],
         constraints: vec![],
         initial: vec![],
@@ -93,6 +95,7 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
             d.parameters.extend(mistakes.note(lines(&content, ended(block::parameter))).into_iter().flatten())
         }
         Block::Bodies => d.bodies.extend(mistakes.note(lines(&content, ended(block::body))).into_iter().flatten()),
+        Block::Frames => frames(mistakes.note(lines(&content, ended(frame::frame))).into_iter().flatten(), d),
         Block::Loads => d.loads.extend(mistakes.note(lines(&content, ended(load::load))).into_iter().flatten()),
         Block::Constraints => {
             d.constraints.extend(mistakes.note(lines(&content, ended(equation::constraint))).into_iter().flatten())
@@ -120,6 +123,13 @@ fn item(input: ParseStream, declaration: &mut Declaration, mistakes: &mut Mistak
         Block::Drawing => d.drawing.extend(mistakes.note(lines(&content, ended(block::shape))).into_iter().flatten()),
     }
     Ok(())
+}
+
+fn frames(lines: impl Iterator<Item = (Frame, [Let; 2])>, declaration: &mut Declaration) {
+    for (frame, definitions) in lines {
+        declaration.frames.push(frame);
+        declaration.lets.extend(definitions);
+    }
 }
 
 /// ` (did you mean `bodies`?)`, or nothing where no block is near.

@@ -42,6 +42,8 @@ pub struct Declaration {
     pub lets: Vec<Let>,
     /// `bodies { .. }`
     pub bodies: Vec<Body>,
+    /// `frames { .. }`; the place and the attitude of each are among the `let`s.
+    pub frames: Vec<Frame>,
     /// `loads { .. }`
     pub loads: Vec<Load>,
     /// `constraints { .. }`: each holds throughout the motion, or while events leave it active.
@@ -124,6 +126,20 @@ pub struct Let {
     pub name: Ident,
     /// The named expression.
     pub value: Expression,
+    /// Whether it is the place or the attitude of a frame, and the name is not the user's.
+    pub is_of_frame: bool,
+}
+
+/// `tool: at P, attitude R;`: points that move with something, without mass.
+pub struct Frame {
+    /// Its name.
+    pub name: Ident,
+    /// The name of its place.
+    pub place: Expression,
+    /// The name of its angle, in the plane.
+    pub angle: Option<Expression>,
+    /// The name of its attitude, in space.
+    pub attitude: Option<Expression>,
 }
 
 /// `rocker4: mass m4 at G4, inertia J4, angle beta;`
@@ -140,6 +156,8 @@ pub struct Body {
     pub attitude: Option<Expression>,
     /// The word `free`: it has its own position and angle.
     pub free: Option<Region>,
+    /// `unchecked`: its inertia is taken as it is, even if no body can have it.
+    pub unchecked: bool,
 }
 
 /// One line of `initial`.

@@ -10,7 +10,13 @@ const FORM: &str = "the inertia of a body in space is `inertia [A, B, C]`, its p
                     `inertia [Jxx, Jyy, Jzz, Jxy, Jxz, Jyz]`, in its own frame about its centre of mass";
 
 /// A tensor by its principal moments, or by the entries of its matrix.
-pub(in crate::model) fn resolve_inertia(expression: &Expression, interpreter: &mut Interpreter) -> Option<Tensor> {
+///
+/// `unchecked` takes tensors that no body can have, as files of robots hold them.
+pub(in crate::model) fn resolve_inertia(
+    expression: &Expression,
+    unchecked: bool,
+    interpreter: &mut Interpreter,
+) -> Option<Tensor> {
     let Kind::Vector(written) = &expression.kind else { return interpreter.refuse(expression.region, FORM) };
     if ![3, 6].contains(&written.len()) {
         return interpreter.refuse(expression.region, format!("{} numbers are given; {FORM}", written.len()));
@@ -20,14 +26,16 @@ pub(in crate::model) fn resolve_inertia(expression: &Expression, interpreter: &m
         let value = interpreter.scalar_of(entry, &Dimension::inertia(), "an inertia");
         // Products of inertia have either sign.
         entries.push(value.and_then(|value| {
-            if at < 3 { inertial(entry, value, interpreter) } else { fixed(entry, value, interpreter) }
+            if at < 3 && !unchecked { inertial(entry, value, interpreter) } else { fixed(entry, value, interpreter) }
         }));
     }
     let entries: Vec<Expr> = entries.into_iter().collect::<Option<_>>()?;
     let zero = interpreter.graph.zero();
     let entry = |k: usize| entries.get(k).copied().unwrap_or(zero);
     let tensor = Tensor { moments: [entry(0), entry(1), entry(2)], products: [entry(5), entry(4), entry(3)] };
-    check(expression, &tensor, interpreter)?;
+    if !unchecked {
+        check(expression, &tensor, interpreter)?;
+    }
     Some(tensor)
 }
 

@@ -2,6 +2,7 @@
 
 mod common;
 mod evaluate;
+mod import;
 mod kinematics;
 mod linearize;
 mod poincare;
@@ -12,6 +13,7 @@ use clap::{Args, Parser, Subcommand};
 use common::Size;
 pub(super) use common::{StartArguments, Voice, WrittenArguments};
 pub(super) use evaluate::EvaluateArguments;
+pub(super) use import::ImportArguments;
 pub(super) use kinematics::KinematicsArguments;
 pub(super) use linearize::LinearizeArguments;
 pub(super) use poincare::PoincareArguments;
@@ -64,6 +66,8 @@ pub(super) enum Command {
     Evaluate(EvaluateArguments),
     /// Shows the mistakes of a file that declares mechanisms.
     Check(CheckArguments),
+    /// Writes the declaration of a robot that stands in a URDF file.
+    Import(ImportArguments),
     /// Draws quantities of a run over time, or against another.
     Plot(PlotArguments),
     /// Draws the same quantities of several runs in one figure each.

@@ -1,6 +1,7 @@
 //! `sim check`.
 
 use crate::cli::arguments::{CheckArguments, Voice};
+use crate::cli::chosen::warn;
 use crate::cli::{Stop, print};
 use crate::{DeclarationFile, LoadError};
 use codegen::mistakes::{Mistake, Position, Related};
@@ -11,6 +12,9 @@ pub(in crate::cli) fn check(arguments: &CheckArguments, voice: Voice) -> Result<
     let path = &arguments.file;
     let file = DeclarationFile::read(path)?;
     let found = file.check();
+    if !voice.quiet && !voice.json {
+        warn(&file.warnings());
+    }
     if voice.json {
         let (names, mistakes) = match &found {
             Ok(names) => (names.clone(), Vec::new()),

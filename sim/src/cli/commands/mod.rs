@@ -5,6 +5,7 @@ pub(super) mod check;
 pub(super) mod compare;
 pub(super) mod evaluate;
 pub(super) mod generate;
+pub(super) mod import;
 pub(super) mod info;
 pub(super) mod kinematics;
 pub(super) mod linearize;

@@ -18,7 +18,9 @@ pub(in crate::cli) fn new_file(mechanisms: &[Entry], arguments: &NewArguments, v
         )));
     }
     let text = match &arguments.from {
-        Some(model) => format!("{}\n{}", head(), chosen(mechanisms, model)?.model.description().declaration),
+        Some(model) => {
+            format!("{}\n{}", head(), chosen(mechanisms, model, voice.quiet)?.model.description().declaration)
+        }
         None => {
             let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
             let name = type_name(&stem);

@@ -2,7 +2,8 @@
 
 use super::Vector;
 use super::expressions::{binary, change, components, is_vector, name, named, output, rate};
-use codegen::dsl::{Declaration, Equation, Expression, Load, Operator, Output, Shape};
+use codegen::dsl::{Declaration, Equation, Expression, Kind, Let, Load, Operator, Output, Shape};
+use proc_macro2::{Ident, Span};
 use sim_kernel::Description;
 
 /// The outputs of an arrow, from this index on: first the components of the point.
@@ -18,11 +19,11 @@ pub(super) enum Source {
 /// Every force that is a load, and every weight; every constraint between vectors where its left side is; every other
 /// at the points named in it that are drawn, where its virtual work is that of a force. The required outputs are added.
 pub(super) fn arrows(
-    declaration: &Declaration,
+    declaration: &mut Declaration,
     description: &Description,
     outputs: &mut Vec<Output>,
 ) -> Vec<(Vector, Source)> {
-    let mut drawing = Arrows { dimension: description.dimension, outputs, found: Vec::new() };
+    let mut drawing = Arrows { dimension: description.dimension, outputs, points: Vec::new(), found: Vec::new() };
     declaration.loads.iter().for_each(|load| drawing.load(load, declaration));
     let (vectors, drawn) = (vectors_named(declaration), drawn(declaration));
     let mut row = 0;
@@ -41,13 +42,17 @@ pub(super) fn arrows(
         }
         row += 1;
     }
+    let Arrows { points, found, .. } = drawing;
+    declaration.lets.extend(points);
     // Forces that cannot be determined here are not drawn.
-    if row == description.constraints.len() { drawing.found } else { Vec::new() }
+    if row == description.constraints.len() { found } else { Vec::new() }
 }
 
 struct Arrows<'o> {
     dimension: usize,
     outputs: &'o mut Vec<Output>,
+    /// Names for points, so that each is evaluated once for all of its components.
+    points: Vec<Let>,
     found: Vec<(Vector, Source)>,
 }
 
@@ -75,7 +80,11 @@ impl Arrows<'_> {
     }
 
     fn force(&mut self, about: String, force: &Expression, point: &Expression) {
-        let numbers = components(point, self.dimension).into_iter().chain(components(force, self.dimension));
+        // No name that a user would choose.
+        let name = Ident::new(&format!("arrow__{}", self.points.len()), Span::call_site());
+        let named = Expression { region: point.region, kind: Kind::Name(name.clone()) };
+        self.points.push(Let { name, value: point.clone(), is_of_frame: false });
+        let numbers = components(&named, self.dimension).into_iter().chain(components(force, self.dimension));
         let source = Source::Load(self.add(numbers));
         self.found.push((Vector { label: String::new(), about, kind: "load" }, source));
     }

@@ -18,7 +18,7 @@ pub(in crate::output::show) fn vectors(
     let tokens = description.declaration.parse().ok();
     let Some(mut declaration) = tokens.and_then(|tokens| codegen::parse(tokens).ok()) else { return Vec::new() };
     let mut outputs = Vec::new();
-    let sources = arrows(&declaration, description, &mut outputs);
+    let sources = arrows(&mut declaration, description, &mut outputs);
     declaration.outputs = vec![OutputGroup { name: None, title: None, outputs }];
     let si = |unit: &dsl::Unit| codegen::model::Unit::resolve(unit).map_or(f64::NAN, |unit| unit.factor());
     let oracle = Oracle::new(&declaration, &si);

@@ -1,0 +1,3 @@
+//! Other formats to declarations. Nothing after the declaration's text knows them.
+
+pub mod urdf;

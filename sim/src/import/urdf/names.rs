@@ -1,0 +1,119 @@
+//! Names of a declaration for those of a robot.
+
+use codegen::model;
+use std::collections::HashSet;
+
+/// Names that are taken, in a declaration where every name stands for one thing.
+pub(super) struct Names {
+    taken: HashSet<String>,
+}
+
+impl Names {
+    pub(super) fn none() -> Names {
+        Names { taken: HashSet::new() }
+    }
+
+    /// A name near the wished one: itself where it is a name of the language and still free, else with other letters, the
+    /// kind of thing after it or a number.
+    pub(super) fn take(&mut self, wished: &str, kind: &str) -> String {
+        self.take_with(wished, kind, &[])
+    }
+
+    /// The same for coordinates, each the name with an ending; they have speeds and accelerations, so named.
+    pub(super) fn take_with(&mut self, wished: &str, kind: &str, endings: &[&str]) -> String {
+        let near = letters(wished, kind);
+        let tries = [near.clone(), format!("{near}_{kind}")].into_iter();
+        let numbered = (2..).map(|number| format!("{near}_{kind}_{number}"));
+        let all = |name: &String| {
+            let own = name.clone();
+            let coordinates =
+                endings.iter().flat_map(|ending| ["", "_dot", "_ddot"].map(|rate| format!("{name}{ending}{rate}")));
+            [own].into_iter().chain(coordinates).collect::<Vec<_>>()
+        };
+        let is_free = |name: &String| is_name(name) && all(name).iter().all(|name| !self.taken.contains(name));
+        // One of the numbers is free.
+        let name = tries.chain(numbered).find(is_free).unwrap_or(near);
+        self.taken.extend(all(&name));
+        name
+    }
+}
+
+/// A word with `_` for all that no name has.
+fn letters(wished: &str, kind: &str) -> String {
+    let kept: String = wished.trim().chars().map(|c| if c.is_alphanumeric() || c == '_' { c } else { '_' }).collect();
+    // An index stands after a name that ends in `_`.
+    let kept = kept.trim_end_matches('_');
+    match kept.chars().next() {
+        None => kind.to_owned(),
+        Some(first) if first.is_alphabetic() || (first == '_' && is_name(kept)) => kept.to_owned(),
+        Some(_) => format!("{kind}_{}", kept.trim_start_matches('_')),
+    }
+}
+
+/// Whether the language takes it as a name of anything.
+fn is_name(text: &str) -> bool {
+    // `x`, `y` and `z` are axes, unless a name hides them; `S` is the generated code's.
+    const OTHERS: [&str; 8] = ["x", "y", "z", "S", "ground", "work", "stretch", "rate"];
+    model::is_name(text) && !OTHERS.contains(&text)
+}
+
+/// The name of the mechanism: `PandaArm` for `panda_arm`.
+pub(super) fn type_name(robot: &str) -> String {
+    let words = robot.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    let capital = |word: &str| {
+        let mut letters = word.chars();
+        letters.next().map(|first| first.to_uppercase().chain(letters).collect::<String>()).unwrap_or_default()
+    };
+    let name: String = words.map(capital).collect();
+    match name.chars().next() {
+        Some(first) if first.is_alphabetic() && is_name(&name) => name,
+        _ => format!("Robot{name}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_kept_where_they_are_names() {
+        let mut names = Names::none();
+        assert_eq!(names.take("upper_arm", "link"), "upper_arm");
+        assert_eq!(names.take("upper_arm", "link"), "upper_arm_link");
+        assert_eq!(names.take("upper_arm", "link"), "upper_arm_link_2");
+        assert_eq!(names.take("link_8.0", "link"), "link_8_0");
+        assert_eq!(names.take("8", "link"), "link_8");
+        assert_eq!(names.take("", "link"), "link");
+        assert_eq!(names.take("tip_", "link"), "tip");
+        assert_eq!(names.take("</script>", "link"), "__script"); // Inert.
+    }
+
+    #[test]
+    fn words_of_the_language_and_of_rust_are_no_names() {
+        let mut names = Names::none();
+        for word in ["t", "e", "sin", "type", "self", "true", "rotation", "attitude", "x", "on"] {
+            assert_eq!(names.take(word, "joint"), format!("{word}_joint"));
+        }
+    }
+
+    #[test]
+    fn a_coordinates_rates_have_names_too() {
+        let mut names = Names::none();
+        assert_eq!(names.take("hip_dot", "joint"), "hip_dot");
+        assert_eq!(names.take_with("hip", "joint", &[""]), "hip_joint");
+    }
+
+    #[test]
+    fn mechanisms_are_named_as_types() {
+        let names = [
+            ("panda_arm", "PandaArm"),
+            ("2 legs", "Robot2Legs"),
+            ("", "Robot"),
+            ("S", "RobotS"),
+            ("Self", "RobotSelf"),
+        ];
+        for (robot, name) in names {
+            assert_eq!(type_name(robot), name);
+        }
+    }
+}

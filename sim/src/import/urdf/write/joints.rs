@@ -1,0 +1,134 @@
+//! Joints: coordinates, drives, damping, limits.
+
+use super::blocks::Blocks;
+use super::{Named, Written, one_line};
+use crate::import::urdf::names::Names;
+use crate::import::urdf::number::Number;
+use crate::import::urdf::robot::{Joint, Kind};
+
+/// Where friction is nearly whole, in rad/s or m/s.
+const SLOW: &str = "0.05";
+
+impl Written<'_> {
+    /// The value of a joint of one coordinate.
+    pub(super) fn value(&self, named: &Named, joint: usize) -> String {
+        match self.followers.of(self.robot, joint).filter(|_| self.is_substituted(joint)) {
+            Some(_) => self.followed(named, joint),
+            None => named.joints[joint].clone(),
+        }
+    }
+
+    /// A joint's value by that of the joint that it mimics.
+    fn followed(&self, named: &Named, joint: usize) -> String {
+        let Some((other, mimic)) = self.followers.of(self.robot, joint) else { return named.joints[joint].clone() };
+        let value = self.value(named, other);
+        let [own, theirs] = [joint, other].map(|joint| self.robot.joints[joint].kind == Kind::Prismatic);
+        let multiplier = match (own, theirs) {
+            (true, false) => format!("{} [m]", mimic.multiplier),
+            (false, true) => format!("{} [1/m]", mimic.multiplier),
+            _ => mimic.multiplier.to_string(),
+        };
+        if own == theirs && mimic.multiplier.value == 1.0 && mimic.offset.is_zero() {
+            return value;
+        }
+        let offset = if mimic.offset.is_zero() {
+            String::new()
+        } else {
+            format!(" + {}", mimic.offset.with(self.robot.joints[joint].kind.unit()))
+        };
+        format!("({multiplier}*{value}{offset})")
+    }
+
+    /// Writes a joint of one coordinate.
+    pub(super) fn joint(&self, named: &Named, joint: usize, names: &mut Names, blocks: &mut Blocks) {
+        let Joint { kind, damping, friction, .. } = &self.robot.joints[joint];
+        let (name, value) = (&named.joints[joint], self.value(named, joint));
+        let unit = kind.unit();
+        let [force, effort, damping_unit] =
+            if *kind == Kind::Prismatic { ["force", "N", "N*s/m"] } else { ["torque", "N*m", "N*m*s"] };
+        if !self.is_substituted(joint) {
+            blocks.line("coordinates", format!("/// {}\n    {name} [{unit}];", self.docs(joint)));
+            let drive = names.take(&format!("tau_{name}"), "drive");
+            blocks.line("inputs", format!("{drive} [{effort}] = 0;"));
+            blocks.line("loads", format!("{force} {drive} on {name};"));
+            if let Some((other, _)) = self.followers.of(self.robot, joint) {
+                let (coupling, value) =
+                    (names.take(&format!("{name}_mimic"), "constraint"), self.followed(named, joint));
+                blocks
+                    .line("constraints", format!("/// As {}.\n    {coupling}: {name} = {value};", named.joints[other]));
+            }
+        }
+        if self.options.damping && !damping.is_zero() {
+            let parameter = names.take(&format!("{name}_damping"), "damping");
+            blocks.line("parameters", format!("{parameter} [{damping_unit}] = {damping};"));
+            blocks.line("loads", format!("damper {parameter} on {value};"));
+        }
+        if self.options.damping && !friction.is_zero() {
+            let parameter = names.take(&format!("{name}_friction"), "friction");
+            blocks.line("parameters", format!("{parameter} [{effort}] = {friction};"));
+            blocks.line("loads", format!("friction {parameter}, smooth {SLOW} [{unit}/s] on {value};"));
+        }
+        self.limits(named, joint, names, blocks);
+    }
+
+    fn limits(&self, named: &Named, joint: usize, names: &mut Names, blocks: &mut Blocks) {
+        let (of, name, value) = (&self.robot.joints[joint], &named.joints[joint], self.value(named, joint));
+        let Some([lower, upper]) = of.limit.as_ref().and_then(|limit| limit.range.as_ref()) else { return };
+        let unit = of.kind.unit();
+        let (least, greatest) = (lower.with(unit), upper.with(unit));
+        let minus = |number: &Number| match number.value {
+            x if x < 0.0 => format!(
+                " + {}",
+                Number::read(number.to_string().trim_start_matches('-')).unwrap_or(Number::of(-x)).with(unit)
+            ),
+            0.0 => String::new(),
+            _ => format!(" - {}", number.with(unit)),
+        };
+        let is_zero_outside = lower.value > 0.0 || upper.value < 0.0;
+        if is_zero_outside && !self.is_substituted(joint) && self.followers.of(self.robot, joint).is_none() {
+            blocks.line("initial", format!("{name} = {};", Number::of(lower.value / 2.0 + upper.value / 2.0)));
+        }
+        let margin = names.take(&format!("{name}_margin"), "output");
+        let block = if of.kind == Kind::Prismatic { "outputs_lengths" } else { "outputs_angles" };
+        let distance = format!("min({value}{}, {greatest} - {value})", minus(lower));
+        blocks.line(block, format!("{margin} [{unit}] = {distance};"));
+        if !self.options.stops || self.is_substituted(joint) {
+            let event = names.take(&format!("{name}_limit"), "event");
+            blocks.line("events", format!("{event}: {distance} = 0 falling;"));
+            return;
+        }
+        for (side, limit, [towards, away]) in
+            [("lower", least, ["falling", "rising"]), ("upper", greatest, ["rising", "falling"])]
+        {
+            let [stop, hit, leave] =
+                ["stop", "hit", "leave"].map(|what| names.take(&format!("{name}_{side}_{what}"), "stop"));
+            blocks.line("constraints", format!("{stop}: {name} = {limit} initially released;"));
+            blocks.line("events", format!("{hit}: {name} = {limit} {towards} {{ activate {stop}; }}"));
+            blocks.line("events", format!("{leave}: reaction({stop}) = 0 {away} {{ release {stop}; }}"));
+        }
+    }
+
+    /// What is told of a joint.
+    fn docs(&self, joint: usize) -> String {
+        let Joint { kind, limit, parent, child, .. } = &self.robot.joints[joint];
+        let [parent, child] = [parent, child].map(|link| one_line(&self.robot.links[*link].name));
+        let verb = if *kind == Kind::Prismatic { "Shifts" } else { "Turns" };
+        let unit = kind.unit();
+        let mut docs = format!("{verb} {child} against {parent}");
+        let Some(limit) = limit else { return docs + "." };
+        if let Some([lower, upper]) = &limit.range {
+            docs += &format!(", from {lower} to {upper} {unit}");
+        }
+        let most = |number: &Option<Number>| number.as_ref().filter(|number| number.value > 0.0).map(Number::to_string);
+        let effort = if *kind == Kind::Prismatic { "N" } else { "N m" };
+        let drive: Vec<String> =
+            [(most(&limit.effort), effort.to_owned()), (most(&limit.velocity), format!("{unit}/s"))]
+                .into_iter()
+                .filter_map(|(most, unit)| Some(format!("{} {unit}", most?)))
+                .collect();
+        if !drive.is_empty() {
+            docs += &format!("; at most {}", drive.join(" and "));
+        }
+        docs + "."
+    }
+}

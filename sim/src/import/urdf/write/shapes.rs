@@ -1,0 +1,139 @@
+//! What is seen of a robot: its links' forms, or lines from joint to joint.
+
+use super::blocks::Blocks;
+use super::{Written, one_line};
+use crate::import::urdf::mesh::{self, Missing};
+use crate::import::urdf::number::Number;
+use crate::import::urdf::outline::outlines;
+use crate::import::urdf::robot::{Geometry, Kind, Place, Visual};
+use crate::import::urdf::warnings::Warnings;
+use indexmap::IndexMap;
+use nalgebra::Vector3;
+
+/// As many points are drawn on links; the rest is seen by its lines alone. A declaration has a limited length.
+const MOST_POINTS: usize = 1200;
+
+/// Writes the drawing.
+pub(super) fn draw(written: &Written, frames: &[String], blocks: &mut Blocks, warnings: &mut Warnings) {
+    let Written { robot, tree, .. } = written;
+    let mut drawing = Drawing { blocks, points: 0, missing: IndexMap::new() };
+    if tree.is_grounded(tree.root) {
+        drawing.line("ground [0, 0, 0];".to_owned());
+    }
+    for joint in &robot.joints {
+        let is_apart = joint.origin.xyz.iter().any(|number| !number.is_zero()) || joint.kind == Kind::Prismatic;
+        if is_apart {
+            let [from, to] = [joint.parent, joint.child].map(|link| format!("on({}, [0, 0, 0])", frames[link]));
+            drawing.line(format!("line {from}, {to};"));
+        }
+    }
+    for link in &tree.order {
+        for visual in &robot.links[*link].visuals {
+            drawing.visual(written, &frames[*link], visual);
+        }
+    }
+    for (why, (count, place)) in drawing.missing {
+        let meshes =
+            if count == 1 { "this mesh is".to_owned() } else { format!("this mesh and {} others are", count - 1) };
+        warnings.add(&place, format!("{meshes} not drawn: {why}"));
+    }
+}
+
+struct Drawing<'b> {
+    blocks: &'b mut Blocks,
+    points: usize,
+    /// Why meshes are not drawn: how many, and where the first is.
+    missing: IndexMap<String, (usize, Place)>,
+}
+
+impl Drawing<'_> {
+    fn line(&mut self, line: String) {
+        self.blocks.line("drawing", line);
+    }
+
+    fn visual(&mut self, written: &Written, frame: &str, visual: &Visual) {
+        if self.points > MOST_POINTS {
+            return;
+        }
+        let at = |x: Vector3<f64>| visual.origin.vector() + visual.origin.rotation * x;
+        match &visual.geometry {
+            Geometry::Box(sides) => {
+                let half = Vector3::from(*sides) / 2.0;
+                let corner = |x: f64, y: f64, z: f64| at(Vector3::new(x, y, z).component_mul(&half));
+                for z in [-1.0, 1.0] {
+                    let around = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0)];
+                    self.curve(frame, &around.map(|(x, y)| corner(x, y, z)));
+                }
+                for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
+                    self.curve(frame, &[-1.0, 1.0].map(|z| corner(x, y, z)));
+                }
+            }
+            Geometry::Cylinder { radius, length } => {
+                let end = |x: f64, y: f64, z: f64| at(Vector3::new(x * radius, y * radius, z * length / 2.0));
+                let axis = visual.origin.rotation * Vector3::z();
+                for z in [-1.0, 1.0] {
+                    self.circle(frame, end(0.0, 0.0, z), *radius, axis);
+                }
+                for (x, y) in [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)] {
+                    self.curve(frame, &[-1.0, 1.0].map(|z| end(x, y, z)));
+                }
+            }
+            Geometry::Sphere(radius) => {
+                for k in 0..3 {
+                    self.circle(frame, at(Vector3::zeros()), *radius, Vector3::ith(k, 1.0));
+                }
+            }
+            Geometry::Mesh { file, scale } => {
+                let found =
+                    mesh::find(file, written.folder, &written.options.packages).and_then(|path| mesh::vertices(&path));
+                match found {
+                    Ok(vertices) => {
+                        let scaled: Vec<_> = vertices
+                            .into_iter()
+                            .map(|vertex| at(vertex.component_mul(&Vector3::from(*scale))))
+                            .collect();
+                        outlines(&scaled).iter().for_each(|outline| self.curve(frame, outline));
+                    }
+                    Err(why) => self.is_missing(file, why, visual),
+                }
+            }
+        }
+    }
+
+    fn is_missing(&mut self, file: &str, why: Missing, visual: &Visual) {
+        let why = match why {
+            Missing::Package(name) => {
+                let name = one_line(&name);
+                format!("the folder of package `{name}` is not known; say `--package {name}=FOLDER`")
+            }
+            Missing::OtherKind => "they are no STL, the one kind that is read".to_owned(),
+            Missing::Outside => "they are not in the robot's folder or in that of their package".to_owned(),
+            Missing::File(why) => format!("{}: {why}", one_line(file)),
+        };
+        let (count, _) = self.missing.entry(why).or_insert_with(|| (0, visual.place.clone()));
+        *count += 1;
+    }
+
+    fn curve(&mut self, frame: &str, points: &[Vector3<f64>]) {
+        self.points += points.len();
+        let points: Vec<String> = points.iter().map(|at| on(frame, at)).collect();
+        self.line(format!("curve {};", points.join(", ")));
+    }
+
+    fn circle(&mut self, frame: &str, centre: Vector3<f64>, radius: f64, normal: Vector3<f64>) {
+        self.points += 2;
+        let [a, b, c] = [0, 1, 2].map(|k| Number::of(normal[k]));
+        let radius = rounded(radius).with("m");
+        self.line(format!("circle {} radius {radius} normal attitude({frame})*[{a}, {b}, {c}];", on(frame, &centre)));
+    }
+}
+
+fn on(frame: &str, at: &Vector3<f64>) -> String {
+    let [x, y, z] = [0, 1, 2].map(|k| rounded(at[k]).with("m"));
+    format!("on({frame}, [{x}, {y}, {z}])")
+}
+
+/// A length to a hundredth of a millimetre: it is only drawn.
+fn rounded(length: f64) -> Number {
+    Number::of((length * 1e5).round() / 1e5)
+}

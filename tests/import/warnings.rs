@@ -1,0 +1,158 @@
+//! What a file lacks or contradicts is told at its line, and what is made of it.
+
+use crate::{KINDS, declared, imported};
+use sim::import::urdf::{Imported, Mimic, Options, import};
+use std::path::Path;
+
+/// Parts of a robot between a base and a tip that moves.
+fn robot(parts: &str) -> String {
+    format!(
+        "<robot name=\"r\">\n<link name=\"base\"/>\n{parts}\n\
+         <joint name=\"j\" type=\"continuous\"><parent link=\"base\"/><child link=\"tip\"/><axis xyz=\"0 1 0\"/></joint>\n\
+         <link name=\"tip\"><inertial><origin xyz=\"1 0 0\"/><mass value=\"2\"/>\
+         <inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\n</robot>"
+    )
+}
+
+fn warned(text: &str, options: &Options) -> (Vec<String>, Imported) {
+    let found = import(text, Path::new(""), options).map_err(|mistakes| mistakes[0].message.clone()).unwrap();
+    (found.warnings.iter().map(|w| format!("{} {}", w.start.line + 1, w.message)).collect(), found)
+}
+
+fn check(parts: &str, expected: &[&str]) -> String {
+    let (warnings, found) = warned(&robot(parts), &Options::default());
+    assert_eq!(warnings, expected, "\nin: {parts}");
+    declared(&found.text);
+    found.text
+}
+
+/// A link that a joint holds to the base.
+fn link(joint: &str, inertial: &str) -> String {
+    format!(
+        "<joint name=\"k\" type=\"revolute\"><parent link=\"base\"/><child link=\"arm\"/>{joint}</joint>\n\
+         <link name=\"arm\">{inertial}</link>"
+    )
+}
+
+const LIMIT: &str = "<limit lower=\"-1\" upper=\"1\"/>";
+const INERTIAL: &str =
+    "<inertial><mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>";
+
+#[test]
+fn a_sound_file_has_none() {
+    check(&link(LIMIT, INERTIAL), &[]);
+    let (warnings, found) = warned(KINDS, &Options::default());
+    let names = ["8 `mast.top` is called `mast_top`", "60 `8` is called `link_8`", "75 `flap` is called `flap_link`"];
+    assert_eq!(warnings, names);
+    declared(&found.text);
+}
+
+#[test]
+fn limits_are_told() {
+    check(&link("", INERTIAL), &["3 joint `k` has no limit, and moves without one"]);
+    check(&link("<limit effort=\"3\"/>", INERTIAL), &["3 joint `k` has no range, and moves without one"]);
+    let text = check(
+        &link("<limit lower=\"1\" upper=\"-1\"/>", INERTIAL),
+        &["3 joint `k` cannot move from 1 to -1; it moves without a range"],
+    );
+    assert!(!text.contains("k_margin"), "{text}");
+}
+
+#[test]
+fn a_start_lies_within_the_limits() {
+    let text = check(&link("<limit lower=\"0.5\" upper=\"2\"/>", INERTIAL), &[]);
+    assert!(text.contains("k = 1.25;"), "{text}");
+    assert!(check(&link(LIMIT, INERTIAL), &[]).contains("min(k + 1 [rad], 1 [rad] - k)"));
+}
+
+#[test]
+fn inertias_that_no_body_has_are_told_and_taken() {
+    let inertia = |xx: &str, mass: &str| {
+        format!(
+            "<inertial><mass value=\"{mass}\"/><inertia ixx=\"{xx}\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>"
+        )
+    };
+    let told = "4 link `arm`: no body has this inertia: a principal moment is at most the sum of the other two: 3 is more than 1 + 1 \
+                (is it about the centre of mass, in [kg*m^2]?). It is taken as it is";
+    let text = check(&link(LIMIT, &inertia("3", "1")), &[told]);
+    assert!(text.contains("inertia [3 [kg*m^2], 1 [kg*m^2], 1 [kg*m^2]], unchecked"), "{text}");
+    check(
+        &link(LIMIT, &inertia("-1", "1")),
+        &["4 link `arm`: about some axis this inertia is negative. It is taken as it is"],
+    );
+    let point = "<inertial><mass value=\"1\"/></inertial>";
+    let lacks = "4 this lacks ixx, iyy, izz, ixy, ixz, iyz, which is taken as 0";
+    assert!(lacks.contains("ixx"));
+    check(
+        &link(LIMIT, point),
+        &[
+            "4 link `arm`: this mass has no extent, a body has a moment of inertia about every axis. It is taken as it is",
+        ],
+    );
+}
+
+#[test]
+fn links_without_mass_are_told() {
+    let nothing = "4 link `arm`, moved by joint `k`, has no mass, nor has anything beyond: the acceleration of `k` is not determined";
+    check(&link(LIMIT, ""), &[nothing]);
+    let beyond = "<joint name=\"l\" type=\"continuous\"><parent link=\"arm\"/><child link=\"hand\"/></joint><link name=\"hand\">";
+    check(&(link(LIMIT, "") + beyond + INERTIAL + "</link>"), &["4 link `arm`, moved by joint `k`, has no mass"]);
+}
+
+#[test]
+fn what_is_not_read_is_listed_once() {
+    let parts = "<transmission name=\"a\"/><gazebo/>\n<transmission name=\"b\"/>";
+    check(parts, &["3 `transmission` is ignored, here and 1 times more", "3 `gazebo` is ignored"]);
+}
+
+#[test]
+fn joints_that_mimic_what_is_not_there_move_by_themselves() {
+    let mimic = |joint: &str| format!("{LIMIT}<mimic joint=\"{joint}\"/>");
+    check(
+        &link(&mimic("other"), INERTIAL),
+        &["3 joint `k` mimics `other`, and no joint is called so: it moves by itself"],
+    );
+    check(&link(&mimic("k"), INERTIAL), &["3 joint `k` mimics `k`, which mimics it: it moves by itself"]);
+    let follows = robot(&link(&format!("{LIMIT}<mimic joint=\"j\" multiplier=\"-2\" offset=\"0.5\"/>"), INERTIAL));
+    let of = |mimic: Mimic| warned(&follows, &Options { mimic, ..Options::default() }).1.text;
+    assert!(of(Mimic::Substitute).contains("rotation(x, (-2*j + 0.5 [rad]))"));
+    assert!(of(Mimic::Couple).contains("k_mimic: k = (-2*j + 0.5 [rad]);"));
+    assert!(!of(Mimic::Free).contains("-2*j"));
+}
+
+#[test]
+fn damping_and_friction_are_parameters_that_can_be_left_out() {
+    let parts = link(&format!("{LIMIT}<dynamics damping=\"0.7\" friction=\"-1\"/>"), INERTIAL);
+    let text = check(&parts, &["3 negative friction would drive the joint; it is left out"]);
+    assert!(text.contains("k_damping [N*m*s] = 0.7;") && text.contains("damper k_damping on k;"), "{text}");
+    let (_, plain) = warned(&robot(&parts), &Options { damping: false, ..Options::default() });
+    assert!(!plain.text.contains("damp"));
+}
+
+#[test]
+fn rotations_are_set_straight_within_a_bound_and_told_beyond_it() {
+    let parts = link(&format!("{LIMIT}<origin rpy=\"1.57079632679 0 0\"/>"), INERTIAL);
+    assert!(check(&parts, &[]).contains("axes([1, 0, 0], [0, 0, 1], [0, -1, 0])"));
+    let parts = robot(&link(&format!("{LIMIT}<origin rpy=\"1.5708 0 0\"/>"), INERTIAL));
+    assert!(!imported(&parts, &Options::default()).text.contains("axes([1, 0, 0], [0, 0, 1], [0, -1, 0])"));
+    let (warnings, found) = warned(&parts, &Options { straighten: 1e-5, ..Options::default() });
+    assert_eq!(warnings, ["3 this rotation is set straight"]);
+    assert!(found.text.contains("axes([1, 0, 0], [0, 0, 1], [0, -1, 0])"));
+}
+
+#[test]
+fn texts_stay_inert() {
+    let hostile = "&lt;/script&gt;&#10;}}; let a = 1;";
+    let text = robot("")
+        .replace("\"r\"", &format!("\"{hostile}\""))
+        .replace("tip", hostile)
+        .replace("\"j\"", &format!("\"{hostile}\""));
+    let (_, found) = warned(&text, &Options::default());
+    let is_documentation = |line: &&str| line.trim_start().starts_with("///");
+    assert!(
+        found.text.lines().filter(|line| !is_documentation(line)).all(|line| !line.contains("let a")),
+        "{}",
+        found.text
+    );
+    declared(&found.text);
+}
