@@ -21,12 +21,8 @@ pub struct Inverse {
 /// None if a velocity is not a polynomial of speeds.
 pub(super) fn derive(graph: &mut Graph, model: &Model, rows: &[LoadRow]) -> Option<Inverse> {
     let mut motion = model.time_derivative(graph);
-    let moving: Vec<(Expr, Expr)> = rows.iter().map(|row| motion_of(graph, &mut motion, row)).collect();
-    let accelerations: Vec<Expr> = moving.iter().map(|(_, acceleration)| *acceleration).collect();
-    let forces: Vec<Expr> = rows.iter().enumerate().map(|(i, row)| needed(graph, row, i, &accelerations)).collect();
-    let speeds: Vec<Symbol> = model.coordinates.iter().map(|c| c.speed).collect();
-    let pairs: Vec<(Expr, Expr)> = moving.into_iter().map(|(velocity, _)| velocity).zip(forces).collect();
-    let forces = backwards(graph, &pairs, &speeds)?;
+    let pairs = velocities_and_forces(graph, &mut motion, rows);
+    let forces = along_coordinates(graph, model, &pairs)?;
     let accelerations: Vec<Symbol> =
         model.coordinates.iter().map(|c| graph.symbol(&format!("{}_ddot", c.name))).collect();
     let given: Vec<(Symbol, Expr)> = model
@@ -37,6 +33,18 @@ pub(super) fn derive(graph: &mut Graph, model: &Model, rows: &[LoadRow]) -> Opti
         .collect();
     let forces = substitute(graph, &forces, &given);
     Some(Inverse { accelerations, forces })
+}
+
+/// The velocity along each row with the force that its motion takes.
+pub(super) fn velocities_and_forces(
+    graph: &mut Graph,
+    motion: &mut Differential,
+    rows: &[LoadRow],
+) -> Vec<(Expr, Expr)> {
+    let moving: Vec<(Expr, Expr)> = rows.iter().map(|row| motion_of(graph, motion, row)).collect();
+    let accelerations: Vec<Expr> = moving.iter().map(|(_, acceleration)| *acceleration).collect();
+    let forces: Vec<Expr> = rows.iter().enumerate().map(|(i, row)| needed(graph, row, i, &accelerations)).collect();
+    moving.into_iter().map(|(velocity, _)| velocity).zip(forces).collect()
 }
 
 /// Velocity and acceleration along a row.
@@ -60,8 +68,10 @@ fn needed(graph: &mut Graph, row: &LoadRow, i: usize, accelerations: &[Expr]) ->
     graph.sub(inertial, applied)
 }
 
-/// The derivatives of the sum of `force*velocity` with respect to the speeds, at fixed forces.
-fn backwards(graph: &mut Graph, pairs: &[(Expr, Expr)], speeds: &[Symbol]) -> Option<Vec<Expr>> {
+/// The derivatives of the sum of `force*velocity` with respect to the speeds, at fixed forces; none if a velocity is not a
+/// polynomial of speeds.
+pub(super) fn along_coordinates(graph: &mut Graph, model: &Model, pairs: &[(Expr, Expr)]) -> Option<Vec<Expr>> {
+    let speeds: Vec<Symbol> = model.coordinates.iter().map(|c| c.speed).collect();
     let velocities: Vec<Expr> = pairs.iter().map(|(velocity, _)| *velocity).collect();
     let mut depends: BTreeMap<Expr, bool> = BTreeMap::new();
     for expr in graph.reachable(&velocities) {

@@ -163,6 +163,8 @@ fn derive_as(
             sensitivity::derive_left_out(&mut graph, &model, &tmt, form, &mut derivatives);
         }
     }
+    let forms = [&mut declared].into_iter().chain(&mut turned);
+    sensitivity::derive_inversely(&mut graph, &model, forms, &mut derivatives);
     EquationsOfMotion {
         model,
         graph,

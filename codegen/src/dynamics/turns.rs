@@ -39,8 +39,9 @@ pub struct ConstraintForm {
     pub convective: Vec<Expr>,
     /// The multipliers of these rows, m.
     pub multipliers: Vec<Symbol>,
-    /// The derivatives of the residual by coordinates and speeds, on request and without intermediates.
-    pub by_state: Option<[Vec<Column>; 2]>,
+    /// The derivatives of the residual by coordinates and speeds, in each way in which it is written: on request and without
+    /// intermediates.
+    pub by_state: Vec<[Vec<Column>; 2]>,
     /// Its derivatives by the parameters, likewise.
     pub by_parameters: Option<Vec<Column>>,
 }
@@ -63,7 +64,7 @@ impl ConstraintForm {
             jacobian: constraints.jacobian.clone(),
             convective: constraints.convective.clone(),
             multipliers: model.constraints.iter().map(|constraint| constraint.multiplier).collect(),
-            by_state: None,
+            by_state: vec![],
             by_parameters: None,
         }
     }
@@ -94,6 +95,23 @@ impl ConstraintForm {
         }
         self.turns.push(turn);
     }
+
+    /// Derivatives of the residual of the rows as declared, for these rows. The angles need not move: the residual of a
+    /// solution is 0 in all directions, and so are its multipliers' derivatives turned like the multipliers.
+    pub(super) fn at_fixed_angles(&self, graph: &mut Graph, columns: &[Vec<Expr>]) -> Vec<Column> {
+        let zero = graph.zero();
+        let mut column = |declared: &Vec<Expr>| {
+            let mut residual = declared.clone();
+            let first = residual.len() - self.jacobian.len();
+            for turn in &self.turns {
+                let places = turn.rows.map(|row| first + row);
+                let turned = turn.components(graph, places.map(|at| declared[at]));
+                places.into_iter().zip(turned).for_each(|(at, turned)| residual[at] = turned);
+            }
+            Column { residual, angles: vec![zero; self.turns.len()] }
+        };
+        columns.iter().map(&mut column).collect()
+    }
 }
 
 impl RowTurn {
@@ -102,13 +120,16 @@ impl RowTurn {
         RowTurn { rows, angle, direction }
     }
 
-    /// The components (x, y) of a vector, along the angle and across it.
-    fn of(&self, graph: &mut Graph, [x, y]: [Expr; 2]) -> [Expr; 2] {
+    /// The components of a vector (x, y) along the angle and across it, multiplied out.
+    fn of(&self, graph: &mut Graph, vector: [Expr; 2]) -> [Expr; 2] {
+        self.components(graph, vector).map(|sum| graph.expand(sum, LONGEST_EXPANSION).unwrap_or(sum))
+    }
+
+    fn components(&self, graph: &mut Graph, [x, y]: [Expr; 2]) -> [Expr; 2] {
         let [cos, sin] = self.direction;
         let (x_along, y_along, x_across, y_across) =
             (graph.mul(cos, x), graph.mul(sin, y), graph.mul(sin, x), graph.mul(cos, y));
-        let (along, across) = (graph.add(x_along, y_along), graph.sub(y_across, x_across));
-        [along, across].map(|sum| graph.expand(sum, LONGEST_EXPANSION).unwrap_or(sum))
+        [graph.add(x_along, y_along), graph.sub(y_across, x_across)]
     }
 }
 

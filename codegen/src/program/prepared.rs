@@ -25,7 +25,7 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
     };
     let inverse = inverse_dynamics(planner, &mut lowering);
     let differentiated = differentiable.as_ref().unwrap_or(&motion);
-    let by_state = differentiated.form.by_state.as_ref().map(|columns| differentiated.jacobian(&mut lowering, columns));
+    let by_state = jacobian(differentiated, &mut lowering);
     let by_parameters = differentiated.form.by_parameters.as_ref();
     let by_parameters = by_parameters.map(|columns| differentiated.sensitivity(&mut lowering, columns));
     let mut notes = std::mem::take(&mut motion.notes);
@@ -58,6 +58,16 @@ pub(super) fn prepared_kernels(planner: &Planner) -> Vec<Kernel> {
         }
     });
     [prepare].into_iter().chain(kernels).collect()
+}
+
+/// d(q'', lambda)/d(q, q') from the factors of the equations of motion, by the way to write their residual that takes fewer
+/// operations.
+fn jacobian(motion: &Motion, lowering: &mut Lowering) -> Option<Results<Value>> {
+    let ways = motion.form.by_state.iter().map(|columns| {
+        let results = motion.jacobian(lowering, columns);
+        (operations(&lowering.values, results.entries()), results)
+    });
+    ways.min_by_key(|(cost, _)| *cost).map(|(_, results)| results)
 }
 
 /// The derivatives from the factors of the equations of motion, or those along the tree with what is noted of them.

@@ -80,7 +80,7 @@ impl<'a> Solution<'a> {
             trials.reduce(|best, other| if other.cost < best.cost { other } else { best })
         };
         let declared = &planner.equations.declared;
-        let is_differentiated = declared.by_state.is_some() || declared.by_parameters.is_some();
+        let is_differentiated = !declared.by_state.is_empty() || declared.by_parameters.is_some();
         let open = least(&mut Way::open(planner.equations));
         let open = match open {
             Some(Trial { lowering, motion, .. }) if !is_differentiated && !can_be_by_rows(planner.equations) => {
