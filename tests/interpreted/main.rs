@@ -5,6 +5,7 @@
 mod against_oracle;
 mod columns;
 mod links;
+mod loops;
 mod mangled;
 mod many_rows;
 mod parts;

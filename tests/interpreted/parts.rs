@@ -38,7 +38,7 @@ const WHEEL: &str = "inertia 0.2*m*L^2";
 const ROUNDING: f64 = 1e-10;
 
 /// M q'' + h - Q + C_q' lambda = 0 and C_q q'' + C'' without accelerations = 0, beside the magnitudes of their terms.
-fn solves(model: &dyn Model, at: At<f64>) {
+pub(crate) fn solves(model: &dyn Model, at: At<f64>) {
     let [accelerations, multipliers, _]: &[Vec<f64>; 3] = &called(model, Kernel::Dynamics, at).try_into().unwrap();
     let vector = |kernel| called(model, kernel, at).concat();
     let (mass, jacobian) = (called(model, Kernel::MassMatrix, at), called(model, Kernel::ConstraintJacobian, at));

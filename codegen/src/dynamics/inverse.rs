@@ -6,6 +6,7 @@
 //! 1980; Featherstone, Rigid Body Dynamics Algorithms, 2008, section 5.3), and T_q is never formed.
 
 use super::rows::{Along, LoadRow};
+use super::shorthands::Shorthands;
 use crate::model::Model;
 use crate::symbolic::{Differential, Expr, Graph, Node, Number, Symbol, substitute};
 use std::collections::BTreeMap;
@@ -22,7 +23,7 @@ pub struct Inverse {
 pub(super) fn derive(graph: &mut Graph, model: &Model, rows: &[LoadRow]) -> Option<Inverse> {
     let mut motion = model.time_derivative(graph);
     let pairs = velocities_and_forces(graph, &mut motion, rows);
-    let forces = along_coordinates(graph, model, &pairs)?;
+    let forces = along_coordinates(graph, model, &pairs, &mut Shorthands::default())?;
     let accelerations: Vec<Symbol> =
         model.coordinates.iter().map(|c| graph.symbol(&format!("{}_ddot", c.name))).collect();
     let given: Vec<(Symbol, Expr)> = model
@@ -69,16 +70,15 @@ fn needed(graph: &mut Graph, row: &LoadRow, i: usize, accelerations: &[Expr]) ->
 }
 
 /// The derivatives of the sum of `force*velocity` with respect to the speeds, at fixed forces; none if a velocity is not a
-/// polynomial of speeds.
-pub(super) fn along_coordinates(graph: &mut Graph, model: &Model, pairs: &[(Expr, Expr)]) -> Option<Vec<Expr>> {
+/// polynomial of speeds. Shorthands pass their forces on, under names, to what they stand for.
+pub(super) fn along_coordinates(
+    graph: &mut Graph,
+    model: &Model,
+    pairs: &[(Expr, Expr)],
+    shorthands: &mut Shorthands,
+) -> Option<Vec<Expr>> {
     let speeds: Vec<Symbol> = model.coordinates.iter().map(|c| c.speed).collect();
-    let velocities: Vec<Expr> = pairs.iter().map(|(velocity, _)| *velocity).collect();
-    let mut depends: BTreeMap<Expr, bool> = BTreeMap::new();
-    for expr in graph.reachable(&velocities) {
-        let own = matches!(graph.node(expr), Node::Symbol(symbol) if speeds.contains(symbol));
-        let found = own || graph.operands(expr).any(|operand| depends[&operand]);
-        depends.insert(expr, found);
-    }
+    let depends = depending(graph, &speeds, pairs, shorthands);
     let mut passed: BTreeMap<Expr, Vec<Expr>> = BTreeMap::new();
     for (velocity, force) in pairs {
         passed.entry(*velocity).or_default().push(*force);
@@ -91,6 +91,10 @@ pub(super) fn along_coordinates(graph: &mut Graph, model: &Model, pairs: &[(Expr
             continue;
         }
         let force = graph.sum(&forces);
+        if let Some(definition) = definition(graph, shorthands, expr) {
+            passed.entry(definition).or_default().push(shorthands.named(graph, force));
+            continue;
+        }
         for (operand, factor) in parts(graph, expr, &depends)? {
             let share = graph.mul(factor, force);
             passed.entry(operand).or_default().push(share);
@@ -102,6 +106,34 @@ pub(super) fn along_coordinates(graph: &mut Graph, model: &Model, pairs: &[(Expr
         }
     }
     Some(found)
+}
+
+/// What a variable stands for, if it is a shorthand.
+fn definition(graph: &Graph, shorthands: &Shorthands, expr: Expr) -> Option<Expr> {
+    match graph.node(expr) {
+        Node::Symbol(symbol) => shorthands.definition(*symbol),
+        _ => None,
+    }
+}
+
+/// Whether speeds occur in an expression, for all that velocities are made of.
+fn depending(
+    graph: &Graph,
+    speeds: &[Symbol],
+    pairs: &[(Expr, Expr)],
+    shorthands: &Shorthands,
+) -> BTreeMap<Expr, bool> {
+    let definitions = shorthands.definitions().iter().map(|(_, definition)| *definition);
+    let roots: Vec<Expr> = pairs.iter().map(|(velocity, _)| *velocity).chain(definitions).collect();
+    let mut depends: BTreeMap<Expr, bool> = BTreeMap::new();
+    // Variables of shorthands stand after what these stand for.
+    for expr in graph.reachable(&roots) {
+        let own = matches!(graph.node(expr), Node::Symbol(symbol) if speeds.contains(symbol));
+        let mut operands = graph.operands(expr).chain(definition(graph, shorthands, expr));
+        let found = own || operands.any(|operand| depends[&operand]);
+        depends.insert(expr, found);
+    }
+    depends
 }
 
 /// The operands that speeds occur in, each with the derivative with respect to it.

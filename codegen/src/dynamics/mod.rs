@@ -14,6 +14,7 @@
 //!
 //! [`lagrange`] derives the same motion from the kinetic energy alone, to check this one.
 
+mod attitudes;
 mod auxiliary;
 mod block;
 mod cheapest;
@@ -39,6 +40,8 @@ mod parts;
 mod rows;
 mod sensitivity;
 mod separation;
+mod shortened;
+mod shorthands;
 mod speeds;
 mod tmt;
 mod turns;
@@ -63,12 +66,12 @@ pub use outputs::Outputs;
 pub use separation::Separation;
 pub use speeds::SpeedEquations;
 pub use tmt::{Tmt, TmtRow};
-pub use turns::{ConstraintForm, RowTurn};
+pub use turns::{ConstraintForm, ConstraintRows, RowTurn};
 pub use variables::{Differentiated, Variables};
 
 use crate::kernel_id::KernelId;
 use crate::model::{Model, Resolved};
-use crate::symbolic::Graph;
+use crate::symbolic::{Expr, Graph, Symbol};
 use cheapest::cheapest;
 use formulation::Formulation;
 use rows::{LoadRow, load_rows};
@@ -111,6 +114,8 @@ pub struct EquationsOfMotion {
     pub links: Option<Links>,
     /// The equations in generalised speeds, if there are any, in the coordinates alone.
     pub speeds: Option<SpeedEquations>,
+    /// Symbols in some of these with what they stand for, which may contain those before them.
+    pub shorthands: Vec<(Symbol, Expr)>,
 }
 
 /// Derives the equations of motion in the coordinates alone, for readers.
@@ -145,26 +150,23 @@ fn derive_as(
     let energy = Energy::derive(&mut graph, &model, &variables, &drifts, &tmt, &constraints);
     let (mut outputs, mut events) = (Outputs::derive(&mut graph, &model), Events::of(&model));
     let mut declared = ConstraintForm::declared(&model, &constraints);
-    let mut turned = None;
     let is_plain = intermediates.is_empty();
+    let mut turned = is_plain.then(|| ConstraintForm::turned(&mut graph, &model, &constraints)).flatten();
+    let mut forms: Vec<&mut ConstraintForm> = [&mut declared].into_iter().chain(&mut turned).collect();
     if is_plain {
-        turned = ConstraintForm::turned(&mut graph, &model, &constraints);
-        for form in [&mut declared].into_iter().chain(&mut turned) {
-            sensitivity::derive(&mut graph, &model, &tmt, form, &mut derivatives);
-        }
+        sensitivity::derive(&mut graph, &model, &tmt, &mut forms, &mut derivatives);
     }
     // Last, so that nothing above notices.
     auxiliary::enter(&mut graph, &model, displaced, &mut outputs, &mut events);
     let free_bases = free_base::free_bases(&mut graph, &model, &constraints);
     let separations = if is_plain { separation::separations(&mut graph, &tmt, &constraints) } else { vec![] };
     let links = is_plain.then(|| links(&mut graph, &model, &variables, &mut derivatives, &free_bases)).flatten();
-    if is_plain && !links.as_ref().is_some_and(Links::have_derivatives) {
-        for form in [&mut declared].into_iter().chain(&mut turned) {
-            sensitivity::derive_left_out(&mut graph, &model, &tmt, form, &mut derivatives);
-        }
+    let are_along_links = links.as_ref().is_some_and(Links::have_derivatives);
+    if is_plain && !are_along_links {
+        sensitivity::derive_by_state(&mut graph, &model, &tmt, &mut forms, &mut derivatives);
     }
-    let forms = [&mut declared].into_iter().chain(&mut turned);
-    sensitivity::derive_inversely(&mut graph, &model, forms, &mut derivatives);
+    let with_attitudes = links.is_some() && !are_along_links;
+    let shorthands = if is_plain { shortened::enter(&mut graph, &model, &mut forms, with_attitudes) } else { vec![] };
     EquationsOfMotion {
         model,
         graph,
@@ -182,5 +184,6 @@ fn derive_as(
         separations,
         links,
         speeds,
+        shorthands,
     }
 }

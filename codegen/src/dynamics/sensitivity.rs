@@ -3,28 +3,22 @@
 //! With the equations as K z = r, z = (q'', lambda), any derivative of the solution solves K dz = dr - dK z: here are
 //! the right-hand sides, the derivatives of r - K z at fixed z (the implicit function theorem).
 //!
-//! There are two ways to write r - K z by coordinates and speeds: from mass matrix and constraint Jacobian, or as inverse
-//! dynamics with the constraints among the velocities, C' with the force lambda, and with C'' for their rows. The latter
-//! forms no matrix whose derivatives would be multiplied by z, so in space and in loops it mostly takes fewer operations.
-//! Both are planned, and the one with fewer operations is taken.
+//! For those by the state r - K z is written in another way too (`shortened`).
 //!
 //! The factors are those of `dynamics`, if it has some. Where no kernel is generated, and always with intermediate
 //! quantities, the trait gives the same numbers by running `dynamics` on dual numbers.
 
 use super::column::Column;
-use super::constraints::switched;
-use super::inverse::{along_coordinates, velocities_and_forces};
-use super::rows::load_rows;
 use super::tmt::Tmt;
 use super::turns::ConstraintForm;
 use super::variables::{Derivatives, inner};
 use crate::kernel_id::KernelId;
-use crate::model::{Level, Model};
+use crate::model::Model;
 use crate::symbolic::{Differential, Expr, Graph, Symbol};
 
 /// With more coordinates, the kernel of the derivatives with respect to the state is generated only on request: it
 /// grows with the square of the number of coordinates.
-const MOST_COORDINATES: usize = 12;
+pub(super) const MOST_COORDINATES: usize = 12;
 
 /// Whether the model asks for the derivatives by the state.
 pub(super) fn is_wanted_by_state(model: &Model) -> bool {
@@ -40,55 +34,34 @@ pub(super) fn derive(
     graph: &mut Graph,
     model: &Model,
     tmt: &Tmt,
-    form: &mut ConstraintForm,
+    forms: &mut [&mut ConstraintForm],
     derivatives: &mut Derivatives,
 ) {
-    if model.links.is_empty() || model.coordinates.len() <= MOST_COORDINATES {
-        derive_left_out(graph, model, tmt, form, derivatives);
+    for form in forms {
+        if model.links.is_empty() || model.coordinates.len() <= MOST_COORDINATES {
+            derive_by_state(graph, model, tmt, &mut [form], derivatives);
+        }
+        by_parameters(graph, model, tmt, form);
     }
-    by_parameters(graph, model, tmt, form);
 }
 
-/// Enters the derivatives by the state, if the model asks for them and they are not there.
-pub(super) fn derive_left_out(
+/// Enters the derivatives by the state, if the model asks for them, where they are not there.
+pub(super) fn derive_by_state(
     graph: &mut Graph,
     model: &Model,
     tmt: &Tmt,
-    form: &mut ConstraintForm,
+    forms: &mut [&mut ConstraintForm],
     derivatives: &mut Derivatives,
 ) {
-    if !form.by_state.is_empty() || !is_wanted_by_state(model) {
+    if !is_wanted_by_state(model) {
         return;
     }
-    let residual = residual(graph, model, tmt, form);
-    let speeds: Vec<Symbol> = model.coordinates.iter().map(|c| c.speed).collect();
-    let by_positions = columns(graph, form, &residual, &mut derivatives.by_variable);
-    let mut by_speed = partials(graph, &speeds);
-    form.by_state.push([by_positions, columns(graph, form, &residual, &mut by_speed)]);
-}
-
-/// Enters the derivatives by the state once more, from the residual as inverse dynamics, where there are few coordinates
-/// and velocities are polynomials of speeds.
-pub(super) fn derive_inversely<'a>(
-    graph: &mut Graph,
-    model: &Model,
-    forms: impl Iterator<Item = &'a mut ConstraintForm>,
-    derivatives: &mut Derivatives,
-) {
-    let mut forms = forms.filter(|form| !form.by_state.is_empty()).peekable();
-    if forms.peek().is_none() || model.coordinates.len() > MOST_COORDINATES {
-        return;
-    }
-    let Some(residual) = inverse_residual(graph, model) else { return };
-    let speeds: Vec<Symbol> = model.coordinates.iter().map(|c| c.speed).collect();
-    let mut by_speed = partials(graph, &speeds);
-    let columns = [&mut derivatives.by_variable, &mut by_speed].map(|differentials| {
-        let column = |d: &mut Differential| residual.iter().map(|expr| d.of(graph, *expr)).collect();
-        differentials.iter_mut().map(column).collect::<Vec<Vec<Expr>>>()
-    });
-    for form in forms {
-        let columns = columns.each_ref().map(|columns| form.at_fixed_angles(graph, columns));
-        form.by_state.push(columns);
+    for form in forms.iter_mut().filter(|form| form.by_state.is_empty()) {
+        let residual = residual(graph, model, tmt, form);
+        let speeds: Vec<Symbol> = model.coordinates.iter().map(|c| c.speed).collect();
+        let by_positions = columns(graph, form, &residual, &mut derivatives.by_variable);
+        let mut by_speed = partials(graph, &speeds);
+        form.by_state.push([by_positions, columns(graph, form, &residual, &mut by_speed)]);
     }
 }
 
@@ -130,37 +103,15 @@ fn residual(graph: &mut Graph, model: &Model, tmt: &Tmt, form: &ConstraintForm) 
     let mut rows = Vec::new();
     for (j, rhs) in tmt.right_hand_side.iter().enumerate() {
         let inertial = inner(graph, &tmt.mass_matrix[j], &accelerations);
-        let column: Vec<Expr> = form.jacobian.iter().map(|row| row[j]).collect();
+        let column: Vec<Expr> = form.rows.jacobian.iter().map(|row| row[j]).collect();
         let reaction = inner(graph, &column, &multipliers);
         let known = graph.sub(*rhs, inertial);
         rows.push(graph.sub(known, reaction));
     }
-    for (row, convective) in form.jacobian.iter().zip(&form.convective) {
+    for (row, convective) in form.rows.jacobian.iter().zip(&form.rows.convective) {
         let moving = inner(graph, row, &accelerations);
         let sum = graph.add(moving, *convective);
         rows.push(graph.neg(sum));
     }
     rows
-}
-
-/// The same as inverse dynamics of the rows as declared; none where velocities are no polynomials of speeds.
-fn inverse_residual(graph: &mut Graph, model: &Model) -> Option<Vec<Expr>> {
-    let mut motion = model.time_derivative(graph);
-    let rows = load_rows(graph, model);
-    let mut pairs = velocities_and_forces(graph, &mut motion, &rows);
-    let mut accelerations = vec![];
-    for constraint in &model.constraints {
-        let rate = match constraint.level {
-            Level::Positions => motion.of(graph, constraint.value),
-            Level::Speeds => constraint.value,
-        };
-        let acceleration = motion.of(graph, rate);
-        let mut switched = |expr: Expr| constraint.activity.map_or(expr, |activity| switched(graph, activity, expr));
-        let (rate, acceleration) = (switched(rate), switched(acceleration));
-        pairs.push((rate, graph.variable(constraint.multiplier)));
-        accelerations.push(acceleration);
-    }
-    let mut residual = along_coordinates(graph, model, &pairs)?;
-    residual.extend(accelerations);
-    Some(residual.into_iter().map(|expr| graph.neg(expr)).collect())
 }

@@ -17,6 +17,7 @@
 
 use super::column::Column;
 use super::constraints::Constraints;
+use super::shorthands::Shorthands;
 use crate::model::Model;
 use crate::symbolic::{Expr, Function, Graph, Node, Symbol};
 use std::cmp::Reverse;
@@ -33,10 +34,10 @@ const MOST_EXPRESSIONS: usize = 24;
 pub struct ConstraintForm {
     /// The pairs that are turned.
     pub turns: Vec<RowTurn>,
-    /// C_q, m x n.
-    pub jacobian: Vec<Vec<Expr>>,
-    /// (C_q q' + C_t)_q q' + (..)_t, m.
-    pub convective: Vec<Expr>,
+    /// Their derivatives.
+    pub rows: ConstraintRows,
+    /// The same by the attitudes of links, where constraints contain these.
+    pub shortened: Option<ConstraintRows>,
     /// The multipliers of these rows, m.
     pub multipliers: Vec<Symbol>,
     /// The derivatives of the residual by coordinates and speeds, in each way in which it is written: on request and without
@@ -44,6 +45,15 @@ pub struct ConstraintForm {
     pub by_state: Vec<[Vec<Column>; 2]>,
     /// Its derivatives by the parameters, likewise.
     pub by_parameters: Option<Vec<Column>>,
+}
+
+/// The derivatives of m rows.
+#[derive(Clone)]
+pub struct ConstraintRows {
+    /// C_q, m x n.
+    pub jacobian: Vec<Vec<Expr>>,
+    /// (C_q q' + C_t)_q q' + (..)_t, m.
+    pub convective: Vec<Expr>,
 }
 
 /// A pair of rows turned by an angle: the first along it, the second across.
@@ -61,8 +71,8 @@ impl ConstraintForm {
     pub(super) fn declared(model: &Model, constraints: &Constraints) -> ConstraintForm {
         ConstraintForm {
             turns: vec![],
-            jacobian: constraints.jacobian.clone(),
-            convective: constraints.convective.clone(),
+            rows: ConstraintRows { jacobian: constraints.jacobian.clone(), convective: constraints.convective.clone() },
+            shortened: None,
             multipliers: model.constraints.iter().map(|constraint| constraint.multiplier).collect(),
             by_state: vec![],
             by_parameters: None,
@@ -73,10 +83,10 @@ impl ConstraintForm {
     pub(super) fn turned(graph: &mut Graph, model: &Model, constraints: &Constraints) -> Option<ConstraintForm> {
         let mut form = ConstraintForm::declared(model, constraints);
         let mut i = 0;
-        while i + 1 < form.jacobian.len() {
+        while i + 1 < form.rows.jacobian.len() {
             let rows = [i, i + 1];
             let is_switched = rows.iter().any(|row| model.constraints[*row].activity.is_some());
-            let best = if is_switched { None } else { best_turn(graph, model, &form.jacobian, rows) };
+            let best = if is_switched { None } else { best_turn(graph, model, &form.rows.jacobian, rows) };
             i += if best.is_some() { 2 } else { 1 };
             if let Some(turned) = best {
                 form.enter(graph, model, turned);
@@ -87,13 +97,35 @@ impl ConstraintForm {
 
     fn enter(&mut self, graph: &mut Graph, model: &Model, Turned { turn, columns, .. }: Turned) {
         let [i, j] = turn.rows;
-        let convective = turn.of(graph, [self.convective[i], self.convective[j]]);
+        let convective = turn.of(graph, [self.rows.convective[i], self.rows.convective[j]]);
         for (at, row) in turn.rows.into_iter().enumerate() {
-            self.jacobian[row] = columns.iter().map(|entries| entries[at]).collect();
-            self.convective[row] = convective[at];
+            self.rows.jacobian[row] = columns.iter().map(|entries| entries[at]).collect();
+            self.rows.convective[row] = convective[at];
             self.multipliers[row] = graph.symbol(&format!("lambda_{}_turned", model.constraints[row].name));
         }
         self.turns.push(turn);
+    }
+
+    /// Enters the rows as declared once more in another form, where that contains shorthands.
+    pub(super) fn shorten(&mut self, graph: &mut Graph, shorthands: &Shorthands, declared: &ConstraintRows) {
+        let mut turned = declared.clone();
+        for turn in &self.turns {
+            for column in 0..self.rows.jacobian.first().map_or(0, Vec::len) {
+                let entries = turn.of(graph, turn.rows.map(|row| declared.jacobian[row][column]));
+                turn.rows.into_iter().zip(entries).for_each(|(row, entry)| turned.jacobian[row][column] = entry);
+            }
+            let convective = turn.components(graph, turn.rows.map(|row| declared.convective[row]));
+            turn.rows.into_iter().zip(convective).for_each(|(row, expr)| turned.convective[row] = expr);
+        }
+        let is_short =
+            |expr: Expr| graph.symbols_of(&[expr]).into_iter().any(|symbol| shorthands.definition(symbol).is_some());
+        let mut shortened = self.rows.clone();
+        let entries = shortened.jacobian.iter_mut().flatten().chain(&mut shortened.convective);
+        let turned = turned.jacobian.into_iter().flatten().chain(turned.convective);
+        // With shorthands zero might not show as such.
+        let changed = entries.zip(turned).filter(|(old, new)| !graph.is_zero(**old) && is_short(*new));
+        changed.for_each(|(old, new)| *old = new);
+        self.shortened = Some(shortened);
     }
 
     /// Derivatives of the residual of the rows as declared, for these rows. The angles need not move: the residual of a
@@ -102,7 +134,7 @@ impl ConstraintForm {
         let zero = graph.zero();
         let mut column = |declared: &Vec<Expr>| {
             let mut residual = declared.clone();
-            let first = residual.len() - self.jacobian.len();
+            let first = residual.len() - self.rows.jacobian.len();
             for turn in &self.turns {
                 let places = turn.rows.map(|row| first + row);
                 let turned = turn.components(graph, places.map(|at| declared[at]));
@@ -223,12 +255,12 @@ mod tests {
         let form = form.unwrap();
         let [turn] = form.turns.as_slice() else { panic!("{}", form.turns.len()) };
         assert!(graph.depends_on(turn.angle, &[model.coordinates[0].position]));
-        let coupler = [0, 1].map(|row| form.jacobian[row][0]);
+        let coupler = [0, 1].map(|row| form.rows.jacobian[row][0]);
         assert!(graph.is_zero(coupler[0]));
         let moving: Vec<Symbol> = model.coordinates.iter().map(|c| c.position).collect();
         assert!(!graph.is_zero(coupler[1]) && !graph.depends_on(coupler[1], &moving));
         // Those of the others are sines and cosines of differences.
-        assert!((0..2).all(|row| (1..3).all(|column| !graph.is_zero(form.jacobian[row][column]))));
+        assert!((0..2).all(|row| (1..3).all(|column| !graph.is_zero(form.rows.jacobian[row][column]))));
     }
 
     #[test]

@@ -11,7 +11,7 @@ use super::separated::separated;
 use super::turns::{derivatives_turned_back, turned_back};
 use super::values::Value;
 use crate::dynamics::order::Multipliers;
-use crate::dynamics::{Column, ConstraintForm, EquationsOfMotion, Intermediate, Links, Separation};
+use crate::dynamics::{Column, ConstraintForm, ConstraintRows, EquationsOfMotion, Intermediate, Links, Separation};
 use crate::kernel_id::Record;
 use crate::symbolic::Expr;
 
@@ -37,6 +37,7 @@ impl<'a> Motion<'a> {
     pub(super) fn factorised(
         equations: &'a EquationsOfMotion,
         form: &'a ConstraintForm,
+        rows: &ConstraintRows,
         links: Option<&Links>,
         separations: &[Separation],
         lowering: &mut Lowering,
@@ -46,10 +47,10 @@ impl<'a> Motion<'a> {
         let links = links.map(|links| LinkTerms::of(lowering, links));
         let (system, mut rhs) = match &links {
             None => {
-                let system = system(equations, form, lowering);
-                (system, right_hand_side(lowering, &equations.tmt.right_hand_side, &form.convective))
+                let system = system(equations, form, rows, lowering);
+                (system, right_hand_side(lowering, &equations.tmt.right_hand_side, &rows.convective))
             }
-            Some(links) => by_links(equations, form, links, lowering),
+            Some(links) => by_links(equations, form, rows, links, lowering),
         };
         let system = match separations {
             [] => system,
@@ -217,13 +218,14 @@ pub(super) fn columns_of(columns: &[Vec<Value>]) -> Results<Value> {
 fn by_links(
     equations: &EquationsOfMotion,
     form: &ConstraintForm,
+    rows: &ConstraintRows,
     links: &LinkTerms,
     lowering: &mut Lowering,
 ) -> (System, Vec<Value>) {
     let entries = links.mass_matrix(&equations.graph, lowering);
-    let system = system_with(equations, entries, form, lowering);
+    let system = system_with(equations, entries, form, rows, lowering);
     let mut rhs = links.right_hand_side(lowering);
-    rhs.extend(negated(lowering, &form.convective));
+    rhs.extend(negated(lowering, &rows.convective));
     (system, rhs)
 }
 
@@ -243,17 +245,23 @@ fn unknown_count(equations: &EquationsOfMotion) -> usize {
 /// Mass matrix and constraint Jacobian over coordinates, intermediates and multipliers; on the diagonal, activity - 1
 /// for the multiplier of a constraint that events switch, so that it is 0 where the constraint is released, and -1 for
 /// that of a row that nothing moves.
-pub(super) fn system(equations: &EquationsOfMotion, form: &ConstraintForm, lowering: &mut Lowering) -> System {
+pub(super) fn system(
+    equations: &EquationsOfMotion,
+    form: &ConstraintForm,
+    rows: &ConstraintRows,
+    lowering: &mut Lowering,
+) -> System {
     let entries = mass_entries(lowering, &equations.graph, &equations.tmt.mass_matrix);
-    system_with(equations, entries, form, lowering)
+    system_with(equations, entries, form, rows, lowering)
 }
 
 /// The same without the mass matrix, which the constraint Jacobian of many constraints does not need. Its entries decide
 /// the order in which intermediates are eliminated, so they stay where there are any.
 pub(super) fn constraint_system(equations: &EquationsOfMotion, lowering: &mut Lowering) -> System {
+    let declared = &equations.declared;
     match equations.intermediates.is_empty() {
-        true => system_with(equations, Vec::new(), &equations.declared, lowering),
-        false => system(equations, &equations.declared, lowering),
+        true => system_with(equations, Vec::new(), declared, &declared.rows, lowering),
+        false => system(equations, declared, &declared.rows, lowering),
     }
 }
 
@@ -262,11 +270,12 @@ fn system_with(
     equations: &EquationsOfMotion,
     mut entries: Vec<(usize, usize, Value)>,
     form: &ConstraintForm,
+    rows: &ConstraintRows,
     lowering: &mut Lowering,
 ) -> System {
     let EquationsOfMotion { model, intermediates, graph, variables, .. } = equations;
     let activities = model.constraints.iter().map(|constraint| constraint.activity);
-    entries.extend(constraint_entries(lowering, graph, variables.len(), &form.jacobian, activities));
+    entries.extend(constraint_entries(lowering, graph, variables.len(), &rows.jacobian, activities));
     let mut unknowns: Vec<Unknown> = model.coordinates.iter().map(|_| Unknown::Coordinate).collect();
     for y in intermediates {
         unknowns.push(Unknown::Intermediate(definition(equations, lowering, y)));

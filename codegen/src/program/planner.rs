@@ -93,7 +93,7 @@ impl<'a> Planner<'a> {
         Planner {
             equations,
             inputs,
-            definitions: definitions.chain(courses).collect(),
+            definitions: definitions.chain(courses).chain(equations.shorthands.iter().copied()).collect(),
             alternatives,
             divisors: model.norms.iter().map(|norm| norm.square).collect(),
             labels: labels(equations),

@@ -23,7 +23,7 @@ pub(super) fn mass_matrix(equations: &EquationsOfMotion, lowering: &mut Lowering
 /// The same with all of its zeros.
 pub(super) fn dense_mass_matrix(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Vec<Vec<Value>> {
     let n = equations.model.coordinates.len();
-    let system = system(equations, &equations.declared, lowering);
+    let system = system(equations, &equations.declared, &equations.declared.rows, lowering);
     let mut reduced = reduce(&mut lowering.values, &system);
     let mut row = |i: usize| (0..n).map(|j| reduced.entry(&mut lowering.values, i, j)).collect();
     (0..n).map(&mut row).collect()
@@ -105,7 +105,7 @@ pub(super) fn constraint_convective(equations: &EquationsOfMotion, lowering: &mu
 
 fn matrix(equations: &EquationsOfMotion, lowering: &mut Lowering, rows: Range<usize>) -> Results<Value> {
     let n = equations.model.coordinates.len();
-    let system = system(equations, &equations.declared, lowering);
+    let system = system(equations, &equations.declared, &equations.declared.rows, lowering);
     let mut reduced = reduce(&mut lowering.values, &system);
     let size = [rows.len(), n];
     let held = rows.clone().map(|i| (0..n).filter(|j| reduced.holds(i, *j)).count()).sum::<usize>();

@@ -5,7 +5,7 @@ use super::lower::Lowering;
 use super::motion::Motion;
 use super::planner::Planner;
 use super::values::{Leaves, Value, Values};
-use crate::dynamics::{ConstraintForm, EquationsOfMotion, Links, Separation};
+use crate::dynamics::{ConstraintForm, ConstraintRows, EquationsOfMotion, Links, Separation};
 
 /// With more coordinates only recursions are tried where there are links: rows of T of a tree depend on all coordinates before
 /// them, and to count what they would take takes long.
@@ -22,9 +22,9 @@ pub(super) struct Solution<'a> {
 /// A way to solve the equations of motion.
 #[derive(Clone, Copy)]
 enum Way<'a> {
-    /// A factorisation of the system in this form, its terms from rows of T or by recursions over links, with these coordinates
-    /// separated.
-    Factorised(&'a ConstraintForm, Option<&'a Links>, &'a [Separation]),
+    /// A factorisation of the system in this form, with its rows written like this, its other terms from rows of T or by recursions
+    /// over links, with these coordinates separated.
+    Factorised(&'a ConstraintForm, &'a ConstraintRows, Option<&'a Links>, &'a [Separation]),
     /// From the tips of an open tree to the world and back.
     Open(&'a Links, Joints),
 }
@@ -40,12 +40,18 @@ struct Trial<'a> {
 impl<'a> Way<'a> {
     fn factorised(equations: &'a EquationsOfMotion) -> impl Iterator<Item = Way<'a>> {
         let EquationsOfMotion { declared, turned, links, separations, .. } = equations;
-        let forms = [Some(declared), turned.as_ref()].into_iter().flatten();
+        let forms = [declared].into_iter().chain(turned);
+        let written =
+            |form: &'a ConstraintForm| [&form.rows].into_iter().chain(&form.shortened).map(move |rows| (form, rows));
+        let forms = forms.flat_map(written);
         let by_rows = can_be_by_rows(equations).then_some(None);
         let terms = move || by_rows.into_iter().chain(links.iter().map(Some));
-        let together = forms.clone().flat_map(move |form| terms().map(move |links| Way::Factorised(form, links, &[])));
+        let together = forms
+            .clone()
+            .flat_map(move |(form, rows)| terms().map(move |links| Way::Factorised(form, rows, links, &[])));
         let is_separated = !separations.is_empty();
-        together.chain(forms.filter(move |_| is_separated).map(|form| Way::Factorised(form, None, separations)))
+        let separated = forms.filter(move |_| is_separated);
+        together.chain(separated.map(|(form, rows)| Way::Factorised(form, rows, None, separations)))
     }
 
     fn open(equations: &'a EquationsOfMotion) -> impl Iterator<Item = Way<'a>> {
@@ -55,8 +61,8 @@ impl<'a> Way<'a> {
 
     fn solve(self, equations: &'a EquationsOfMotion, lowering: &mut Lowering) -> Option<Motion<'a>> {
         match self {
-            Way::Factorised(form, links, separations) => {
-                Some(Motion::factorised(equations, form, links, separations, lowering))
+            Way::Factorised(form, rows, links, separations) => {
+                Some(Motion::factorised(equations, form, rows, links, separations, lowering))
             }
             Way::Open(links, joints) => Motion::of_open_tree(equations, links, joints, lowering),
         }

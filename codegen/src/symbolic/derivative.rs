@@ -29,6 +29,12 @@ impl Differential {
         Differential::along([(symbol, one)])
     }
 
+    /// Lets another symbol change, which stands in no expression that has been differentiated.
+    pub fn extend(&mut self, symbol: Symbol, rate: Expr) {
+        self.changing = self.changing.or(Symbols::of([&symbol]));
+        self.rates.insert(symbol, rate);
+    }
+
     /// The derivative of an expression.
     pub fn of(&mut self, graph: &mut Graph, expr: Expr) -> Expr {
         if !graph.may_occur(expr).meet(self.changing) {

@@ -17,6 +17,12 @@ impl Recognition {
         Recognition { done: known.iter().copied().collect(), known }
     }
 
+    /// Another known expression, for what has not been replaced yet.
+    pub fn learn(&mut self, expr: Expr, new: Expr) {
+        self.known.push((expr, new));
+        self.done.insert(expr, new);
+    }
+
     /// The expression with known parts replaced.
     pub fn replace(&mut self, graph: &mut Graph, expr: Expr) -> Expr {
         if let Some(done) = self.done.get(&expr) {
