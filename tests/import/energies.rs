@@ -136,6 +136,14 @@ impl Links<'_> {
         moment / mass
     }
 
+    /// As a fixed root stands.
+    fn root_starts_at_the_origin(&self, model: &dyn Model) {
+        let [start, _] = model.initial();
+        // What is not said starts at 0, but quaternions do at 1.
+        let root = self.root(&start);
+        assert!(root.translation.vector.norm() < 1e-15 && root.rotation.angle() < 1e-15, "{root}");
+    }
+
     /// Kinetic energy, and the potential energy of those that move.
     fn energies(&self, q: &[f64], qd: &[f64]) -> [f64; 2] {
         let moved = |by: f64| self.frames(&q.iter().zip(qd).map(|(q, qd)| q + by * qd).collect::<Vec<_>>());
@@ -178,6 +186,7 @@ fn agrees(text: &'static str, options: &Options, base: Option<&str>) {
     // Texts of tests live as long as the program.
     let names: Vec<&'static str> = names.map(|name| &*name.to_owned().leak()).collect();
     let links = Links { robot, coordinates, names, base: base.map(str::to_owned) };
+    links.root_starts_at_the_origin(&*model);
     let random = &mut Random(3);
     let n = links.coordinates.len();
     for _ in 0..5 {

@@ -47,7 +47,7 @@ impl Written<'_> {
         blocks.line("frames", format!("{}: at on({name}, {place}), attitude attitude({name});", named.links[link]));
         let start = self.start(link);
         let centre = start.place + start.rotation * Vector3::from(lump.centre.each_ref().map(|number| number.value));
-        for (axis, value) in ["x", "y", "z"].iter().zip(centre.iter().filter(|value| **value != 0.0)) {
+        for (axis, value) in ["x", "y", "z"].iter().zip(&centre).filter(|(_, value)| **value != 0.0) {
             blocks.line("initial", format!("{name}_{axis} = {};", Number::of(*value)));
         }
         if start.rotation != Matrix3::identity() {
