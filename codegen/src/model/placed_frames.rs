@@ -1,10 +1,11 @@
 //! The `frames` block: each frame is checked where it is declared, used or not. Points on it are written out before.
 
-use super::Level;
 use super::bodies::ResolvedBodies;
 use super::interpreter::Interpreter;
 use super::level;
 use super::scope::Names;
+use super::value::Shape;
+use super::{Dimension, Level};
 use crate::dsl::{Declaration, Frame};
 
 /// Refuses what cannot be the place or the attitude of a frame, and names that two frames, or a frame and a body, share.
@@ -30,6 +31,14 @@ fn check(frame: &Frame, interpreter: &mut Interpreter) -> Option<()> {
         let value = level::angle(angle, ANGLE, interpreter)?;
         interpreter.smooth(angle.region, &[value], Level::Positions, ANGLE)?;
     }
-    let at = level::position(&frame.place, PLACE, interpreter)?;
+    let value = interpreter.vector_value(&frame.place)?;
+    interpreter.expect_world(frame.place.region, &value.bases)?;
+    let at = match &value.shape {
+        // Multiplied out, as nothing needs it, it would be long at the end of a chain.
+        Shape::Spatial(vector) => vector.written(),
+        _ => interpreter.components(&value),
+    };
+    level::position_level(&frame.place, &at, PLACE, interpreter)?;
+    interpreter.expect_in_place(value.measured(&frame.place), &Dimension::length(), PLACE);
     interpreter.smooth(frame.place.region, &at, Level::Positions, PLACE)
 }

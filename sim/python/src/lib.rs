@@ -5,6 +5,7 @@ mod errors;
 mod interrupt;
 mod kernels;
 mod model;
+mod robots;
 mod shapes;
 mod shipped;
 mod simulation;
@@ -17,6 +18,8 @@ mod _linkwright {
     use crate::answer::Answer;
     #[pymodule_export]
     use crate::model::{Model, from_text, read};
+    #[pymodule_export]
+    use crate::robots::import_robot;
     #[pymodule_export]
     use crate::shipped::{main, shipped};
     #[pymodule_export]

@@ -4,6 +4,7 @@ use crate::answer::Answer;
 use crate::errors::{argument, load, refusal};
 use crate::interrupt::interruptible;
 use crate::kernels::{Given, call};
+use crate::robots::declared_in;
 use crate::shipped::entry;
 use crate::simulation::Simulation;
 use codegen::notation::Notation;
@@ -28,7 +29,8 @@ pub(crate) struct Model {
 /// The model of a declaration's text, as if it stood in this file.
 #[pyfunction]
 pub(crate) fn from_text(py: Python<'_>, text: String, path: PathBuf, name: Option<String>) -> PyResult<Model> {
-    let found = py.detach(|| DeclarationFile::of(&path, text).model(name.as_deref()));
+    let declared_in = declared_in(path.clone(), &text);
+    let found = py.detach(|| DeclarationFile::of(&declared_in, text).model(name.as_deref()));
     let source = path.to_string_lossy().into_owned();
     found.map(|model| Model::new(model, source)).map_err(|why| load(py, &why))
 }
@@ -51,7 +53,10 @@ pub(crate) fn read(py: Python<'_>, path: Option<PathBuf>, name: Option<String>) 
 fn unknown(name: &str) -> String {
     let names = crate::shipped::shipped();
     let near = codegen::nearest::suggestion(name, names.iter().copied());
-    format!("no shipped model is called `{name}`{near}\nknown: {}; a file ends in .mech or .rs", names.join(", "))
+    format!(
+        "no shipped model is called `{name}`{near}\nknown: {}; a file ends in .mech, .rs or .urdf",
+        names.join(", ")
+    )
 }
 
 impl Model {

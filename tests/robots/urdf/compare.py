@@ -29,6 +29,14 @@ STATES = 20
 # Relative to the largest number of a result, and never less than FLOOR.
 BOUND, FLOOR = 1e-11, 1e-12
 GRAVITY = 9.81
+NAMES = {
+    "forward": "forward dynamics",
+    "inverse": "inverse dynamics",
+    "mass": "mass matrix",
+    "kinetic": "kinetic energy",
+    "potential": "potential energy",
+}
+LARGEST = {name: 0.0 for name in NAMES.values()}
 
 
 def robots():
@@ -248,6 +256,8 @@ def one(task):
         worst, is_singular, condition = compare(Robot(path, is_free, again, sim, ["--straighten", "0"]))
     text = ", ".join(f"{what} {value:.1e}" for what, value in worst.items())
     text += straightened
+    for what, value in worst.items():
+        LARGEST[NAMES[what]] = max(LARGEST[NAMES[what]], value)
     is_right = all(value <= BOUND for value in worst.values())
     if is_singular:
         name = named_in(robot)
@@ -290,7 +300,10 @@ def main():
             for label, text, is_right in pool.map(one, tasks):
                 print(f"{'ok   ' if is_right else 'WRONG'} {label}: {text}", flush=True)
                 wrong += not is_right
-    print(f"{len(files)} files, fixed and free: {len(tasks) - wrong} right, {wrong} wrong")
+    print(f"{len(files)} files, fixed and free: {len(tasks) - wrong} right")
+    print(f"robots that differ or are read wrongly: {wrong}")
+    for what, largest in LARGEST.items():
+        print(f"{what}, largest difference: {largest:.1e}")
     return 1 if wrong else 0
 
 

@@ -10,6 +10,8 @@ mod files;
 mod growth;
 mod kernels;
 mod numbers;
+mod printed;
+mod robots;
 mod rooms;
 mod size;
 mod sizes;
@@ -34,7 +36,7 @@ pub(crate) const AREAS: &[Area] = &[
     measured("rooms", "a runtime for every use, and a house with rooms", rooms::SUBJECTS),
     measured("files", "mechanisms as files: run in milliseconds", files::SUBJECTS),
     measured("size", "robots, walkers, parallel machines", size::SUBJECTS),
-    open("robots"),
+    measured("robots", "robots as they come: URDF", robots::SUBJECTS),
     open("sweeps"),
     open("design"),
     open("languages"),

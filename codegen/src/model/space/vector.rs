@@ -19,6 +19,11 @@ impl Spatial {
         Spatial(vec![(turn, components)])
     }
 
+    /// All components, each in the frame that it is written in.
+    pub(in crate::model) fn written(&self) -> Vec<Expr> {
+        self.0.iter().flat_map(|(_, triple)| *triple).collect()
+    }
+
     pub(super) fn terms(&self) -> &[(Turn, Triple)] {
         &self.0
     }

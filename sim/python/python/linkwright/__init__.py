@@ -18,7 +18,7 @@ from .errors import (
     ReadError,
     ResultError,
 )
-from .model import Model, load
+from .model import Model, import_robot, load
 from .results import Linearization, Mode, Motion
 from .simulation import Simulation
 
@@ -36,6 +36,7 @@ __all__ = [
     "ReadError",
     "ResultError",
     "Simulation",
+    "import_robot",
     "load",
     "shipped",
 ]

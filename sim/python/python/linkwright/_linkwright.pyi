@@ -8,7 +8,7 @@ from typing_extensions import disjoint_base
 
 from .errors import LinkwrightError
 
-__all__ = ["Answer", "Model", "Simulation", "from_text", "main", "read", "shipped"]
+__all__ = ["Answer", "Model", "Simulation", "from_text", "import_robot", "main", "read", "shipped"]
 
 _Array = NDArray[np.float64]
 _Times = Union[float, ArrayLike]
@@ -18,6 +18,17 @@ def shipped() -> list[str]:
 
 def main(words: Sequence[str]) -> int:
     """Execute a command line, which begins with the program's name, and give its exit status."""
+
+def import_robot(
+    path: str,
+    base: str,
+    mimic: str,
+    damping: bool,
+    stops: bool,
+    straighten: Optional[float],
+    packages: Sequence[tuple[str, str]],
+) -> tuple[str, list[str]]:
+    """The declaration of a robot's file, and what the file lacks or contradicts."""
 
 def from_text(text: str, path: str, name: Optional[str]) -> Model: ...
 def read(path: Optional[str], name: Optional[str]) -> Model: ...

@@ -23,7 +23,7 @@ def load(source: str | os.PathLike[str], name: str | None = None) -> "Model":
     """Read a declaration and derive its equations of motion.
 
     Args:
-        source: a file that ends in ``.mech`` or ``.rs`` (or ``FILE:Name``), the text of a declaration (in braces or several
+        source: a file that ends in ``.mech`` or ``.rs`` (or ``FILE:Name``), a robot's file that ends in ``.urdf``, the text of a declaration (in braces or several
             lines), or the name of a shipped model: see ``linkwright.shipped()``. Tables are read from the folder of the file
             and below it; those of a text, from the current folder.
         name: which mechanism, where there are several: ``FourBar`` or ``four-bar``.
@@ -39,12 +39,47 @@ def load(source: str | os.PathLike[str], name: str | None = None) -> "Model":
         path, colon, inside = source.rpartition(":")
         if colon and name is None and path.endswith((".mech", ".rs")):
             return Model(_linkwright.read(path, inside))
-        is_file = source.endswith((".mech", ".rs")) or os.sep in source or "/" in source
+        is_file = source.endswith((".mech", ".rs", ".urdf")) or os.sep in source or "/" in source
         if not is_file and source not in _linkwright.shipped() and os.path.isfile(source):
-            raise ArgumentError(f"`{source}` ends neither in .mech nor in .rs: rename it, or give its text")
+            raise ArgumentError(f"`{source}` does not end in .mech, .rs or .urdf: rename it, or give its text")
         if not is_file:
             return Model(_linkwright.read(None, source))
     return Model(_linkwright.read(os.fspath(source), name))
+
+
+def import_robot(
+    path: str | os.PathLike[str],
+    *,
+    base: str = "fixed",
+    mimic: str = "substitute",
+    damping: bool = True,
+    stops: bool = False,
+    straighten: float | None = None,
+    packages: Mapping[str, str | os.PathLike[str]] | None = None,
+) -> str:
+    """Write the declaration of a robot that stands in a URDF file, to be loaded or changed first.
+
+    Warns of what the file lacks or contradicts.
+
+    Args:
+        path: the robot's file.
+        base: whether the root link is ``"fixed"`` or ``"free"``.
+        mimic: what becomes of joints that mimic others: ``"substitute"`` writes their value by the other's, ``"couple"`` by a
+            constraint, ``"free"`` leaves them alone.
+        damping: whether joints have their damping and friction.
+        stops: whether limits stop joints, by impacts without rebound.
+        straighten: rotations this close to a quarter turn, in radians, are set straight; 1e-11 by default.
+        packages: folders of packages that meshes are in, by name.
+
+    Raises:
+        DeclarationError: with the mistakes of the file, each at its place.
+        ReadError: if the file cannot be read.
+    """
+    folders = [(name, os.fspath(folder)) for name, folder in (packages or {}).items()]
+    text, told = _linkwright.import_robot(os.fspath(path), base, mimic, damping, stops, straighten, folders)
+    for message in told:
+        warnings.warn(message, LinkwrightWarning, stacklevel=2)
+    return text
 
 
 def warn(message: str) -> None:

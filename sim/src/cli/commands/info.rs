@@ -1,6 +1,7 @@
 //! `sim info`.
 
 use super::base_parameters::{BaseParameters, base_parameters};
+use super::tree::{Link, tree};
 use crate::cli::arguments::Voice;
 use crate::cli::said::{counted, short};
 use crate::cli::settings::SettingsArguments;
@@ -22,6 +23,8 @@ struct Facts {
     start: Vec<(f64, f64)>,
     /// Degrees of freedom and redundant constraints at the assembled start, or why there is none.
     mobility: Result<Mobility, String>,
+    /// The tree of bodies in space, if they are one.
+    tree: Vec<Link>,
     /// The inertial parameters that its motion tells apart, if it is a tree of bodies in space.
     base_parameters: Vec<BaseParameters>,
     /// Each kernel with the number of its operations, and of which kinds they are.
@@ -37,6 +40,7 @@ fn facts<M: Mechanism>(mechanism: &M) -> Facts {
         |kernel: &Kernel| (kernel.id.name().to_owned(), kernel.operations.total(), kernel.operations.to_string());
     Facts {
         description,
+        tree: derived.as_ref().map_or(vec![], |derived| tree(&derived.equations, &defaults)),
         base_parameters: derived.as_ref().map_or(vec![], |derived| base_parameters(&derived.equations, &defaults)),
         kernels: derived.map_or(vec![], |derived| derived.program.kernels.iter().map(kernel).collect()),
         defaults,
@@ -86,6 +90,7 @@ fn as_json(facts: &Facts) -> Value {
         "events": d.events.iter().map(|event| json!({ "name": event.name, "does": happening(event, d) })).collect::<Vec<_>>(),
         "figures": d.figures.iter().map(|figure| figure.name).collect::<Vec<_>>(),
         "run": runs(d).map(|(option, value, from)| json!({ "option": option, "value": value, "from": from })).collect::<Vec<_>>(),
+        "tree": facts.tree.iter().map(Link::as_json).collect::<Vec<_>>(),
         "base_parameters": facts.base_parameters.iter().map(BaseParameters::as_json).collect::<Vec<_>>(),
         "kernels": kernels.collect::<Vec<_>>(),
     })
@@ -125,6 +130,7 @@ fn as_text(facts: &Facts) -> String {
         let event = |event: &Event| [event.name.to_owned(), happening(event, d), String::new(), String::new()];
         text += &section("Events", d.events.iter().map(event).collect());
     }
+    text += &section("Tree of bodies, with their masses", facts.tree.iter().map(Link::line).collect());
     let base = facts.base_parameters.iter().map(BaseParameters::line).collect();
     text += &section(
         "Base parameters of links: mass, first moments h and second moments P about the origin, in the link's frame",

@@ -17,5 +17,6 @@ pub(super) mod poincare;
 pub(super) mod run;
 pub(super) mod statics;
 pub(super) mod steady;
+mod tree;
 pub(super) mod verify;
 pub(super) mod watch;

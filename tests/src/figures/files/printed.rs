@@ -1,13 +1,9 @@
-//! Figures that tests and scripts print, each as `NAME: NUMBER`.
+//! Figures of files that tests and scripts print.
 
 use crate::figures::Table;
-use std::io;
-use std::path::Path;
+use crate::figures::printed::{figure, output, passes, tell};
 use std::process::Command;
 use std::time::Instant;
-
-/// A line that is printed, and the most that it may say.
-type Bounded = (&'static str, f64);
 
 pub(super) fn runs(table: &mut Table) {
     let of_runs = "test --release --quiet -p tests --test results -- --ignored interpreted";
@@ -55,43 +51,4 @@ pub(super) fn python(table: &mut Table) {
         ("dynamics of quick-return at 10000 states, in ns a state", 30.0),
     ];
     tell(table, &mut Command::new(".ci/python"), &lines);
-}
-
-/// A line on tests that `cargo` runs and that print no figure.
-fn passes(table: &mut Table, what: &str, arguments: &str) {
-    match output(Command::new("cargo").args(arguments.split(' '))) {
-        Ok(_) => table.line(what, "passed", "passed", true),
-        Err(why) => table.line(what, why, "passed", false),
-    }
-}
-
-/// A line for each figure that a command prints, run in the workspace's folder.
-fn tell(table: &mut Table, command: &mut Command, lines: &[Bounded]) {
-    let printed = output(command);
-    for (name, bound) in lines {
-        match &printed {
-            Ok(text) => match figure(text, name) {
-                Some(value) => table.at_most(name, value, *bound),
-                None => table.line(name, "not printed", format!("at most {bound}"), false),
-            },
-            Err(why) => table.line(name, why, format!("at most {bound}"), false),
-        }
-    }
-}
-
-/// The number that a text gives a name.
-fn figure(text: &str, name: &str) -> Option<f64> {
-    let after = |line: &str| line.split_once(&format!("{name}: "))?.1.split(' ').next()?.parse().ok();
-    text.lines().find_map(after)
-}
-
-/// What a command prints if it succeeds.
-fn output(command: &mut Command) -> io::Result<String> {
-    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let output = command.current_dir(workspace).output()?;
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    match output.status.success() {
-        true => Ok(text(&output.stdout)),
-        false => Err(io::Error::other(format!("failed\n{}{}", text(&output.stdout), text(&output.stderr)))),
-    }
 }
