@@ -156,3 +156,88 @@ fn texts_stay_inert() {
     );
     declared(&found.text);
 }
+
+/// Words of the language, of Rust and of what is generated, as names of joints and links at once.
+const WORDS: &[&str] = &[
+    "margins",
+    "parameters",
+    "frames",
+    "outputs",
+    "rotation",
+    "min",
+    "t",
+    "e",
+    "pi",
+    "g",
+    "x",
+    "y",
+    "z",
+    "S",
+    "sim",
+    "mass",
+    "angle",
+    "at",
+    "on",
+    "attitude",
+    "free",
+    "inertia",
+    "force",
+    "torque",
+    "damper",
+    "friction",
+    "smooth",
+    "falling",
+    "record",
+    "repeat",
+    "fragment",
+    "use",
+    "unchecked",
+    "initially",
+    "released",
+    "omega",
+    "work",
+    "stretch",
+    "rate",
+    "self",
+    "Self",
+    "crate",
+    "type",
+    "fn",
+    "match",
+    "true",
+    "async",
+    "pub",
+    "sin",
+    "atan2",
+    "cross",
+    "axes",
+    "t_end",
+    "core",
+    "_",
+    "__",
+    "-a",
+    "1a",
+    "S_",
+    "ground",
+    "tau_x",
+    "x_dot",
+    "\u{e9}",
+    "\u{65e5}\u{672c}",
+];
+
+#[test]
+fn any_word_can_name_a_joint_and_a_link() {
+    let mut text = "<robot name=\"self\">\n<link name=\"base\"/>\n".to_owned();
+    for (k, word) in WORDS.iter().enumerate() {
+        let kind = ["revolute", "prismatic", "continuous"][k % 3];
+        text += &format!(
+            "<joint name=\"{word}\" type=\"{kind}\"><parent link=\"base\"/><child link=\"{word}\"/>{LIMIT}\
+             <dynamics damping=\"1\" friction=\"1\"/></joint>\n<link name=\"{word}\">{INERTIAL}</link>\n"
+        );
+    }
+    text += "</robot>";
+    for options in [Options::default(), Options { stops: true, ..Options::default() }] {
+        let model = declared(&imported(&text, &options).text);
+        assert_eq!(model.description().coordinates.len(), WORDS.len());
+    }
+}

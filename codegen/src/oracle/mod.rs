@@ -117,6 +117,15 @@ impl<'d> Oracle<'d> {
         observe::outputs(self.declaration, self.interpreter(at.accelerated_motion(accelerations)))
     }
 
+    /// The same of outputs in which no rate stands, many times as fast.
+    ///
+    /// # Errors
+    /// As [`Oracle::outputs_of_motion`], and if a rate stands in one.
+    pub fn outputs_of_positions(&self, at: &State) -> Result<Vec<Measured>> {
+        at.check(self.declaration)?;
+        observe::outputs(self.declaration, self.interpreter(at.still()))
+    }
+
     /// left - right of every event, in SI units.
     ///
     /// # Errors

@@ -114,6 +114,19 @@ impl State<'_> {
         self.along(|i| accelerations.get(i).copied())
     }
 
+    /// As if nothing moved: `dot` has no meaning.
+    pub(super) fn still(&self) -> Setting {
+        Setting {
+            variables: 0,
+            parameters: constants(self.parameters, 0),
+            motion: Some((constants(self.coordinates, 0), Jet::constant(Measured::given(self.time), 0))),
+            auxiliaries: vec![],
+            rates: Rates::None,
+            inputs: Some(self.inputs.to_vec()),
+            reactions: None,
+        }
+    }
+
     fn along(&self, acceleration: impl Fn(usize) -> Option<Measured>) -> Setting {
         let coordinate = |(i, (q, speed)): (usize, (&f64, &f64))| {
             let derivatives: Vec<Measured> =

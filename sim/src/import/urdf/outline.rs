@@ -2,17 +2,14 @@
 
 use nalgebra::Vector3;
 
-/// An outline has at most so many corners.
-const MOST: usize = 12;
-
-/// Convex outlines of points as seen along x, y and z, each in the middle of the third direction. Closed: the last corner is
-/// the first.
-pub(super) fn outlines(points: &[Vector3<f64>]) -> Vec<Vec<Vector3<f64>>> {
+/// Convex outlines of points as seen along x, y and z, each in the middle of the third direction, with at most so many corners.
+/// Closed: the last corner is the first.
+pub(super) fn outlines(points: &[Vector3<f64>], most: usize) -> Vec<Vec<Vector3<f64>>> {
     let bound = |k: usize, better: fn(f64, f64) -> f64| points.iter().map(|at| at[k]).fold(points[0][k], better);
     let middle: [f64; 3] = std::array::from_fn(|k| (bound(k, f64::min) + bound(k, f64::max)) / 2.0);
     let along = |k: usize| {
         let [u, v] = [(k + 1) % 3, (k + 2) % 3];
-        let corners = simplified(hull(points.iter().map(|at| [at[u], at[v]]).collect()));
+        let corners = simplified(hull(points.iter().map(|at| [at[u], at[v]]).collect()), most);
         let mut outline: Vec<Vector3<f64>> = corners
             .into_iter()
             .map(|[a, b]| {
@@ -58,8 +55,8 @@ fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 }
 
 /// Leaves out the corners that change the outline least.
-fn simplified(mut corners: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
-    while corners.len() > MOST {
+fn simplified(mut corners: Vec<[f64; 2]>, most: usize) -> Vec<[f64; 2]> {
+    while corners.len() > most {
         let n = corners.len();
         let cut = |k: usize| area([corners[(k + n - 1) % n], corners[k], corners[(k + 1) % n]]);
         let Some(least) = (0..n).min_by(|a, b| cut(*a).total_cmp(&cut(*b))) else { break };
@@ -77,7 +74,7 @@ mod tests {
         let corner = |k: usize| Vector3::new((k & 1) as f64, (k >> 1 & 1) as f64 * 2.0, (k >> 2) as f64 * 3.0);
         let mut points: Vec<_> = (0..8).map(corner).collect();
         points.push(Vector3::new(0.5, 1.0, 1.5));
-        let outlines = outlines(&points);
+        let outlines = outlines(&points, 12);
         assert_eq!(outlines.len(), 3);
         for (k, outline) in outlines.iter().enumerate() {
             assert_eq!(outline.len(), 5);
@@ -93,8 +90,8 @@ mod tests {
             let (sine, cosine) = (k as f64 * 0.01).sin_cos();
             [cosine, sine]
         };
-        let corners = simplified(hull((0..629).map(on_circle).collect()));
-        assert_eq!(corners.len(), MOST);
+        let corners = simplified(hull((0..629).map(on_circle).collect()), 12);
+        assert_eq!(corners.len(), 12);
         let n = corners.len();
         let twice: f64 = (1..n - 1).map(|k| area([corners[0], corners[k], corners[k + 1]])).sum();
         // The regular polygon of 12 corners has an area of 3.

@@ -13,10 +13,16 @@ use nalgebra::Vector3;
 /// As many points are drawn on links; the rest is seen by its lines alone. A declaration has a limited length.
 const MOST_POINTS: usize = 1200;
 
+/// Corners of a mesh's outlines: as many as there is room for, between these.
+const CORNERS: [usize; 2] = [4, 12];
+
 /// Writes the drawing.
 pub(super) fn draw(written: &Written, frames: &[String], blocks: &mut Blocks, warnings: &mut Warnings) {
     let Written { robot, tree, .. } = written;
-    let mut drawing = Drawing { blocks, points: 0, missing: IndexMap::new() };
+    let is_mesh = |visual: &&Visual| matches!(visual.geometry, Geometry::Mesh { .. });
+    let meshes = robot.links.iter().flat_map(|link| &link.visuals).filter(is_mesh).count();
+    let corners = (MOST_POINTS / (3 * meshes.max(1))).saturating_sub(1).clamp(CORNERS[0], CORNERS[1]);
+    let mut drawing = Drawing { blocks, points: 0, corners, missing: IndexMap::new() };
     if tree.is_grounded(tree.root) {
         drawing.line("ground [0, 0, 0];".to_owned());
     }
@@ -42,6 +48,8 @@ pub(super) fn draw(written: &Written, frames: &[String], blocks: &mut Blocks, wa
 struct Drawing<'b> {
     blocks: &'b mut Blocks,
     points: usize,
+    /// Of the outline of a mesh.
+    corners: usize,
     /// Why meshes are not drawn: how many, and where the first is.
     missing: IndexMap<String, (usize, Place)>,
 }
@@ -92,7 +100,7 @@ impl Drawing<'_> {
                             .into_iter()
                             .map(|vertex| at(vertex.component_mul(&Vector3::from(*scale))))
                             .collect();
-                        outlines(&scaled).iter().for_each(|outline| self.curve(frame, outline));
+                        outlines(&scaled, self.corners).iter().for_each(|outline| self.curve(frame, outline));
                     }
                     Err(why) => self.is_missing(file, why, visual),
                 }
