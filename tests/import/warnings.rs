@@ -241,3 +241,54 @@ fn any_word_can_name_a_joint_and_a_link() {
         assert_eq!(model.description().coordinates.len(), WORDS.len());
     }
 }
+
+/// What was found wrong by a review, each with what is told of it.
+#[test]
+fn what_counts_is_the_first_of_two() {
+    let heavy = INERTIAL.replace("mass value=\"1\"", "mass value=\"7\"");
+    let text =
+        check(&link(LIMIT, &(INERTIAL.to_owned() + &heavy)), &["4 a second `inertial` is left out: the first counts"]);
+    assert!(text.contains("arm_body: mass 1 [kg]"), "{text}");
+    let axes = "<axis xyz=\"0 0 1\"/><axis xyz=\"0 1 0\"/>";
+    let text = check(&link(&format!("{LIMIT}{axes}"), INERTIAL), &["3 a second `axis` is left out: the first counts"]);
+    assert!(text.contains("rotation(z, k)"), "{text}");
+}
+
+#[test]
+fn followers_start_where_their_leader_has_them() {
+    let mimic = format!("{LIMIT}<mimic joint=\"j\" multiplier=\"2\" offset=\"1.5\"/>");
+    let told = "3 joint `k` follows another, and starts at 1.5, outside of these limits";
+    check(&link(&mimic, INERTIAL), &[told]);
+    let follows = robot(&link(&mimic.replace("1.5", "0.5"), INERTIAL));
+    let (_, found) = warned(&follows, &Options { mimic: Mimic::Couple, ..Options::default() });
+    assert!(found.text.contains("    j = 0;"), "{}", found.text);
+    let still = mimic.replace("multiplier=\"2\"", "multiplier=\"0\"");
+    check(&link(&still, INERTIAL), &["3 joint `k` mimics `j` by 0 times its value: it moves by itself"]);
+}
+
+/// On a slide that starts amid its range, with a link that floats from there.
+#[test]
+fn floating_links_start_on_the_links_before_them() {
+    let slide =
+        link("<limit lower=\"1\" upper=\"3\"/><axis xyz=\"0 0 1\"/>", INERTIAL).replace("revolute", "prismatic");
+    let afloat =
+        "<joint name=\"f\" type=\"floating\"><parent link=\"arm\"/><child link=\"c\"/></joint><link name=\"c\">";
+    let text = check(&format!("{slide}{afloat}{INERTIAL}</link>"), &[]);
+    assert!(text.contains("c_body_z = 2;") && text.contains("k = 2;"), "{text}");
+}
+
+#[test]
+fn a_limit_is_passed_where_a_joint_starts_on_it() {
+    let slide =
+        link("<limit lower=\"0\" upper=\"1\"/><axis xyz=\"0 0 1\"/>", INERTIAL).replace("revolute", "prismatic");
+    let text = check(&slide, &[]);
+    assert!(text.contains("= -1e-9 [m] falling;"), "{text}");
+}
+
+#[test]
+fn what_cannot_be_drawn_is_no_mistake() {
+    let visual = |form: &str| format!("{INERTIAL}<visual><geometry>{form}</geometry></visual>");
+    let box_told = "4 `1` is not three numbers, as in `0 0 0.1`; this is not drawn";
+    check(&link(LIMIT, &visual("<box size=\"1\"/>")), &[box_told]);
+    check(&link(LIMIT, &visual("<box size=\"1e305 1 1\"/>")), &[]);
+}

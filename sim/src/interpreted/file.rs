@@ -195,9 +195,8 @@ impl DeclarationFile {
 
     /// Why a robot's declaration is none: its places are not those of the robot's file.
     fn unfit(&self, mistakes: &codegen::Mistaken) -> Mistake {
-        let at = self.text.find("<robot").unwrap_or(0);
         let message = format!("this robot cannot be declared: {mistakes}\n`sim import` writes its declaration");
-        Mistake::at(&self.text, "E-URDF", at..at + "<robot".len().min(self.text.len() - at), message)
+        Mistake::at(&self.text, "E-URDF", urdf::root(&self.text), message)
     }
 
     fn mistaken(&self, mistakes: Vec<Mistake>) -> LoadError {

@@ -55,6 +55,9 @@ pub(super) enum Missing {
 /// If the file cannot be read or is no STL.
 pub(super) fn vertices(path: &Path) -> Result<Vec<Vector3<f64>>, Missing> {
     let fail = |why: std::io::Error| Missing::File(why.to_string());
+    if !path.is_file() {
+        return Err(Missing::File("it is no file".to_owned()));
+    }
     let mut bytes = Vec::new();
     File::open(path).map_err(fail)?.take(LARGEST + 1).read_to_end(&mut bytes).map_err(fail)?;
     if bytes.len() as u64 > LARGEST {

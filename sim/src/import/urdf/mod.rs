@@ -15,8 +15,10 @@ mod robot;
 mod tree;
 mod warnings;
 mod write;
+mod xml;
 
 use codegen::mistakes::Mistake;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use warnings::Warnings;
 
@@ -86,6 +88,11 @@ pub struct Imported {
     pub warnings: Vec<Mistake>,
 }
 
+/// The place of a robot's first tag in a text, by bytes.
+pub fn root(text: &str) -> Range<usize> {
+    roxmltree::Document::parse(text).map(|document| xml::tag(document.root_element())).unwrap_or(0..0)
+}
+
 /// The declaration of the robot that a text in URDF describes. Meshes are sought in `folder` and in the named packages.
 ///
 /// # Errors
@@ -101,6 +108,11 @@ pub fn import(text: &str, folder: &Path, options: &Options) -> Result<Imported, 
     }
     let followers = mimic::followers(&robot, options.mimic, &mut warnings);
     check::check(&robot, &tree, &mut warnings);
+    if options.stops {
+        // An impact holds all constraints that are active, in both directions.
+        let message = "a stop that a joint rests on holds in impacts elsewhere too, even where it would have to pull";
+        warnings.add(&robot.links[tree.root].place, message);
+    }
     let written = write::Written { robot: &robot, tree: &tree, followers: &followers, options, folder };
     let text = written.text(&mut warnings);
     Ok(Imported { text, warnings: warnings.all() })

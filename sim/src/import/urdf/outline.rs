@@ -2,6 +2,9 @@
 
 use nalgebra::Vector3;
 
+/// So many corners of a hull are looked at.
+const MANY: usize = 500;
+
 /// Convex outlines of points as seen along x, y and z, each in the middle of the third direction, with at most so many corners.
 /// Closed: the last corner is the first.
 pub(super) fn outlines(points: &[Vector3<f64>], most: usize) -> Vec<Vec<Vector3<f64>>> {
@@ -56,6 +59,9 @@ fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 
 /// Leaves out the corners that change the outline least.
 fn simplified(mut corners: Vec<[f64; 2]>, most: usize) -> Vec<[f64; 2]> {
+    // Of very many, those between are left out first.
+    let stride = corners.len().div_ceil(MANY);
+    corners = corners.into_iter().step_by(stride.max(1)).collect();
     while corners.len() > most {
         let n = corners.len();
         let cut = |k: usize| area([corners[(k + n - 1) % n], corners[k], corners[(k + 1) % n]]);

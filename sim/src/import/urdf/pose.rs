@@ -34,7 +34,9 @@ pub(super) fn roll_pitch_yaw(rpy: [f64; 3], straight: f64) -> Matrix3<f64> {
 }
 
 fn sine_cosine(angle: f64, straight: f64) -> (f64, f64) {
-    if !is_straightened(angle, straight) && quarters(angle) * FRAC_PI_2 != angle {
+    // Of many turns rounding leaves no quarter.
+    let is_many = quarters(angle).abs() > 1e3;
+    if is_many || (!is_straightened(angle, straight) && quarters(angle) * FRAC_PI_2 != angle) {
         return angle.sin_cos();
     }
     match quarters(angle).rem_euclid(4.0) as u8 {
@@ -79,6 +81,7 @@ mod tests {
         assert_eq!(roll_pitch_yaw([long, 0.0, FRAC_PI_2], 1e-11), exact);
         assert_ne!(roll_pitch_yaw([short, 0.0, FRAC_PI_2], 1e-11), exact);
         assert_eq!(roll_pitch_yaw([short, 0.0, FRAC_PI_2], 1e-5), exact);
+        assert_eq!(roll_pitch_yaw([1e17, 0.0, 0.0], 1e-11)[(1, 1)], 1e17f64.cos());
         assert_eq!(roll_pitch_yaw([-3.0 * FRAC_PI_2, 0.0, -7.0 * FRAC_PI_2], 1e-11), exact);
     }
 

@@ -4,15 +4,18 @@ use super::number::Number;
 use super::pose::{is_straightened, roll_pitch_yaw};
 use super::robot::{Geometry, Inertial, Joint, Kind, Limit, Link, Mimicked, Origin, Place, Robot, Visual};
 use super::warnings::{CODE, Warnings};
+use super::xml::{MACRO, MOST_NODES, child, is_of_xacro, is_plain, malformed, short, tag, value};
 use codegen::mistakes::Mistake;
 use codegen::nearest;
 use indexmap::IndexMap;
 use nalgebra::Vector3;
 use roxmltree::{Document, Node, ParsingOptions};
-use std::collections::HashMap;
 
-/// A file has at most so many elements, attributes aside.
-const MOST_NODES: u32 = 500_000;
+/// So many mistakes are told.
+const MOST_MISTAKES: usize = 50;
+
+/// Among so many names one is sought that is meant.
+const MOST_NAMES: usize = 1000;
 
 /// Reads a robot. Angles within `straight` of a quarter turn are such.
 pub(super) fn read<'t>(text: &'t str, straight: f64, warnings: &mut Warnings<'t>) -> Result<Robot, Vec<Mistake>> {
@@ -27,24 +30,6 @@ pub(super) fn read<'t>(text: &'t str, straight: f64, warnings: &mut Warnings<'t>
     }
 }
 
-/// What is no XML, or XML that may do more than say what it holds.
-fn malformed(text: &str, error: &roxmltree::Error) -> Mistake {
-    let at = error.pos();
-    let before: usize = text.split_inclusive('\n').take(at.row.max(1) as usize - 1).map(str::len).sum();
-    let line = text.get(before..).and_then(|rest| rest.lines().next()).unwrap_or_default();
-    let column: usize = line.chars().take(at.col.max(1) as usize - 1).map(char::len_utf8).sum();
-    let message = match error {
-        roxmltree::Error::DtdDetected => {
-            "a document type is not read: entities can hide what a file holds. Leave `<!DOCTYPE ..>` out".into()
-        }
-        roxmltree::Error::NodesLimitReached => format!("this has more than {MOST_NODES} elements; robots have fewer"),
-        _ => format!("this is no XML: {error}"),
-    };
-    let start = before + column;
-    let end = start + text.get(start..).and_then(|rest| rest.chars().next()).map_or(0, char::len_utf8);
-    Mistake::at(text, CODE, start..end, message)
-}
-
 struct Reader<'t, 'w> {
     text: &'t str,
     straight: f64,
@@ -56,8 +41,16 @@ struct Reader<'t, 'w> {
 
 impl Reader<'_, '_> {
     fn refuse<T>(&mut self, place: Place, message: impl Into<String>) -> Option<T> {
-        self.mistakes.push(Mistake::at(self.text, CODE, place, message.into()));
+        if self.mistakes.len() < MOST_MISTAKES {
+            self.mistakes.push(Mistake::at(self.text, CODE, place, message.into()));
+        }
         None
+    }
+
+    /// ` (did you mean ..?)`, as long as there are not too many to look through.
+    fn suggestion<'n>(&self, word: &str, known: impl ExactSizeIterator<Item = &'n str>) -> String {
+        let is_quick = known.len() <= MOST_NAMES && self.mistakes.len() < MOST_MISTAKES;
+        if is_quick { nearest::suggestion(word, known) } else { String::new() }
     }
 
     fn robot(&mut self, root: Node) -> Option<Robot> {
@@ -66,18 +59,20 @@ impl Reader<'_, '_> {
             let message = format!("this is `<{name}>`, and the root of a URDF is `<robot name=\"..\">`");
             return self.refuse(tag(root), message);
         }
-        if let Some(node) = root.descendants().find(|node| node.is_element() && is_of_xacro(*node)) {
-            let message =
-                "this is a macro, and the file is to be expanded first: `xacro robot.urdf.xacro > robot.urdf`, of ROS";
-            return self.refuse(tag(node), message);
+        let is_read = |node: &Node| is_plain(*node, "link") || is_plain(*node, "joint");
+        let read =
+            root.children().flat_map(|node| node.descendants().take(if is_read(&node) { usize::MAX } else { 1 }));
+        if let Some(node) = read.into_iter().find(|node| node.is_element() && is_of_xacro(*node)) {
+            return self.refuse(tag(node), MACRO);
         }
         let elements = || root.children().filter(Node::is_element);
-        let named = |name: &'static str| elements().filter(move |node| node.tag_name().name() == name);
+        let named = |name: &'static str| elements().filter(move |node| is_plain(*node, name));
         let places = self.places("link", named("link").collect());
         self.places("joint", named("joint").collect());
         let links: Vec<Option<Link>> = named("link").map(|node| self.link(node)).collect();
         let joints: Vec<Option<Joint>> = named("joint").map(|node| self.joint(node, &places)).collect();
-        for node in elements().filter(|node| !["link", "joint", "material"].contains(&node.tag_name().name())) {
+        let is_known = |node: &Node| ["link", "joint", "material"].iter().any(|name| is_plain(*node, name));
+        for node in elements().filter(|node| !is_known(node)) {
             self.ignore(node);
         }
         if links.is_empty() {
@@ -92,8 +87,8 @@ impl Reader<'_, '_> {
     }
 
     /// Elements by their names, which are to differ.
-    fn places(&mut self, what: &str, nodes: Vec<Node>) -> HashMap<String, usize> {
-        let mut places = HashMap::new();
+    fn places(&mut self, what: &str, nodes: Vec<Node>) -> IndexMap<String, usize> {
+        let mut places = IndexMap::new();
         for (at, node) in nodes.into_iter().enumerate() {
             let Some(name) = node.attribute("name") else { continue };
             if places.insert(name.to_owned(), at).is_some() {
@@ -109,11 +104,20 @@ impl Reader<'_, '_> {
         let mut is_sound = true;
         for part in node.children().filter(Node::is_element) {
             match part.tag_name().name() {
+                "inertial" if link.inertial.is_some() => self.warn_of_second(part),
                 "inertial" => {
                     link.inertial = self.inertial(part);
                     is_sound &= link.inertial.is_some();
                 }
-                "visual" => link.visuals.extend(self.visual(part)),
+                "visual" => {
+                    let before = self.mistakes.len();
+                    link.visuals.extend(self.visual(part));
+                    // A picture less is no mistake.
+                    for mistake in self.mistakes.split_off(before) {
+                        let place = mistake.start.byte..mistake.end.byte;
+                        self.warnings.add(&place, format!("{}; this is not drawn", mistake.message));
+                    }
+                }
                 "collision" => {}
                 _ => self.ignore(part),
             }
@@ -178,7 +182,7 @@ impl Reader<'_, '_> {
         Some(Visual { place, origin, geometry })
     }
 
-    fn joint(&mut self, node: Node, links: &HashMap<String, usize>) -> Option<Joint> {
+    fn joint(&mut self, node: Node, links: &IndexMap<String, usize>) -> Option<Joint> {
         let (name, kind) = (self.required(node, "name"), self.kind(node));
         let parent = self.linked(node, "parent", links);
         let child = self.linked(node, "child", links);
@@ -188,6 +192,12 @@ impl Reader<'_, '_> {
         let limit = self.limit(node, kind, &name)?;
         let [damping, friction] = self.dynamics(node, kind)?;
         let mimic = self.mimic(node)?;
+        for (at, part) in node.children().filter(Node::is_element).enumerate() {
+            let mut before = node.children().filter(Node::is_element).take(at);
+            if before.any(|other| other.tag_name().name() == part.tag_name().name()) {
+                self.warn_of_second(part);
+            }
+        }
         const KNOWN: [&str; 7] = ["parent", "child", "origin", "axis", "limit", "dynamics", "mimic"];
         for part in node.children().filter(|part| part.is_element() && !KNOWN.contains(&part.tag_name().name())) {
             self.ignore(part);
@@ -209,7 +219,7 @@ impl Reader<'_, '_> {
     }
 
     /// The link that `parent` or `child` names.
-    fn linked(&mut self, node: Node, what: &str, links: &HashMap<String, usize>) -> Option<usize> {
+    fn linked(&mut self, node: Node, what: &str, links: &IndexMap<String, usize>) -> Option<usize> {
         let Some(part) = child(node, what) else {
             let name = node.attribute("name").unwrap_or_default();
             return self.refuse(tag(node), format!("joint `{name}` has no `<{what} link=\"..\"/>`"));
@@ -217,7 +227,7 @@ impl Reader<'_, '_> {
         let name = self.required(part, "link")?;
         let found = links.get(name).copied();
         found.or_else(|| {
-            let near = nearest::suggestion(name, links.keys().map(String::as_str));
+            let near = self.suggestion(name, links.keys().map(String::as_str));
             self.refuse(value(part, "link"), format!("no link is called `{name}`{near}"))
         })
     }
@@ -336,6 +346,10 @@ impl Reader<'_, '_> {
         })
     }
 
+    fn warn_of_second(&mut self, part: Node) {
+        self.warnings.add(&tag(part), format!("a second `{}` is left out: the first counts", part.tag_name().name()));
+    }
+
     fn ignore(&mut self, node: Node) {
         let (count, _) = self.ignored.entry(node.tag_name().name().to_owned()).or_insert_with(|| (0, tag(node)));
         *count += 1;
@@ -347,36 +361,4 @@ impl Reader<'_, '_> {
             self.warnings.add(&place, format!("`{}` is ignored{others}", short(&name)));
         }
     }
-}
-
-/// The first child of a name.
-fn child<'a, 'input>(node: Node<'a, 'input>, name: &str) -> Option<Node<'a, 'input>> {
-    node.children().find(|child| child.is_element() && child.tag_name().name() == name)
-}
-
-/// Whether xacro has yet to write something here.
-fn is_of_xacro(node: Node) -> bool {
-    let is_macro = |space: &str| space.contains("xacro");
-    node.tag_name().namespace().is_some_and(is_macro)
-        || node.attributes().any(|attribute| attribute.value().contains("${") || attribute.value().contains("$("))
-}
-
-/// The start tag of an element.
-fn tag(node: Node) -> Place {
-    let range = node.range();
-    let text = &node.document().input_text()[range.clone()];
-    let end = text.find(['>', '\n']).map_or(text.len(), |at| if text[at..].starts_with('>') { at + 1 } else { at });
-    range.start..range.start + end
-}
-
-/// The value of an attribute that is there.
-fn value(node: Node, name: &str) -> Place {
-    node.attribute_node(name).map_or_else(|| tag(node), |attribute| attribute.range_value())
-}
-
-/// The beginning of a text, for messages.
-fn short(text: &str) -> String {
-    const LONGEST: usize = 60;
-    let kept: String = text.chars().take(LONGEST).map(|c| if c.is_control() { ' ' } else { c }).collect();
-    if text.chars().nth(LONGEST).is_some() { kept + ".." } else { kept }
 }

@@ -89,7 +89,8 @@ impl Tree {
             }
         }
         for link in order.iter().rev() {
-            if let Some(joint) = joint(*link) {
+            // What floats is not moved by what is before it.
+            if let Some(joint) = joint(*link).filter(|joint| joint.kind != Kind::Floating) {
                 has_mass[joint.parent] |= has_mass[*link];
             }
         }

@@ -46,7 +46,10 @@ impl Written<'_> {
         }
         for (at, joint) in self.robot.joints.iter().enumerate() {
             match joint.kind {
-                Kind::Revolute | Kind::Continuous | Kind::Prismatic => self.joint(&named, at, &mut names, &mut blocks),
+                Kind::Revolute | Kind::Continuous | Kind::Prismatic => {
+                    self.joint(&named, at, &mut names, &mut blocks);
+                    self.warn_of_start(at, warnings);
+                }
                 Kind::Planar => {
                     for (ending, unit) in PLANAR {
                         blocks.line("coordinates", format!("{}{ending} [{unit}];", named.joints[at]));
@@ -84,8 +87,25 @@ impl Written<'_> {
         Named { joints, links, bodies, gravity: names.take("g", "gravity") }
     }
 
+    /// A joint that follows another may start outside of its own limits.
+    fn warn_of_start(&self, joint: usize, warnings: &mut Warnings) {
+        let of = &self.robot.joints[joint];
+        let Some((limit, [lower, upper])) = of.limit.as_ref().and_then(|limit| Some((limit, limit.range.as_ref()?)))
+        else {
+            return;
+        };
+        let start = self.start_of(joint);
+        if self.followers.law(joint).is_some() && !(lower.value..=upper.value).contains(&start) {
+            let message = format!(
+                "joint `{}` follows another, and starts at {start}, outside of these limits",
+                one_line(&of.name)
+            );
+            warnings.add(&limit.place, message);
+        }
+    }
+
     fn is_substituted(&self, joint: usize) -> bool {
-        self.options.mimic == Mimic::Substitute && self.followers.of(self.robot, joint).is_some()
+        self.options.mimic == Mimic::Substitute && self.followers.law(joint).is_some()
     }
 
     fn is_free(&self, link: usize) -> bool {

@@ -57,15 +57,28 @@ impl Written<'_> {
         }
     }
 
-    /// Where a free link starts, in the world: where joints at 0 would have it.
+    /// Where a free link starts, in the world.
     fn start(&self, link: usize) -> Pose {
         let mut joints = Vec::new();
         let mut at = link;
         while let Some(joint) = self.tree.holding[at] {
-            joints.push(&self.robot.joints[joint].origin);
+            joints.push(joint);
             at = self.robot.joints[joint].parent;
         }
-        joints.into_iter().rev().fold(Pose::none(), |pose, origin| pose.then(origin))
+        joints.into_iter().rev().fold(Pose::none(), |pose, joint| {
+            let Joint { kind, origin, axis, .. } = &self.robot.joints[joint];
+            let value = if kind.is_single() { self.start_of(joint) } else { 0.0 };
+            let pose = pose.then(origin);
+            let axis = nalgebra::Unit::new_unchecked(*axis);
+            match kind {
+                Kind::Prismatic => Pose { place: pose.place + pose.rotation * (axis.into_inner() * value), ..pose },
+                _ if value != 0.0 => {
+                    let turn = nalgebra::Rotation3::from_axis_angle(&axis, value);
+                    Pose { rotation: pose.rotation * turn.matrix(), ..pose }
+                }
+                _ => pose,
+            }
+        })
     }
 
     /// The frame of a link that a joint holds.

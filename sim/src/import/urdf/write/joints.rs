@@ -2,6 +2,8 @@
 
 use super::blocks::Blocks;
 use super::{Named, Written, one_line};
+use crate::import::urdf::Mimic;
+use crate::import::urdf::mimic::Law;
 use crate::import::urdf::names::Names;
 use crate::import::urdf::number::Number;
 use crate::import::urdf::robot::{Joint, Kind};
@@ -9,34 +11,45 @@ use crate::import::urdf::robot::{Joint, Kind};
 /// Where friction is nearly whole, in rad/s or m/s.
 const SLOW: &str = "0.05";
 
+/// A limit is passed so far beyond it, in rad or m.
+const BEYOND: &str = "1e-9";
+
 impl Written<'_> {
     /// The value of a joint of one coordinate.
     pub(super) fn value(&self, named: &Named, joint: usize) -> String {
-        match self.followers.of(self.robot, joint).filter(|_| self.is_substituted(joint)) {
-            Some(_) => self.followed(named, joint),
-            None => named.joints[joint].clone(),
-        }
+        if self.is_substituted(joint) { self.followed(named, joint) } else { named.joints[joint].clone() }
     }
 
-    /// A joint's value by that of the joint that it mimics.
+    /// A joint's value by that of the joint that it follows.
     fn followed(&self, named: &Named, joint: usize) -> String {
-        let Some((other, mimic)) = self.followers.of(self.robot, joint) else { return named.joints[joint].clone() };
-        let value = self.value(named, other);
-        let [own, theirs] = [joint, other].map(|joint| self.robot.joints[joint].kind == Kind::Prismatic);
+        let Some(law) = self.followers.law(joint) else { return named.joints[joint].clone() };
+        let value = &named.joints[law.joint];
+        let [own, theirs] = [joint, law.joint].map(|joint| self.robot.joints[joint].kind == Kind::Prismatic);
         let multiplier = match (own, theirs) {
-            (true, false) => format!("{} [m]", mimic.multiplier),
-            (false, true) => format!("{} [1/m]", mimic.multiplier),
-            _ => mimic.multiplier.to_string(),
+            (true, false) => format!("{} [m]", law.multiplier),
+            (false, true) => format!("{} [1/m]", law.multiplier),
+            _ => law.multiplier.to_string(),
         };
-        if own == theirs && mimic.multiplier.value == 1.0 && mimic.offset.is_zero() {
-            return value;
+        if own == theirs && law.multiplier.value == 1.0 && law.offset.is_zero() {
+            return value.clone();
         }
-        let offset = if mimic.offset.is_zero() {
+        let offset = if law.offset.is_zero() {
             String::new()
         } else {
-            format!(" + {}", mimic.offset.with(self.robot.joints[joint].kind.unit()))
+            format!(" + {}", law.offset.with(self.robot.joints[joint].kind.unit()))
         };
         format!("({multiplier}*{value}{offset})")
+    }
+
+    /// Where a joint of one coordinate starts: at 0, or amid its range if that is outside, or where it follows another.
+    pub(super) fn start_of(&self, joint: usize) -> f64 {
+        if let Some(law) = self.followers.law(joint) {
+            return law.value(self.start_of(law.joint));
+        }
+        match self.robot.joints[joint].limit.as_ref().and_then(|limit| limit.range.as_ref()) {
+            Some([lower, upper]) if lower.value > 0.0 || upper.value < 0.0 => lower.value / 2.0 + upper.value / 2.0,
+            _ => 0.0,
+        }
     }
 
     /// Writes a joint of one coordinate.
@@ -51,11 +64,20 @@ impl Written<'_> {
             let drive = names.take(&format!("tau_{name}"), "drive");
             blocks.line("inputs", format!("{drive} [{effort}] = 0;"));
             blocks.line("loads", format!("{force} {drive} on {name};"));
-            if let Some((other, _)) = self.followers.of(self.robot, joint) {
+            let (start, follows) = (self.start_of(joint), self.followers.law(joint));
+            // Assembly would let a leader give way to its followers.
+            if follows.is_none()
+                && (start != 0.0 || self.followers.are_led_by(joint) && self.options.mimic == Mimic::Couple)
+            {
+                blocks.line("initial", format!("{name} = {};", Number::of(start)));
+            }
+            if let Some(Law { joint: other, .. }) = self.followers.law(joint) {
                 let (coupling, value) =
                     (names.take(&format!("{name}_mimic"), "constraint"), self.followed(named, joint));
-                blocks
-                    .line("constraints", format!("/// As {}.\n    {coupling}: {name} = {value};", named.joints[other]));
+                blocks.line(
+                    "constraints",
+                    format!("/// As {}.\n    {coupling}: {name} = {value};", named.joints[*other]),
+                );
             }
         }
         if self.options.damping && !damping.is_zero() {
@@ -84,17 +106,14 @@ impl Written<'_> {
             0.0 => String::new(),
             _ => format!(" - {}", number.with(unit)),
         };
-        let is_zero_outside = lower.value > 0.0 || upper.value < 0.0;
-        if is_zero_outside && !self.is_substituted(joint) && self.followers.of(self.robot, joint).is_none() {
-            blocks.line("initial", format!("{name} = {};", Number::of(lower.value / 2.0 + upper.value / 2.0)));
-        }
         let margin = names.take(&format!("{name}_margin"), "output");
         let block = if of.kind == Kind::Prismatic { "outputs_lengths" } else { "outputs_angles" };
         let distance = format!("min({value}{}, {greatest} - {value})", minus(lower));
         blocks.line(block, format!("{margin} [{unit}] = {distance};"));
         if !self.options.stops || self.is_substituted(joint) {
             let event = names.take(&format!("{name}_limit"), "event");
-            blocks.line("events", format!("{event}: {distance} = 0 falling;"));
+            // Slightly beyond it, as many joints start on their limit.
+            blocks.line("events", format!("{event}: {distance} = -{BEYOND} [{unit}] falling;"));
             return;
         }
         for (side, limit, [towards, away]) in

@@ -123,17 +123,30 @@ impl Drawing<'_> {
     }
 
     fn curve(&mut self, frame: &str, points: &[Vector3<f64>]) {
+        if !points.iter().all(is_drawable) {
+            return;
+        }
         self.points += points.len();
         let points: Vec<String> = points.iter().map(|at| on(frame, at)).collect();
         self.line(format!("curve {};", points.join(", ")));
     }
 
     fn circle(&mut self, frame: &str, centre: Vector3<f64>, radius: f64, normal: Vector3<f64>) {
+        if !is_drawable(&centre) || !(radius < FARTHEST) {
+            return;
+        }
         self.points += 2;
         let [a, b, c] = [0, 1, 2].map(|k| Number::of(normal[k]));
         let radius = rounded(radius).with("m");
         self.line(format!("circle {} radius {radius} normal attitude({frame})*[{a}, {b}, {c}];", on(frame, &centre)));
     }
+}
+
+/// Nothing is drawn farther away, in metres.
+const FARTHEST: f64 = 1e6;
+
+fn is_drawable(at: &Vector3<f64>) -> bool {
+    at.iter().all(|x| x.abs() < FARTHEST)
 }
 
 fn on(frame: &str, at: &Vector3<f64>) -> String {
