@@ -7,6 +7,7 @@ use sim::import::urdf::{Base, Mimic, Options};
 use sim::{At, Kernel, Model};
 use std::collections::HashMap;
 use tests::Random;
+use tests::called::called;
 
 const GRAVITY: f64 = 9.81;
 /// Errors of central differences are its square, times those of speeds of some rad/s.
@@ -101,37 +102,34 @@ impl Links<'_> {
         Isometry3::from_parts(Translation3::from(Vector3::new(x, y, z) - turn * centre), turn)
     }
 
+    /// The joint that holds a link.
+    fn holding(&self, link: &str) -> Option<Node<'_, '_>> {
+        let is_held = |node: &Node| child(*node, "child").is_some_and(|child| child.attribute("link") == Some(link));
+        self.robot.children().find(|node| node.has_tag_name("joint") && is_held(node))
+    }
+
+    /// A link in the root's frame, if it is fixed to it.
+    fn fixed(&self, link: &str) -> Option<Isometry3<f64>> {
+        let (mut place, mut at) = (Isometry3::identity(), link.to_owned());
+        while let Some(joint) = self.holding(&at) {
+            if joint.attribute("type") != Some("fixed") {
+                return None;
+            }
+            place = origin(joint) * place;
+            at = child(joint, "parent")?.attribute("link")?.to_owned();
+        }
+        Some(place)
+    }
+
     /// Of the root and of what is fixed to it.
     fn base_centre(&self) -> Vector3<f64> {
-        let fixed = Links { base: None, coordinates: vec![], names: self.names.clone(), robot: self.robot };
-        let root = |link: &str| {
-            let mut at = link.to_owned();
-            loop {
-                let holding = fixed.robot.children().find(|node| {
-                    node.has_tag_name("joint") && child(*node, "child").unwrap().attribute("link") == Some(&at)
-                });
-                let Some(joint) = holding else { return true };
-                if joint.attribute("type") != Some("fixed") {
-                    return false;
-                }
-                at = child(joint, "parent").unwrap().attribute("link").unwrap().to_owned();
-            }
-        };
         let (mut mass, mut moment) = (0.0, Vector3::zeros());
         for link in self.robot.children().filter(|node| node.has_tag_name("link")) {
-            let name = link.attribute("name").unwrap();
-            let Some(inertial) = child(link, "inertial").filter(|_| root(name)) else { continue };
-            let mut place = origin(inertial);
-            let mut at = name.to_owned();
-            while let Some(joint) = self.robot.children().find(|node| {
-                node.has_tag_name("joint") && child(*node, "child").unwrap().attribute("link") == Some(&at)
-            }) {
-                place = origin(joint) * place;
-                at = child(joint, "parent").unwrap().attribute("link").unwrap().to_owned();
-            }
+            let fixed = self.fixed(link.attribute("name").unwrap());
+            let Some((inertial, place)) = child(link, "inertial").zip(fixed) else { continue };
             let own = number(child(inertial, "mass"), "value", 0.0);
             mass += own;
-            moment += place.translation.vector * own;
+            moment += (place * origin(inertial)).translation.vector * own;
         }
         moment / mass
     }
@@ -169,12 +167,6 @@ impl Links<'_> {
         }
         energies
     }
-}
-
-fn called(model: &dyn Model, kernel: Kernel, at: At<f64>) -> Vec<f64> {
-    let mut found = Vec::new();
-    assert!(!model.call(kernel, at, &mut |_, row| found.extend_from_slice(row)));
-    found
 }
 
 fn agrees(text: &'static str, options: &Options, base: Option<&str>) {

@@ -4,10 +4,14 @@ use crate::{ARM, KINDS, QUADRUPED};
 use sim::DeclarationFile;
 use std::path::Path;
 use std::time::{Duration, Instant};
+use tests::mangling::{mangled, seeds};
 use tests::{Random, peak_memory};
 
-/// `LINKWRIGHT_FUZZ=67` makes 67 times as many, by `LINKWRIGHT_SEED=N` from another one on.
+/// `LINKWRIGHT_FUZZ` and `LINKWRIGHT_SEED` choose others.
 const CASES: usize = 300;
+
+/// Words end with these.
+const SEPARATORS: [char; 4] = [' ', '\n', '"', '>'];
 
 /// What is put in for other words.
 const WORDS: &[&str] = &[
@@ -61,25 +65,6 @@ const WORDS: &[&str] = &[
     "filename=\"../../x.stl\"",
 ];
 
-fn mangled(text: &str, random: &mut Random) -> String {
-    let below = |random: &mut Random, n: usize| (random.between(0.0, n as f64) as usize).min(n.saturating_sub(1));
-    let mut words: Vec<String> = text.split_inclusive([' ', '\n', '"', '>']).map(str::to_owned).collect();
-    for _ in 0..1 + below(random, 3) {
-        let (at, other) = (below(random, words.len()), below(random, words.len()));
-        match below(random, 5) {
-            0 => words[at].clear(),
-            1 => words.swap(at, other),
-            2 => words[at] = words[other].clone(),
-            3 => words[at] = format!("{} ", WORDS[below(random, WORDS.len())]),
-            _ => {
-                let drop = below(random, words[at].chars().count().max(1));
-                words[at] = words[at].chars().enumerate().filter(|(i, _)| *i != drop).map(|(_, c)| c).collect();
-            }
-        }
-    }
-    words.concat()
-}
-
 fn time_of(text: &str) -> (Duration, bool) {
     let clock = Instant::now();
     let file = DeclarationFile::of(Path::new("mangled.urdf"), text.to_owned());
@@ -97,11 +82,11 @@ fn time_of(text: &str) -> (Duration, bool) {
 fn mangled_robots_are_refused_or_read() {
     let texts = [ARM, QUADRUPED, KINDS];
     let originals = texts.map(|text| (0..3).map(|_| time_of(text).0).min().unwrap_or_default());
-    let given = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<usize>().ok());
-    let (cases, first) = (CASES * given("LINKWRIGHT_FUZZ").unwrap_or(1), given("LINKWRIGHT_SEED").unwrap_or(0));
+    let seeds = seeds(CASES);
+    let cases = seeds.len();
     let (mut accepted, mut slowest, mut longest) = (0, Duration::ZERO, 0.0f64);
-    for seed in first..first + cases {
-        let text = mangled(texts[seed % texts.len()], &mut Random(seed as u64));
+    for seed in seeds {
+        let text = mangled(texts[seed % texts.len()], &SEPARATORS, WORDS, &mut Random(seed as u64));
         let (time, is_accepted) = time_of(&text);
         accepted += usize::from(is_accepted);
         slowest = slowest.max(time);

@@ -3,25 +3,10 @@
 use crate::{ARM, QUADRUPED, declared, imported};
 use serde_json::Value;
 use sim::import::urdf::{Base, Mimic, Options};
-use sim::{At, Kernel, Model};
+use sim::{At, Kernel};
+use tests::called::{called, difference, numbers};
 
 const REFERENCE: &str = include_str!("../robots/urdf/reference.json");
-
-fn numbers(value: &Value) -> Vec<f64> {
-    value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
-}
-
-fn called(model: &dyn Model, kernel: Kernel, at: At<f64>) -> Vec<f64> {
-    let mut found = Vec::new();
-    assert!(!model.call(kernel, at, &mut |_, row| found.extend_from_slice(row)));
-    found
-}
-
-/// Relative to the greatest number.
-fn difference(found: &[f64], expected: &[f64]) -> f64 {
-    let largest = expected.iter().fold(0.0, |largest: f64, number| largest.max(number.abs()));
-    found.iter().zip(expected).fold(0.0, |worst: f64, (a, b)| worst.max((a - b).abs())) / largest
-}
 
 /// Quarter turns are written with 14 digits in the arm, and meant exactly here; all else is rounding.
 const BOUND: f64 = 1e-12;

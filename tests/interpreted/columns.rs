@@ -1,6 +1,6 @@
 //! Derivatives of a tree of so many joints that they are solved in a loop over their columns.
 
-use crate::links::derivatives_are_those_of_dynamics;
+use crate::link_derivatives::derivatives_are_those_of_dynamics;
 use sim::{erase, mechanism};
 use tests::same_bits::{differences, interpreted};
 

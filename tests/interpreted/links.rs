@@ -9,7 +9,7 @@ use tests::Random;
 
 /// Branches, a prismatic joint, a coordinate that turns two links, skew axes, fixed turns, and centres of mass beside their
 /// frames; parameters for masses, so that regrouping is symbolic.
-const BRANCHES: &str = "
+pub(crate) const BRANCHES: &str = "
     pub Branches;
     coordinates { a [rad]; b [rad]; c [m]; d [rad]; h [rad]; f [rad]; g [rad]; }
     parameters { L [m] = 1; m [kg] = 1; k [N/m] = 20; }
@@ -36,7 +36,7 @@ const BRANCHES: &str = "
 
 /// A base that moves freely, and one limb. The last load acts along its quaternion, which the multiplier of the norm
 /// takes up.
-const FREE: &str = "
+pub(crate) const FREE: &str = "
     pub Floating;
     parameters { L [m] = 1; m [kg] = 1; k [N/m] = 20; }
     bodies { base: free, mass 3*m, inertia [0.3*m*L^2, 0.4*m*L^2, 0.35*m*L^2, 0.01*m*L^2, 0.02*m*L^2, 0.03*m*L^2]; }
@@ -58,7 +58,7 @@ const FREE: &str = "
 
 /// A base with loads on it, and a limb of so many joints that each is eliminated at its link: about axes of a frame and askew,
 /// one that slides, one with a rotor that turns with it, two on one link. And a second base, of which the first knows nothing.
-const LIMB: &str = "
+pub(crate) const LIMB: &str = "
     pub Limb;
     parameters { L [m] = 1; m [kg] = 1; k [N/m] = 20; }
     bodies {
@@ -108,7 +108,7 @@ const LIMB: &str = "
     kernels { inverse_dynamics; speed_mass_matrix; }";
 
 /// An arm on the ground: turns about axes of a frame and askew, one that slides askew, and two motors of one turn.
-const ARM: &str = "
+pub(crate) const ARM: &str = "
     pub Arm;
     parameters { L [m] = 1; m [kg] = 1; k [N/m] = 20; }
     coordinates { a [rad]; b [rad]; s [m]; c [rad]; d [rad]; h [rad]; f [rad]; }
@@ -139,7 +139,7 @@ const ARM: &str = "
     kernels { inverse_dynamics; }";
 
 /// A table that time turns and lifts carries an arm: the power is that of loads and drives.
-const DRIVEN: &str = "
+pub(crate) const DRIVEN: &str = "
     pub Driven;
     coordinates { a [rad]; b [rad]; }
     parameters { L [m] = 1; m [kg] = 1; w [1/s] = 2; }
@@ -161,7 +161,7 @@ pub(crate) fn called(model: &dyn Model, kernel: Kernel, at: At<f64>) -> Vec<Vec<
     found
 }
 
-fn vector(model: &dyn Model, kernel: Kernel, at: At<f64>) -> Vec<f64> {
+pub(crate) fn vector(model: &dyn Model, kernel: Kernel, at: At<f64>) -> Vec<f64> {
     called(model, kernel, at).concat()
 }
 
@@ -175,10 +175,10 @@ pub(crate) fn scaled(text: &str, length: f64, mass: f64) -> Arc<dyn Model> {
 }
 
 /// Of mass matrices: 100 bodies of one size would be worse.
-const CONDITION: f64 = 1e3;
+pub(crate) const CONDITION: f64 = 1e3;
 
 /// The magnitudes that meet add up to `size`. Some hundred roundings, of what is at most a few times as large.
-fn assert_close(what: &str, found: f64, expected: f64, size: f64) {
+pub(crate) fn assert_close(what: &str, found: f64, expected: f64, size: f64) {
     assert!((found - expected).abs() <= 1e-13 * size, "{what}: {found:e} is not {expected:e} beside {size:e}");
 }
 
@@ -341,77 +341,9 @@ fn a_quaternion_of_zero_is_refused() {
     assert!(is_refused(&q));
 }
 
-/// Derivatives along the tree are those of `dynamics`: by dual numbers where they are no kernel. The coordinates in `lengths` are
-/// lengths.
-pub(crate) fn derivatives_are_those_of_dynamics(text: &str, lengths: &[usize]) {
-    let (before, _) = text.split_once("kernels {").unwrap();
-    let [with_kernel, without] =
-        ["dynamics_jacobian", "inverse_dynamics"].map(|kernel| format!("{before} kernels {{ {kernel}; }}"));
-    let random = &mut Random(5);
-    for (length, mass) in [(1.0, 1.0), (1e-3, 1e-3), (100.0, 1e3)] {
-        let [kernel, duals] = [&with_kernel, &without].map(|text| scaled(text, length, mass));
-        assert_eq!(kernel.description().optional_kernels, ["dynamics_jacobian"]);
-        let size = |i: usize| if lengths.contains(&i) { length } else { 1.0 };
-        for _ in 0..5 {
-            let [start, _] = kernel.initial();
-            let moved: Vec<f64> = (0..start.len()).map(|i| start[i] + size(i) * random.between(-0.7, 0.7)).collect();
-            let qd: Vec<f64> = (0..start.len()).map(|i| size(i) * random.between(-0.7, 0.7)).collect();
-            let at = At { time: 0.4, positions: &moved, speeds: &qd, accelerations: &[], multipliers: &[] };
-            let [found, expected] = [&kernel, &duals].map(|model| called(&**model, Kernel::DynamicsJacobian, at));
-            assert_eq!(found.len(), expected.len());
-            let n = start.len();
-            let m = kernel.description().constraints.len();
-            let unit = |i: usize, j: usize| match i < 2 * n {
-                true => size(j) / size(i % n),
-                false => size(j) / (mass * length * length),
-            };
-            // Where nothing acts along a quaternion multipliers are roundings of other forces.
-            let forces = vector(&*duals, Kernel::GeneralizedForces, at).into_iter().enumerate();
-            let forces = forces.map(|(i, force)| force.abs() * size(i) / (mass * length * length)).fold(0.0, f64::max);
-            let [accelerations, multipliers] = [0..2 * n, 2 * n..2 * (n + m)];
-            for rows in [accelerations, multipliers] {
-                let scaled = |all: &[Vec<f64>]| -> Vec<f64> {
-                    let places = rows.clone().flat_map(|i| (0..n).map(move |j| (i, j)));
-                    places.map(|(i, j)| all[i][j] * unit(i, j)).collect()
-                };
-                let [found, expected] = [scaled(&found), scaled(&expected)];
-                let size = CONDITION * expected.iter().fold(forces, |size: f64, x| size.max(x.abs()));
-                for (found, expected) in found.iter().zip(&expected) {
-                    assert_close("derivative", *found, *expected, size);
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn derivatives_of_a_free_base() {
-    derivatives_are_those_of_dynamics(FREE, &[2, 3, 4]);
-}
-
-#[test]
-fn derivatives_of_a_limb_of_many_joints() {
-    derivatives_are_those_of_dynamics(LIMB, &[3, 11, 12, 13, 18, 19, 20]);
-}
-
 #[test]
 fn an_arm_on_the_ground() {
     agrees(ARM, &[2]);
-    derivatives_are_those_of_dynamics(ARM, &[2]);
-    // Weights that depend on the state.
-    let swung = ARM.replace("gravity [1 [m/s^2], 0,", "gravity [1 [m/s^2], 0.3 [m/s^2]*sin(b),");
-    assert_ne!(swung, ARM);
-    derivatives_are_those_of_dynamics(&swung, &[2]);
-}
-
-#[test]
-fn derivatives_of_branches() {
-    // Only the first of them turns once.
-    let (once, driven) = (BRANCHES.replace("rotation(x, 0.3 - 2*b)", "rotation(x, 0.3)"), DRIVEN);
-    assert_ne!(once, BRANCHES);
-    derivatives_are_those_of_dynamics(&once, &[2]);
-    derivatives_are_those_of_dynamics(BRANCHES, &[2]);
-    derivatives_are_those_of_dynamics(driven, &[]);
 }
 
 #[test]

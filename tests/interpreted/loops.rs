@@ -1,7 +1,8 @@
 //! Loops in space that links turned by quaternions close: their motion against the kernels of the terms, and its derivatives against
 //! dual numbers.
 
-use crate::links::{derivatives_are_those_of_dynamics, scaled};
+use crate::link_derivatives::derivatives_are_those_of_dynamics;
+use crate::links::scaled;
 use crate::parts::solves;
 use sim::At;
 use tests::Random;

@@ -4,6 +4,8 @@
 
 mod against_oracle;
 mod columns;
+mod frames;
+mod link_derivatives;
 mod links;
 mod loops;
 mod mangled;

@@ -5,26 +5,10 @@ use serde_json::Value;
 use sim::{At, Kernel, Model, load};
 use std::fs;
 use std::sync::Arc;
+use tests::called::{called, difference, numbers};
 
 fn robots() -> String {
     format!("{}/robots", env!("CARGO_MANIFEST_DIR"))
-}
-
-fn numbers(value: &Value) -> Vec<f64> {
-    value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
-}
-
-/// All numbers that a kernel gives.
-fn called(model: &dyn Model, kernel: Kernel, at: At<f64>) -> Vec<f64> {
-    let mut found = Vec::new();
-    assert!(!model.call(kernel, at, &mut |_, row| found.extend_from_slice(row)));
-    found
-}
-
-/// The greatest difference, relative to the greatest number.
-fn difference(found: &[f64], expected: &[f64]) -> f64 {
-    let largest = expected.iter().fold(0.0, |largest: f64, number| largest.max(number.abs()));
-    found.iter().zip(expected).fold(0.0, |worst: f64, (a, b)| worst.max((a - b).abs())) / largest
 }
 
 fn declared(name: &str) -> (Arc<dyn Model>, Value) {

@@ -1,12 +1,14 @@
 //! What several kinds of tests and benchmarks need: reference solutions, runs, random numbers, timing.
 
 pub mod by_hand;
+pub mod called;
 pub mod declarations;
 pub mod digest;
 pub mod engine;
 pub mod extremes;
 pub mod faults;
 pub mod house;
+pub mod mangling;
 pub mod same_bits;
 pub mod spectra;
 
