@@ -54,9 +54,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/examples/robots/quadruped.urdf"));
     let free = Options { base: Base::Free, ..Options::default() };
     let file = DeclarationFile::read(path)?.with_robots(free);
-    let robot = file.robot().map_err(|mistakes| mistakes[0].message.clone())?;
+    let robot = file.robot().map_err(|why| why.to_string())?;
     let drives = "parameters { stiffness [N*m] = 80; hold [N*m*s] = 4; radius [m] = 0.02; }";
-    let text = [robot.text, drives.to_owned(), LEGS.map(leg).join("\n")].join("\n");
+    let text = [robot.text.clone(), drives.to_owned(), LEGS.map(leg).join("\n")].join("\n");
     let model = DeclarationFile::of(Path::new("quadruped.mech"), text).model(None).map_err(|why| why.to_string())?;
     let robot = Erased::of(model);
     let mut begin = declared_start(&robot);

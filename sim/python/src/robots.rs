@@ -39,8 +39,7 @@ pub(crate) fn import_robot(
     let options = Options { base, mimic, damping, stops, straighten, packages };
     let found = py.detach(|| {
         let file = DeclarationFile::read(&path)?.with_robots(options);
-        let mistaken = |mistakes| LoadError::Mistakes { path: path.clone(), text: file.text().to_owned(), mistakes };
-        Ok((file.robot().map_err(mistaken)?.text, file.warnings()))
+        Ok((file.robot()?.text.clone(), file.warnings()))
     });
     found.map_err(|why: LoadError| load(py, &why))
 }

@@ -11,7 +11,7 @@ use proc_macro2::TokenStream;
 use std::fs::File;
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// The largest file that is read, in bytes.
 const LARGEST: u64 = 4 << 20;
@@ -24,6 +24,8 @@ pub struct DeclarationFile {
     text: String,
     /// How a robot is imported.
     robots: urdf::Options,
+    /// A robot as a declaration, once it is asked for.
+    imported: OnceLock<Result<Imported, Vec<Mistake>>>,
 }
 
 /// Why a file gives no mechanism.
@@ -93,12 +95,12 @@ impl DeclarationFile {
     pub fn of(path: &Path, text: String) -> DeclarationFile {
         // Places are counted without the mark that some editors put first.
         let text = text.strip_prefix('\u{feff}').map_or_else(|| text.clone(), str::to_owned);
-        DeclarationFile { path: path.to_owned(), text, robots: urdf::Options::default() }
+        DeclarationFile { path: path.to_owned(), text, robots: urdf::Options::default(), imported: OnceLock::new() }
     }
 
     /// The same file, its robot imported so.
     pub fn with_robots(self, robots: urdf::Options) -> DeclarationFile {
-        DeclarationFile { robots, ..self }
+        DeclarationFile { robots, imported: OnceLock::new(), ..self }
     }
 
     /// Whether it describes a robot.
@@ -110,16 +112,21 @@ impl DeclarationFile {
     ///
     /// # Errors
     /// What is no robot, at its place.
-    pub fn robot(&self) -> Result<Imported, Vec<Mistake>> {
+    pub fn robot(&self) -> Result<&Imported, LoadError> {
+        self.imported().map_err(|mistakes| self.mistaken(mistakes))
+    }
+
+    fn imported(&self) -> Result<&Imported, Vec<Mistake>> {
         let folder = self.path.parent().unwrap_or(Path::new(""));
-        urdf::import(&self.text, folder, &self.robots)
+        let import = || urdf::import(&self.text, folder, &self.robots);
+        self.imported.get_or_init(import).as_ref().map_err(Clone::clone)
     }
 
     /// What a robot's file lacks or contradicts, each under its line; nothing of other files.
     pub fn warnings(&self) -> Vec<String> {
-        let warnings = if self.is_robot() { self.robot().map(|robot| robot.warnings) } else { Ok(Vec::new()) };
+        let robot = if self.is_robot() { self.imported().ok() } else { None };
         let file = self.path.display().to_string();
-        warnings.unwrap_or_default().iter().map(|warning| warning.shown(&file, &self.text)).collect()
+        robot.iter().flat_map(|robot| &robot.warnings).map(|warning| warning.shown(&file, &self.text)).collect()
     }
 
     /// Its text.
@@ -168,8 +175,8 @@ impl DeclarationFile {
     }
 
     fn declarations(&self) -> Result<Vec<Declared>, Vec<Mistake>> {
-        let robot = if self.is_robot() { Some(self.robot()?.text) } else { None };
-        let all = dsl::declarations(robot.as_ref().unwrap_or(&self.text)).map_err(self.of_kind("E-TEXT"))?;
+        let text = if self.is_robot() { &self.imported()?.text } else { &self.text };
+        let all = dsl::declarations(text).map_err(self.of_kind("E-TEXT"))?;
         let named = |tokens: TokenStream| {
             let name = dsl::parse_head(tokens.clone()).map_err(self.of_kind("E-FORM"))?.name.to_string();
             Ok(Declared { name, tokens })

@@ -2,10 +2,9 @@
 
 use crate::cli::arguments::{ImportArguments, Voice};
 use crate::cli::chosen::warn;
-use crate::cli::{Stop, print, program};
-use crate::{DeclarationFile, LoadError, Provenance, WriteError};
-use std::fs::File;
-use std::io::{ErrorKind, Write};
+use crate::cli::files::new::write_declaration;
+use crate::cli::{Stop, print};
+use crate::{DeclarationFile, Provenance};
 
 /// Writes a robot's declaration.
 pub(in crate::cli) fn import(arguments: &ImportArguments, voice: Voice) -> Result<(), Stop> {
@@ -14,27 +13,14 @@ pub(in crate::cli) fn import(arguments: &ImportArguments, voice: Voice) -> Resul
         return Err(Stop::Usage(format!("{}: a robot's file ends in `.urdf`", path.display())));
     }
     let file = DeclarationFile::read(path)?.with_robots(arguments.options());
-    let robot = file.robot().map_err(|mistakes| LoadError::Mistakes {
-        path: path.clone(),
-        text: file.text().to_owned(),
-        mistakes,
-    })?;
+    let robot = file.robot()?;
     if !voice.quiet {
         warn(&file.warnings());
     }
     let text = format!("// Written by {}, from {}.\n{}", Provenance::program(), said(path), robot.text);
-    let Some(out) = &arguments.out else { return print(&text) };
-    // One that is there is never overwritten.
-    let made =
-        File::options().write(true).create_new(true).open(out).and_then(|mut file| file.write_all(text.as_bytes()));
-    made.map_err(|why| match why.kind() {
-        ErrorKind::AlreadyExists => Stop::Usage(format!("{} exists already; name a new file", out.display())),
-        _ => WriteError::new(out, why).into(),
-    })?;
-    match voice {
-        _ if voice.quiet => Ok(()),
-        _ if voice.json => print(&format!("{:#}\n", serde_json::json!({ "file": out }))),
-        _ => print(&format!("made         {}\nnext         {} run {}\n", out.display(), program(), out.display())),
+    match &arguments.out {
+        Some(out) => write_declaration(out, &text, voice),
+        None => print(&text),
     }
 }
 

@@ -1,12 +1,11 @@
 //! `sim new --file`.
 
+use crate::Provenance;
 use crate::cli::arguments::{NewArguments, Voice};
 use crate::cli::chosen::chosen;
 use crate::cli::commands::new::{CRATE, type_name};
-use crate::cli::{Entry, Stop, print, program};
-use crate::{Provenance, WriteError};
-use std::fs::File;
-use std::io::{ErrorKind, Write};
+use crate::cli::files::new::write_declaration;
+use crate::cli::{Entry, Stop};
 
 /// Writes a declaration to a file of its own.
 pub(in crate::cli) fn new_file(mechanisms: &[Entry], arguments: &NewArguments, voice: Voice) -> Result<(), Stop> {
@@ -32,19 +31,7 @@ pub(in crate::cli) fn new_file(mechanisms: &[Entry], arguments: &NewArguments, v
             format!("{}\n{}", head(), first(&name))
         }
     };
-    // One that is there is never overwritten.
-    let made =
-        File::options().write(true).create_new(true).open(path).and_then(|mut file| file.write_all(text.as_bytes()));
-    made.map_err(|why| match why.kind() {
-        ErrorKind::AlreadyExists => Stop::Usage(format!("{} exists already; name a new file", path.display())),
-        _ => WriteError::new(path, why).into(),
-    })?;
-    let (path, program) = (path.display(), program());
-    match voice {
-        _ if voice.quiet => Ok(()),
-        _ if voice.json => print(&format!("{:#}\n", serde_json::json!({ "file": arguments.path }))),
-        _ => print(&format!("made         {path}\nnext         {program} run {path}\n")),
-    }
+    write_declaration(path, &text, voice)
 }
 
 fn head() -> String {

@@ -1,6 +1,5 @@
 //! What cannot be, and what is missing for a motion.
 
-use super::Base;
 use super::robot::{Inertial, Kind, Robot};
 use super::tree::Tree;
 use super::warnings::Warnings;
@@ -25,9 +24,9 @@ pub(super) fn check(robot: &Robot, tree: &Tree, warnings: &mut Warnings) {
             Some(joint) if !tree.has_mass_beyond(link) => {
                 format!(", nor has anything beyond: the acceleration of `{}` is not determined", joint.name)
             }
-            Some(joint) if joint.kind == Kind::Floating => ": its accelerations may not be determined".to_owned(),
-            None if tree.base == Base::Free => ": its accelerations may not be determined".to_owned(),
-            _ => String::new(),
+            Some(joint) if joint.kind != Kind::Floating => String::new(),
+            // Free: whatever it carries may not be enough.
+            _ => ": its accelerations may not be determined".to_owned(),
         };
         warnings.add(place, format!("link `{name}`, {moved}, has no mass{beyond}"));
     }

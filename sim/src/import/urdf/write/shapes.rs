@@ -22,7 +22,7 @@ pub(super) fn draw(written: &Written, frames: &[String], blocks: &mut Blocks, wa
     let is_mesh = |visual: &&Visual| matches!(visual.geometry, Geometry::Mesh { .. });
     let meshes = robot.links.iter().flat_map(|link| &link.visuals).filter(is_mesh).count();
     let corners = (MOST_POINTS / (3 * meshes.max(1))).saturating_sub(1).clamp(CORNERS[0], CORNERS[1]);
-    let mut drawing = Drawing { blocks, points: 0, corners, missing: IndexMap::new() };
+    let mut drawing = Drawing { blocks, points: 0, corners, left_out: IndexMap::new() };
     if tree.is_grounded(tree.root) {
         drawing.line("ground [0, 0, 0];".to_owned());
     }
@@ -38,10 +38,9 @@ pub(super) fn draw(written: &Written, frames: &[String], blocks: &mut Blocks, wa
             drawing.visual(written, &frames[*link], visual);
         }
     }
-    for (why, (count, place)) in drawing.missing {
-        let meshes =
-            if count == 1 { "this mesh is".to_owned() } else { format!("this mesh and {} others are", count - 1) };
-        warnings.add(&place, format!("{meshes} not drawn: {why}"));
+    for (why, (count, place)) in drawing.left_out {
+        let forms = if count == 1 { "this is".to_owned() } else { format!("this and {} others are", count - 1) };
+        warnings.add(&place, format!("{forms} not drawn: {why}"));
     }
 }
 
@@ -50,8 +49,8 @@ struct Drawing<'b> {
     points: usize,
     /// Of the outline of a mesh.
     corners: usize,
-    /// Why meshes are not drawn: how many, and where the first is.
-    missing: IndexMap<String, (usize, Place)>,
+    /// Why forms are not drawn: how many, and where the first is.
+    left_out: IndexMap<String, (usize, Place)>,
 }
 
 impl Drawing<'_> {
@@ -61,7 +60,8 @@ impl Drawing<'_> {
 
     fn visual(&mut self, written: &Written, frame: &str, visual: &Visual) {
         if self.points > MOST_POINTS {
-            return;
+            const WHY: &str = "there is room for so many forms, and these links are seen by their lines";
+            return self.is_left_out(WHY.to_owned(), visual);
         }
         let at = |x: Vector3<f64>| visual.origin.vector() + visual.origin.rotation * x;
         match &visual.geometry {
@@ -114,11 +114,15 @@ impl Drawing<'_> {
                 let name = one_line(&name);
                 format!("the folder of package `{name}` is not known; say `--package {name}=FOLDER`")
             }
-            Missing::OtherKind => "they are no STL, the one kind that is read".to_owned(),
-            Missing::Outside => "they are not in the robot's folder or in that of their package".to_owned(),
+            Missing::OtherKind => "of meshes STL alone is read".to_owned(),
+            Missing::Outside => "meshes are read from the robot's folder and from those of packages alone".to_owned(),
             Missing::File(why) => format!("{}: {why}", one_line(file)),
         };
-        let (count, _) = self.missing.entry(why).or_insert_with(|| (0, visual.place.clone()));
+        self.is_left_out(why, visual);
+    }
+
+    fn is_left_out(&mut self, why: String, visual: &Visual) {
+        let (count, _) = self.left_out.entry(why).or_insert_with(|| (0, visual.place.clone()));
         *count += 1;
     }
 
