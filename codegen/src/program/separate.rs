@@ -37,27 +37,45 @@ fn term(planner: &Planner, kernel: KernelId, wanted: Wanted) -> Kernel {
 /// The terms of the equations of motion.
 fn terms(planner: &Planner) -> [Kernel; 3] {
     [
-        mass_matrix(planner),
-        term(planner, KernelId::ConvectiveForces, reduced::convective_forces),
-        term(planner, KernelId::GeneralizedForces, reduced::generalized_forces),
+        along_links(planner, KernelId::MassMatrix, mass_matrix, reduced::mass_matrix),
+        along_links(planner, KernelId::ConvectiveForces, convective_forces, reduced::convective_forces),
+        along_links(planner, KernelId::GeneralizedForces, generalized_forces, reduced::generalized_forces),
     ]
 }
 
-/// The mass matrix, from rows of T or by composite bodies.
-fn mass_matrix(planner: &Planner) -> Kernel {
-    let by_rows = || term(planner, KernelId::MassMatrix, reduced::mass_matrix);
+/// The same by a recursion over links.
+type WantedAlongLinks = fn(&LinkTerms, &EquationsOfMotion, &mut Lowering) -> Results<Value>;
+
+/// By a recursion over links or from rows of T, whichever takes fewer operations.
+fn along_links(planner: &Planner, kernel: KernelId, by_links: WantedAlongLinks, by_rows: Wanted) -> Kernel {
+    let by_rows = || term(planner, kernel, by_rows);
     let Some(links) = &planner.equations.links else { return by_rows() };
-    let n = planner.equations.model.coordinates.len();
-    let by_links = planner.kernel(KernelId::MassMatrix, |lowering| {
-        let entries = LinkTerms::of(lowering, links).mass_matrix(&planner.equations.graph, lowering);
-        let unknowns: Vec<usize> = (0..n).collect();
-        Results::Matrix(n, dense(&mut lowering.values, &unknowns, entries))
+    let by_links = planner.kernel(kernel, |lowering| {
+        let terms = LinkTerms::of(lowering, links);
+        by_links(&terms, planner.equations, lowering)
     });
     if !can_be_by_rows(planner.equations) {
         return by_links;
     }
     let by_rows = by_rows();
     if by_links.operations.total() < by_rows.operations.total() { by_links } else { by_rows }
+}
+
+/// T_q' M T_q by composite bodies.
+fn mass_matrix(terms: &LinkTerms, equations: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
+    let unknowns: Vec<usize> = (0..equations.model.coordinates.len()).collect();
+    let entries = terms.mass_matrix(&equations.graph, lowering);
+    Results::Matrix(unknowns.len(), dense(&mut lowering.values, &unknowns, entries))
+}
+
+/// T_q' M g by Newton's and Euler's equations.
+fn convective_forces(terms: &LinkTerms, _: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
+    Results::Vector(terms.convective_forces(lowering))
+}
+
+/// T_q' F.
+fn generalized_forces(terms: &LinkTerms, _: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
+    Results::Vector(terms.generalized_forces(lowering))
 }
 
 fn constraints(planner: &Planner) -> [Kernel; 6] {

@@ -5,7 +5,7 @@ use crate::dynamics::{Links, Tmt};
 use crate::program::entries::mass_entries;
 use crate::program::lower::Lowering;
 use crate::program::values::{Input, Operation, Value};
-use crate::symbolic::Graph;
+use crate::symbolic::{Expr, Graph};
 
 /// The equations of motion of a mechanism with links, but its constraints.
 pub(in crate::program) struct LinkTerms<'a> {
@@ -50,16 +50,33 @@ impl<'a> LinkTerms<'a> {
         forces
     }
 
+    /// h, n.
+    pub(in crate::program) fn convective_forces(&self, lowering: &mut Lowering) -> Vec<Value> {
+        let own = self.tree.convective_forces(&mut lowering.values);
+        self.with_rest(lowering, &self.rest.convective_forces, own)
+    }
+
+    /// Q, n.
+    pub(in crate::program) fn generalized_forces(&self, lowering: &mut Lowering) -> Vec<Value> {
+        let weights = self.tree.weights(&mut lowering.values);
+        self.with_rest(lowering, &self.rest.generalized_forces, weights)
+    }
+
     /// Q q': the power of loads and weights, where nothing depends on explicit time.
     pub(in crate::program) fn power(&self, lowering: &mut Lowering) -> Value {
-        let weights = self.tree.weights(&mut lowering.values);
-        let forces = lowering.lower_all(&self.rest.generalized_forces);
-        let powers = forces.into_iter().zip(weights).enumerate().map(|(i, (force, weight))| {
+        let forces = self.generalized_forces(lowering).into_iter().enumerate();
+        let powers = forces.map(|(i, force)| {
             let speed = lowering.values.add(Operation::Input(Input::Speed(i)));
-            let force = lowering.values.sum(vec![(false, force), (false, weight)]);
             (false, lowering.values.product(vec![force, speed]))
         });
         let powers = powers.collect();
         lowering.values.sum(powers)
+    }
+
+    /// Forces of links, and those of what else moves.
+    fn with_rest(&self, lowering: &mut Lowering, rest: &[Expr], of_links: Vec<Value>) -> Vec<Value> {
+        let rest = lowering.lower_all(rest);
+        let both = rest.into_iter().zip(of_links);
+        both.map(|(rest, own)| lowering.values.sum(vec![(false, rest), (false, own)])).collect()
     }
 }
