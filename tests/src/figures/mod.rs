@@ -3,6 +3,7 @@
 //! An area has subjects, each a function that measures its lines one after the other; a line is printed as soon as its
 //! value is known.
 
+mod accuracy;
 mod binary;
 mod builds;
 mod counts;

@@ -1,16 +1,23 @@
 //! What grows with the size of a mechanism: operations, and the time of the derivation.
 
+use super::accuracy::accuracy;
 use super::counts::{derived, operations};
 use super::growth::growth;
 use super::walker::walker_runs;
 use super::{Subject, Table};
 
-pub(super) const SUBJECTS: &[Subject] =
-    &[("robots", robots), ("derivatives", derivatives), ("walker", walker), ("runs", walker_runs), ("growth", growth)];
+pub(super) const SUBJECTS: &[Subject] = &[
+    ("robots", robots),
+    ("derivatives", derivatives),
+    ("walker", walker),
+    ("runs", walker_runs),
+    ("growth", growth),
+    ("accuracy", accuracy),
+];
 
 /// A kernel, and the operations of the recursion that is specialised to the robot (articulated bodies, Newton-Euler and
 /// composite bodies in the bodies' own frames, inertial parameters regrouped), sines aside.
-type Recursion = (&'static str, usize);
+pub(super) type Recursion = (&'static str, usize);
 
 /// What a free base may take besides.
 const FREE: usize = 200;
@@ -20,7 +27,10 @@ const fn in_coordinates(joints: usize) -> usize {
     40 * joints + 250
 }
 
-const ROBOTS: [(&str, &str, &[Recursion]); 5] = [
+pub(super) const LEG: &str = include_str!("../../robots/declared/leg.rs");
+pub(super) const WISHBONE: &str = include_str!("../../robots/declared/wishbone.rs");
+
+pub(super) const ROBOTS: [(&str, &str, &[Recursion]); 5] = [
     (
         "UR5",
         include_str!("../../robots/declared/ur5.rs"),
@@ -77,7 +87,7 @@ fn robots(table: &mut Table) {
 const DIFFERENTIATED: [(&str, &str, usize); 3] = [
     ("Talos' arm", include_str!("../../robots/declared/talosarm.rs"), 19_369),
     ("ANYmal", include_str!("../../robots/declared/anymal.rs"), 165_982),
-    ("double wishbone", include_str!("../../robots/declared/wishbone.rs"), 8000),
+    ("double wishbone", WISHBONE, 8000),
 ];
 
 fn derivatives(table: &mut Table) {
