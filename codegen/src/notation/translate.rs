@@ -3,7 +3,7 @@
 use super::formula::Formula;
 use super::names::Names;
 use crate::symbolic::{Expr, Graph, Node, Number};
-use num_integer::gcd;
+use dashu_base::Gcd;
 
 /// Decimals of more digits than this are better read as fractions.
 const LONGEST_DECIMAL: u32 = 9;
@@ -96,7 +96,7 @@ impl Translation<'_> {
         if let Node::Power { base: radicand, exponent: root } = self.graph.node(base)
             && self.names.of(base).is_none()
             && let Some((1, degree)) = self.graph.as_number(*root).and_then(Number::to_fraction)
-            && gcd(exponent, degree.unsigned_abs()) == 1
+            && exponent.gcd(degree.unsigned_abs()) == 1
         {
             let fraction = Formula::Quotient(
                 Formula::Number(exponent.to_string()).into(),

@@ -5,9 +5,10 @@
 //! value that fits in words never stays large), so equality and hashing are structural. Sums and products that have become very
 //! long are rounded to the nearest `f64`.
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use dashu_base::{BitTest, Gcd, Signed};
+use dashu_int::UBig;
+use dashu_ratio::RBig;
+use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::fmt;
 use std::hash::{Hash, Hasher};
@@ -22,7 +23,7 @@ enum Repr {
     /// Numerator and positive denominator, coprime.
     Small(i64, i64),
     /// Only what does not fit in [`Repr::Small`].
-    Big(Box<BigRational>),
+    Big(Box<RBig>),
 }
 
 impl Hash for Repr {
@@ -30,13 +31,17 @@ impl Hash for Repr {
     fn hash<H: Hasher>(&self, state: &mut H) {
         match self {
             Repr::Small(n, d) => (n, d).hash(state),
-            Repr::Big(value) => (value.numer(), value.denom()).hash(state),
+            Repr::Big(value) => (value.numerator(), value.denominator()).hash(state),
         }
     }
 }
 
 /// Numerator and denominator have together at most so many bits, as three decimals of 16 digits multiplied.
-const MOST_BITS: u64 = 384;
+const MOST_BITS: usize = 384;
+
+fn bits(value: &RBig) -> usize {
+    value.numerator().bit_len() + value.denominator().bit_len()
+}
 
 impl Number {
     /// 0.
@@ -60,37 +65,34 @@ impl Number {
             && n != i64::MIN
             && d > 0
         {
-            let divisor = num_integer::gcd(n, d);
+            let divisor = n.unsigned_abs().gcd(d.unsigned_abs()) as i64;
             return Number(Repr::Small(n / divisor, d / divisor));
         }
-        let divisor = num_integer::gcd(numerator, denominator) * denominator.signum();
-        let (n, d) = (numerator / divisor, denominator / divisor);
-        match (i64::try_from(n), i64::try_from(d)) {
-            (Ok(n), Ok(d)) => Number(Repr::Small(n, d)),
-            _ => Number(Repr::Big(Box::new(BigRational::new_raw(n.into(), d.into())))),
-        }
+        Number::from_big(RBig::from_parts_signed(numerator.into(), denominator.into()))
     }
 
-    fn from_big(value: BigRational) -> Number {
-        match (value.numer().to_i64(), value.denom().to_i64()) {
-            (Some(n), Some(d)) => Number(Repr::Small(n, d)),
+    fn from_big(value: RBig) -> Number {
+        match (i64::try_from(value.numerator()), i64::try_from(value.denominator())) {
+            (Ok(n), Ok(d)) => Number(Repr::Small(n, d)),
             _ => Number(Repr::Big(Box::new(value))),
         }
     }
 
     /// A sum or a product. One that has become very long is the nearest `f64`, as generated code would have it: along chains of
     /// rotations given by decimals, numbers would otherwise grow with each.
-    fn shortened(value: BigRational) -> Number {
-        let is_long = value.numer().bits() + value.denom().bits() > MOST_BITS;
-        let nearest =
-            if is_long { value.to_f64().filter(|x| x.is_normal()).and_then(BigRational::from_float) } else { None };
-        Number::from_big(nearest.unwrap_or(value))
+    fn shortened(value: RBig) -> Number {
+        if bits(&value) <= MOST_BITS {
+            return Number::from_big(value);
+        }
+        let nearest = Some(value.to_f64().value()).filter(|x| x.is_normal());
+        Number::from_big(nearest.and_then(|x| RBig::try_from(x).ok()).unwrap_or(value))
     }
 
-    fn to_big(&self) -> BigRational {
+    fn to_big(&self) -> Cow<'_, RBig> {
         match &self.0 {
-            Repr::Small(n, d) => BigRational::new_raw((*n).into(), (*d).into()),
-            Repr::Big(value) => (**value).clone(),
+            Repr::Small(n, 1) => Cow::Owned((*n).into()),
+            Repr::Small(n, d) => Cow::Owned(RBig::from_parts_signed((*n).into(), (*d).into())),
+            Repr::Big(value) => Cow::Borrowed(value),
         }
     }
 
@@ -112,11 +114,11 @@ impl Number {
         if digits.len() > 400 || exponent.unsigned_abs() > 700 {
             return None;
         }
-        let digits = BigInt::parse_bytes(digits.as_bytes(), 10)?;
-        let power = BigInt::from(10).pow(exponent.unsigned_abs());
+        let digits = UBig::from_str_radix(&digits, 10).ok()?;
+        let power = UBig::from(10u8).pow(exponent.unsigned_abs() as usize);
         let value = match exponent >= 0 {
-            true => BigRational::from(digits * power),
-            false => BigRational::new(digits, power),
+            true => RBig::from(digits * power),
+            false => RBig::from_parts(digits.into(), power),
         };
         let number = Number::from_big(value);
         let in_range = number.to_f64().is_finite() && (number.to_f64() != 0.0 || number.is_zero());
@@ -127,7 +129,7 @@ impl Number {
     pub fn to_f64(&self) -> f64 {
         match &self.0 {
             Repr::Small(n, d) if n.unsigned_abs() <= 1 << 53 && *d <= 1 << 53 => *n as f64 / *d as f64,
-            _ => self.to_big().to_f64().unwrap_or(f64::NAN),
+            _ => self.to_big().to_f64().value(),
         }
     }
 
@@ -135,7 +137,7 @@ impl Number {
     pub fn is_integer(&self) -> bool {
         match &self.0 {
             Repr::Small(_, d) => *d == 1,
-            Repr::Big(value) => value.is_integer(),
+            Repr::Big(value) => value.is_int(),
         }
     }
 
@@ -183,7 +185,10 @@ impl Number {
         match &self.0 {
             Repr::Small(0, _) => None,
             Repr::Small(n, d) => Some(Number::reduced((*d).into(), (*n).into())),
-            Repr::Big(value) => Some(Number::from_big(value.recip())),
+            Repr::Big(value) => Some(Number::from_big(RBig::from_parts_signed(
+                value.denominator().clone().into(),
+                value.numerator().clone(),
+            ))),
         }
     }
 
@@ -197,15 +202,16 @@ impl Number {
         {
             return Some(Number(Repr::Small(n, d)));
         }
-        let base = if exponent < 0 { self.recip()?.to_big() } else { self.to_big() };
-        let bits = base.numer().bits() + base.denom().bits();
+        let base = if exponent < 0 { self.recip()? } else { self.clone() };
+        let base = base.to_big();
+        let bits = bits(&base) as u64;
         let exponent = match exponent.unsigned_abs() {
             // Powers of 0, 1 and -1 depend on little of the exponent.
             large if bits <= 2 => large.min(2 + large % 2),
             exponent if bits.saturating_mul(exponent) > 4096 => return None,
             exponent => exponent,
         };
-        Some(Number::from_big(num_traits::pow(base, exponent as usize)))
+        Some(Number::from_big(base.pow(exponent as isize)))
     }
 
     /// The exact root of the given degree of a number that is not negative, if it is rational.
@@ -214,26 +220,27 @@ impl Number {
             return None;
         }
         let big = self.to_big();
-        let (n, d) = (big.numer().nth_root(degree), big.denom().nth_root(degree));
-        let root = BigRational::new(n, d);
-        (num_traits::pow(root.clone(), degree as usize) == big).then(|| Number::from_big(root))
+        let (n, d) = (big.numerator().nth_root(degree as usize), big.denominator().nth_root(degree as usize));
+        let root = RBig::from_parts_signed(n, d.into());
+        (root.pow(degree as isize) == *big).then(|| Number::from_big(root))
     }
 
     /// The largest number `g > 0` such that both are integer multiples of it; the magnitude of the other if
     /// one is 0.
     pub fn gcd(&self, other: &Number) -> Number {
-        use num_integer::Integer;
         if let (Repr::Small(a, 1), Repr::Small(b, 1)) = (&self.0, &other.0)
             && let (Some(a), Some(b)) = (a.checked_abs(), b.checked_abs())
         {
-            return Number(Repr::Small(a.gcd(&b), 1));
+            return Number(Repr::Small(if a == 0 || b == 0 { a.max(b) } else { (a as u64).gcd(b as u64) as i64 }, 1));
         }
+        if self.is_zero() || other.is_zero() {
+            return if self.is_zero() { other.abs() } else { self.abs() };
+        }
+        // In lowest terms: what both numerators have in common has nothing in common with either denominator.
         let (a, b) = (self.to_big(), other.to_big());
-        let numerator = (a.numer() * b.denom()).gcd(&(b.numer() * a.denom()));
-        if numerator.is_zero() {
-            return Number::ZERO;
-        }
-        Number::from_big(BigRational::new(numerator, a.denom() * b.denom()))
+        let divisor = a.numerator().gcd(b.numerator());
+        let multiple = a.denominator() / a.denominator().gcd(b.denominator()) * b.denominator();
+        Number::from_big(RBig::from_parts(divisor.into(), multiple))
     }
 }
 
@@ -256,7 +263,7 @@ impl Add for &Number {
             // |a d|, |c b| < 2^126, so the sum cannot overflow.
             return Number::reduced(a * d + c * b, b * d);
         }
-        Number::shortened(self.to_big() + other.to_big())
+        Number::shortened(&*self.to_big() + &*other.to_big())
     }
 }
 
@@ -271,7 +278,7 @@ impl Mul for &Number {
         if let (Repr::Small(a, b), Repr::Small(c, d)) = (&self.0, &other.0) {
             return Number::reduced(i128::from(*a) * i128::from(*c), i128::from(*b) * i128::from(*d));
         }
-        Number::shortened(self.to_big() * other.to_big())
+        Number::shortened(&*self.to_big() * &*other.to_big())
     }
 }
 
@@ -308,11 +315,7 @@ impl Ord for Number {
 
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let value = self.to_big();
-        match value.denom().is_one() {
-            true => write!(f, "{}", value.numer()),
-            false => write!(f, "{}/{}", value.numer(), value.denom()),
-        }
+        write!(f, "{}", self.to_big())
     }
 }
 
