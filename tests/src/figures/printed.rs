@@ -30,6 +30,29 @@ pub(super) fn tell(table: &mut Table, command: &mut Command, lines: &[Bounded]) 
     }
 }
 
+/// A line for the greatest of each figure that a test prints over many cases. They are taken in parts, each `cases` times `times`
+/// in a process of its own: what is told of a mechanism stays in memory as long as a process does.
+pub(super) fn tell_of_parts(table: &mut Table, test: &str, [parts, times, cases]: [usize; 3], lines: &[Bounded]) {
+    let mut greatest = vec![0.0_f64; lines.len()];
+    for part in 0..parts {
+        let mut command = Command::new("cargo");
+        let seed = part * times * cases;
+        command
+            .args(test.split(' '))
+            .env("LINKWRIGHT_FUZZ", times.to_string())
+            .env("LINKWRIGHT_SEED", seed.to_string());
+        match output(&mut command) {
+            Ok(text) => {
+                for (greatest, (name, _)) in greatest.iter_mut().zip(lines) {
+                    *greatest = greatest.max(figure(&text, name).unwrap_or(f64::INFINITY));
+                }
+            }
+            Err(why) => table.line(&format!("part {part}"), why, "passed", false),
+        }
+    }
+    greatest.into_iter().zip(lines).for_each(|(greatest, (name, bound))| table.at_most(name, greatest, *bound));
+}
+
 /// The number that a text gives a name.
 pub(super) fn figure(text: &str, name: &str) -> Option<f64> {
     let after = |line: &str| line.split_once(&format!("{name}: "))?.1.split(' ').next()?.parse().ok();

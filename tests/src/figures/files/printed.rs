@@ -1,7 +1,7 @@
 //! Figures of files that tests and scripts print.
 
 use crate::figures::Table;
-use crate::figures::printed::{figure, output, passes, tell};
+use crate::figures::printed::{passes, tell, tell_of_parts};
 use std::process::Command;
 use std::time::Instant;
 
@@ -18,28 +18,11 @@ pub(super) fn watch(table: &mut Table) {
     passes(table, "hostile requests get 403, 404 or a closed connection", attacked);
 }
 
-/// Parts of the 100,000, each a process of its own: what is told of a mechanism stays in memory as long as a process does.
-const PARTS: usize = 20;
-
 pub(super) fn mangled(table: &mut Table) {
     table.heading("100,000 mangled files");
     let clock = Instant::now();
-    let mangled = "test --release --quiet -p tests --test interpreted -- --nocapture mangled";
-    let lines = [("the slowest file, in s", 1.0), ("the most memory, in MB", 500.0)];
-    let mut greatest = [0.0_f64; 2];
-    for part in 0..PARTS {
-        let mut command = Command::new("cargo");
-        command.args(mangled.split(' ')).env("LINKWRIGHT_FUZZ", "10").env("LINKWRIGHT_SEED", (5000 * part).to_string());
-        match output(&mut command) {
-            Ok(text) => {
-                for (greatest, (name, _)) in greatest.iter_mut().zip(lines) {
-                    *greatest = greatest.max(figure(&text, name).unwrap_or(f64::INFINITY));
-                }
-            }
-            Err(why) => table.line(&format!("part {part}"), why, "passed", false),
-        }
-    }
-    greatest.into_iter().zip(lines).for_each(|(greatest, (name, bound))| table.at_most(name, greatest, bound));
+    let test = "test --release --quiet -p tests --test interpreted -- --nocapture mangled";
+    tell_of_parts(table, test, [20, 10, 500], &[("the slowest file, in s", 1.0), ("the most memory, in MB", 500.0)]);
     table.at_most("minutes", clock.elapsed().as_secs_f64() / 60.0, 20.0);
 }
 
