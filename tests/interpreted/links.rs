@@ -1,6 +1,9 @@
-//! Recursions over links, which write `dynamics`, `inverse_dynamics` and `mass_matrix` of these mechanisms, against kernels that
-//! come from rows of T: kinetic energy, convective and generalised forces, power. They share the resolved model alone.
+//! Recursions over links, which write `dynamics`, `inverse_dynamics`, `mass_matrix` and the terms of the equations of motion for
+//! these mechanisms, against what comes from rows of T: kinetic energy, convective and generalised forces, power. They share the
+//! resolved model alone.
 
+use crate::rows;
+use codegen::dynamics::EquationsOfMotion;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use sim::{At, DeclarationFile, Kernel, Model};
 use std::path::Path;
@@ -177,6 +180,9 @@ pub(crate) fn scaled(text: &str, length: f64, mass: f64) -> Arc<dyn Model> {
 /// Of mass matrices: 100 bodies of one size would be worse.
 pub(crate) const CONDITION: f64 = 1e3;
 
+/// Rows of T are components in the world: what adds up to a force along a coordinate may be some times as large as that.
+const IN_THE_WORLD: f64 = 10.0;
+
 /// The magnitudes that meet add up to `size`. Some hundred roundings, of what is at most a few times as large.
 pub(crate) fn assert_close(what: &str, found: f64, expected: f64, size: f64) {
     assert!((found - expected).abs() <= 1e-13 * size, "{what}: {found:e} is not {expected:e} beside {size:e}");
@@ -184,7 +190,7 @@ pub(crate) fn assert_close(what: &str, found: f64, expected: f64, size: f64) {
 
 /// At random states of the mechanism in several sizes. The coordinates in `lengths` are lengths.
 fn agrees(text: &str, lengths: &[usize]) {
-    let random = &mut Random(7);
+    let (random, equations) = (&mut Random(7), &rows::equations(text));
     for (length, mass) in [(1.0, 1.0), (1e-3, 1e-3), (100.0, 1e3)] {
         let model = scaled(text, length, mass);
         let [start, _] = model.initial();
@@ -197,8 +203,8 @@ fn agrees(text: &str, lengths: &[usize]) {
             let q: Vec<f64> = start.iter().zip(&off).map(|(start, off)| start + off).collect();
             let at = At { time: 0.4, positions: &q, speeds: &qd, accelerations: &a, multipliers: &multipliers };
             mass_matrix_is_that_of_the_kinetic_energy(&*model, at, &size);
-            inverse_dynamics_are_those_terms(&*model, at, lengths);
-            dynamics_solve_them(&*model, at, lengths);
+            inverse_dynamics_are_those_terms(&*model, equations, at, lengths);
+            dynamics_solve_them(&*model, equations, at, lengths);
         }
     }
 }
@@ -270,20 +276,24 @@ fn speed_mass_matrix_is_that_of_the_kinetic_energy(
     }
 }
 
-/// M q'' + h - Q by its terms.
-fn inverse_dynamics_are_those_terms(model: &dyn Model, at: At<f64>, lengths: &[usize]) {
+/// M q'' + h - Q, and the kernels h and Q, by their terms.
+fn inverse_dynamics_are_those_terms(model: &dyn Model, equations: &EquationsOfMotion, at: At<f64>, lengths: &[usize]) {
     let mass = called(model, Kernel::MassMatrix, at);
-    let (needed, rows) = (vector(model, Kernel::InverseDynamics, at), terms(model, at, &mass, at.accelerations));
+    let needed = vector(model, Kernel::InverseDynamics, at);
+    let (terms, rows) = (rows::forces(equations, model, at), terms(model, equations, at, &mass, at.accelerations));
+    let own = [Kernel::ConvectiveForces, Kernel::GeneralizedForces].map(|kernel| vector(model, kernel, at));
     for (i, force) in needed.into_iter().enumerate() {
-        assert_close(&format!("force {i}"), force, rows[i].iter().sum(), magnitude(&rows, i, lengths));
+        let size = IN_THE_WORLD * magnitude(&rows, i, lengths);
+        assert_close(&format!("force {i}"), force, rows[i].iter().sum(), size);
+        (0..2).for_each(|k| assert_close(&format!("term {k} of force {i}"), own[k][i], terms[k][i], size));
     }
 }
 
 /// M q'' + h - Q + C_q' lambda = 0 for the accelerations and multipliers found, and their power.
-fn dynamics_solve_them(model: &dyn Model, at: At<f64>, lengths: &[usize]) {
+fn dynamics_solve_them(model: &dyn Model, equations: &EquationsOfMotion, at: At<f64>, lengths: &[usize]) {
     let [accelerations, multipliers, power]: &[Vec<f64>; 3] = &called(model, Kernel::Dynamics, at).try_into().unwrap();
     let (mass, jacobian) = (called(model, Kernel::MassMatrix, at), called(model, Kernel::ConstraintJacobian, at));
-    let mut rows = terms(model, at, &mass, accelerations);
+    let mut rows = terms(model, equations, at, &mass, accelerations);
     for (i, terms) in rows.iter_mut().enumerate() {
         terms.extend(jacobian.iter().zip(multipliers).map(|(row, multiplier)| row[i] * multiplier));
     }
@@ -292,17 +302,22 @@ fn dynamics_solve_them(model: &dyn Model, at: At<f64>, lengths: &[usize]) {
         assert_close(&format!("equation {i}"), terms.iter().sum(), 0.0, size);
     }
     let found = At { accelerations, multipliers, ..at };
-    let given = vector(model, Kernel::GeneralizedForces, at);
+    let [_, given] = rows::forces(equations, model, at);
     let powers: Vec<f64> = given.iter().zip(at.speeds).map(|(force, speed)| force * speed).collect();
     let expected = vector(model, Kernel::Power, found)[0];
-    let size = powers.iter().map(|power| power.abs()).sum::<f64>() + expected.abs();
+    let size = IN_THE_WORLD * (powers.iter().map(|power| power.abs()).sum::<f64>() + expected.abs());
     assert_close("power", power[0], expected, size);
 }
 
 /// The terms of M q'' + h - Q in each row.
-fn terms(model: &dyn Model, at: At<f64>, mass: &[Vec<f64>], accelerations: &[f64]) -> Vec<Vec<f64>> {
-    let [convective, given] =
-        [Kernel::ConvectiveForces, Kernel::GeneralizedForces].map(|kernel| vector(model, kernel, at));
+fn terms(
+    model: &dyn Model,
+    equations: &EquationsOfMotion,
+    at: At<f64>,
+    mass: &[Vec<f64>],
+    accelerations: &[f64],
+) -> Vec<Vec<f64>> {
+    let [convective, given] = rows::forces(equations, model, at);
     let row = |i: usize| {
         let inertial = mass[i].iter().zip(accelerations).map(|(entry, acceleration)| entry * acceleration);
         inertial.chain([convective[i], -given[i]]).collect()

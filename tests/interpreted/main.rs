@@ -12,6 +12,7 @@ mod mangled;
 mod many_rows;
 mod parts;
 mod robots;
+mod rows;
 
 use sim::{At, DeclarationFile, Kernel};
 use std::path::Path;
