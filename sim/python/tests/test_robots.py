@@ -14,7 +14,7 @@ ARM = Path(__file__).resolve().parents[2] / "examples" / "robots" / "arm.urdf"
 def test_a_robots_file_is_loaded_as_it_is():
     arm = linkwright.load(ARM)
     q, qd = arm.initial()
-    assert arm.coordinates[0] == "waist" and q.shape == (6,)
+    assert arm.coordinate_names[0] == "waist" and q.shape == (6,)
     torques = arm.inverse_dynamics(0.0, q, qd, np.zeros(6))
     # The axis of the waist is upright; the shoulder bears weight, but for the arm's stretched start it is small.
     assert torques[0] == pytest.approx(0, abs=1e-12)

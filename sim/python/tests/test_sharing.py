@@ -64,7 +64,9 @@ def test_threads_and_processes_agree(quick_return):
     ],
 )
 def test_ctrl_c_ends_work(work):
-    program = f"import linkwright\nCHAIN = {CHAIN!r}\nm = linkwright.load('quick-return')\nprint('begins', flush=True)\n{work}\nprint('over')"
+    # What starts the tests may have told them to ignore signals.
+    heard = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)"
+    program = f"{heard}\nimport linkwright\nCHAIN = {CHAIN!r}\nm = linkwright.load('quick-return')\nprint('begins', flush=True)\n{work}\nprint('over')"
     process = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert process.stdout.readline() == "begins\n"
     time.sleep(0.5)
