@@ -11,29 +11,18 @@ use dashu_ratio::RBig;
 use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::fmt;
-use std::hash::{Hash, Hasher};
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// An exact rational number in lowest terms.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Number(Repr);
 
-#[derive(Clone, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq, Hash)]
 enum Repr {
     /// Numerator and positive denominator, coprime.
     Small(i64, i64),
     /// Only what does not fit in [`Repr::Small`].
     Big(Box<RBig>),
-}
-
-impl Hash for Repr {
-    /// Of numerator and denominator as they are, in lowest terms. The hash of a ratio divides them like Euclid.
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        match self {
-            Repr::Small(n, d) => (n, d).hash(state),
-            Repr::Big(value) => (value.numerator(), value.denominator()).hash(state),
-        }
-    }
 }
 
 /// Numerator and denominator have together at most so many bits, as three decimals of 16 digits multiplied.
@@ -228,13 +217,13 @@ impl Number {
     /// The largest number `g > 0` such that both are integer multiples of it; the magnitude of the other if
     /// one is 0.
     pub fn gcd(&self, other: &Number) -> Number {
-        if let (Repr::Small(a, 1), Repr::Small(b, 1)) = (&self.0, &other.0)
-            && let (Some(a), Some(b)) = (a.checked_abs(), b.checked_abs())
-        {
-            return Number(Repr::Small(if a == 0 || b == 0 { a.max(b) } else { (a as u64).gcd(b as u64) as i64 }, 1));
-        }
         if self.is_zero() || other.is_zero() {
             return if self.is_zero() { other.abs() } else { self.abs() };
+        }
+        if let (Repr::Small(a, 1), Repr::Small(b, 1)) = (&self.0, &other.0)
+            && let Ok(divisor) = i64::try_from(a.unsigned_abs().gcd(b.unsigned_abs()))
+        {
+            return Number(Repr::Small(divisor, 1));
         }
         // In lowest terms: what both numerators have in common has nothing in common with either denominator.
         let (a, b) = (self.to_big(), other.to_big());
