@@ -162,7 +162,7 @@ fn solve(mut rows: Vec<Vec<f256>>) -> Option<Vec<f256>> {
         for row in below {
             let factor = row[k] / pivot[k];
             if !factor.eq_zero() {
-                (k..=count).for_each(|j| row[j] = row[j] - factor * pivot[j]);
+                (k..=count).for_each(|j| row[j] -= factor * pivot[j]);
             }
         }
     }
