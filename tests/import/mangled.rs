@@ -87,10 +87,13 @@ fn mangled_robots_are_refused_or_read() {
     let (mut accepted, mut slowest, mut longest) = (0, Duration::ZERO, (0.0f64, 0));
     for seed in seeds {
         let text = mangled(texts[seed % texts.len()], &SEPARATORS, WORDS, &mut Random(seed as u64));
-        let (time, is_accepted) = time_of(&text);
+        let (mut time, is_accepted) = time_of(&text);
         accepted += usize::from(is_accepted);
         slowest = slowest.max(time);
         if is_accepted {
+            // As often as the originals were, if it took longer.
+            let again = if time > originals[seed % texts.len()] { 2 } else { 0 };
+            (0..again).for_each(|_| time = time.min(time_of(&text).0));
             let beside = time.as_secs_f64() / originals[seed % texts.len()].as_secs_f64();
             longest = if beside > longest.0 { (beside, seed) } else { longest };
         }
