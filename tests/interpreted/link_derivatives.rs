@@ -1,6 +1,7 @@
 //! Derivatives along trees of links against dual numbers.
 
-use crate::links::{ARM, BRANCHES, CONDITION, DRIVEN, FREE, LIMB, assert_close, called, scaled, vector};
+use crate::links::{CONDITION, assert_close, called, vector};
+use crate::trees::{ARM, BRANCHES, DRIVEN, FREE, LIMB, scaled};
 use sim::{At, Kernel};
 use tests::Random;
 

@@ -2,8 +2,8 @@
 //! dual numbers.
 
 use crate::link_derivatives::derivatives_are_those_of_dynamics;
-use crate::links::scaled;
 use crate::parts::solves;
+use crate::trees::scaled;
 use sim::At;
 use tests::Random;
 

@@ -13,6 +13,7 @@ mod many_rows;
 mod parts;
 mod robots;
 mod rows;
+mod trees;
 
 use sim::{At, DeclarationFile, Kernel};
 use std::path::Path;

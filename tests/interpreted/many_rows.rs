@@ -1,6 +1,6 @@
 //! Mechanisms with many constraints, in which a product over all of them is tiny.
 
-use crate::links::scaled;
+use crate::trees::scaled;
 use sim::{Erased, Method, Run, Settings, Stepping, dead_points, declared_start};
 
 /// A crank that a slider on the x-axis is given for, with so many sliders on lines through its centre besides.

@@ -1,6 +1,7 @@
 //! Parts that have a crank in common, whose equations of motion are solved with a crank for each: against the kernels of the terms.
 
-use crate::links::{called, scaled};
+use crate::links::called;
+use crate::trees::scaled;
 use sim::{At, Kernel, Model};
 use tests::Random;
 

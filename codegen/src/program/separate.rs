@@ -36,46 +36,39 @@ fn term(planner: &Planner, kernel: KernelId, wanted: Wanted) -> Kernel {
 
 /// The terms of the equations of motion.
 fn terms(planner: &Planner) -> [Kernel; 3] {
+    let EquationsOfMotion { model, graph, .. } = planner.equations;
+    let unknowns: Vec<usize> = (0..model.coordinates.len()).collect();
+    let by_composite_bodies = |terms: LinkTerms, lowering: &mut Lowering| {
+        let entries = terms.mass_matrix(graph, lowering);
+        Results::Matrix(unknowns.len(), dense(&mut lowering.values, &unknowns, entries))
+    };
+    let convective = |terms: LinkTerms, lowering: &mut Lowering| Results::Vector(terms.convective_forces(lowering));
+    let given = |terms: LinkTerms, lowering: &mut Lowering| Results::Vector(terms.generalized_forces(lowering));
     [
-        along_links(planner, KernelId::MassMatrix, mass_matrix, reduced::mass_matrix),
-        along_links(planner, KernelId::ConvectiveForces, convective_forces, reduced::convective_forces),
-        along_links(planner, KernelId::GeneralizedForces, generalized_forces, reduced::generalized_forces),
+        along_links(planner, KernelId::MassMatrix, by_composite_bodies, reduced::mass_matrix),
+        along_links(planner, KernelId::ConvectiveForces, convective, reduced::convective_forces),
+        along_links(planner, KernelId::GeneralizedForces, given, reduced::generalized_forces),
     ]
 }
 
-/// The same by a recursion over links.
-type WantedAlongLinks = fn(&LinkTerms, &EquationsOfMotion, &mut Lowering) -> Results<Value>;
-
 /// By a recursion over links or from rows of T, whichever takes fewer operations.
-fn along_links(planner: &Planner, kernel: KernelId, by_links: WantedAlongLinks, by_rows: Wanted) -> Kernel {
+fn along_links(
+    planner: &Planner,
+    kernel: KernelId,
+    by_links: impl Fn(LinkTerms, &mut Lowering) -> Results<Value>,
+    by_rows: Wanted,
+) -> Kernel {
     let by_rows = || term(planner, kernel, by_rows);
     let Some(links) = &planner.equations.links else { return by_rows() };
     let by_links = planner.kernel(kernel, |lowering| {
         let terms = LinkTerms::of(lowering, links);
-        by_links(&terms, planner.equations, lowering)
+        by_links(terms, lowering)
     });
     if !can_be_by_rows(planner.equations) {
         return by_links;
     }
     let by_rows = by_rows();
     if by_links.operations.total() < by_rows.operations.total() { by_links } else { by_rows }
-}
-
-/// T_q' M T_q by composite bodies.
-fn mass_matrix(terms: &LinkTerms, equations: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
-    let unknowns: Vec<usize> = (0..equations.model.coordinates.len()).collect();
-    let entries = terms.mass_matrix(&equations.graph, lowering);
-    Results::Matrix(unknowns.len(), dense(&mut lowering.values, &unknowns, entries))
-}
-
-/// T_q' M g by Newton's and Euler's equations.
-fn convective_forces(terms: &LinkTerms, _: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
-    Results::Vector(terms.convective_forces(lowering))
-}
-
-/// T_q' F.
-fn generalized_forces(terms: &LinkTerms, _: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
-    Results::Vector(terms.generalized_forces(lowering))
 }
 
 fn constraints(planner: &Planner) -> [Kernel; 6] {

@@ -47,7 +47,10 @@ pub(super) fn tell_of_parts(table: &mut Table, test: &str, [parts, times, cases]
                     *greatest = greatest.max(figure(&text, name).unwrap_or(f64::INFINITY));
                 }
             }
-            Err(why) => table.line(&format!("part {part}"), why, "passed", false),
+            Err(why) => {
+                table.line(&format!("part {part}"), why, "passed", false);
+                greatest.fill(f64::INFINITY);
+            }
         }
     }
     greatest.into_iter().zip(lines).for_each(|(greatest, (name, bound))| table.at_most(name, greatest, *bound));

@@ -29,18 +29,6 @@ impl LinkTree {
     /// M q'' + h - Q of the links and their weights; without accelerations h - Q.
     pub(super) fn forces(&self, values: &mut Values, accelerations: Option<&[Value]>) -> Vec<Value> {
         let motions = self.motions(values, accelerations);
-        self.forces_for(values, &motions)
-    }
-
-    /// h of the links.
-    pub(super) fn convective_forces(&self, values: &mut Values) -> Vec<Value> {
-        let at_rest = zero(values);
-        let motions = self.motions_from(values, |_, _| at_rest, None);
-        self.forces_for(values, &motions)
-    }
-
-    /// What these motions take along the coordinates.
-    fn forces_for(&self, values: &mut Values, motions: &[Motion]) -> Vec<Value> {
         let mut wrenches: Vec<[Vec<Triple>; 2]> = self.links.iter().map(|_| [vec![], vec![]]).collect();
         let mut forces: Vec<Vec<Value>> = vec![vec![]; self.coordinates];
         for (at, link) in self.links.iter().enumerate().rev() {
@@ -66,21 +54,15 @@ impl LinkTree {
 
     /// The motion of each link; without accelerations where q'' = 0.
     pub(super) fn motions(&self, values: &mut Values, accelerations: Option<&[Value]>) -> Vec<Motion> {
-        let against_gravity = |values: &mut Values, link: &LinkValues| link.gravity.map(|g| values.negate(g));
-        self.motions_from(values, against_gravity, accelerations)
-    }
-
-    /// The same, where what is at rest has such a proper acceleration in a frame.
-    fn motions_from(
-        &self,
-        values: &mut Values,
-        at_rest: impl Fn(&mut Values, &LinkValues) -> Triple,
-        accelerations: Option<&[Value]>,
-    ) -> Vec<Motion> {
         let none = zero(values);
         let mut motions: Vec<Motion> = Vec::with_capacity(self.links.len());
         for link in &self.links {
-            let world = Motion { spin: none, turning: [none; 3], proper: at_rest(values, link), spin_rate: none };
+            let world = Motion {
+                spin: none,
+                turning: [none; 3],
+                proper: link.gravity.map(|g| values.negate(g)),
+                spin_rate: none,
+            };
             let before = link.before.map_or(&world, |before| &motions[before]);
             motions.push(link.motion(values, before, accelerations));
         }

@@ -1,6 +1,7 @@
 //! The terms of the equations of motion by recursions over links, and what else moves by its rows of T.
 
 use super::tree::LinkTree;
+use super::triple::zero;
 use crate::dynamics::{Links, Tmt};
 use crate::program::entries::mass_entries;
 use crate::program::lower::Lowering;
@@ -50,9 +51,11 @@ impl<'a> LinkTerms<'a> {
         forces
     }
 
-    /// h, n.
-    pub(in crate::program) fn convective_forces(&self, lowering: &mut Lowering) -> Vec<Value> {
-        let own = self.tree.convective_forces(&mut lowering.values);
+    /// h, n: what the motion takes where nothing has weight and q'' = 0.
+    pub(in crate::program) fn convective_forces(mut self, lowering: &mut Lowering) -> Vec<Value> {
+        let weightless = zero(&mut lowering.values);
+        self.tree.links.iter_mut().for_each(|link| link.gravity = weightless);
+        let own = self.tree.forces(&mut lowering.values, None);
         self.with_rest(lowering, &self.rest.convective_forces, own)
     }
 

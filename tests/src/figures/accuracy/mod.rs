@@ -40,7 +40,8 @@ pub(super) fn accuracy(table: &mut Table) {
             continue;
         };
         let mut what = format!("{name}: operations");
-        if let (Some(now), Some(before)) = (now.errors, before.errors) {
+        if let Some(before) = before.errors {
+            let now = now.errors.unwrap_or([f64::INFINITY; 2]);
             what += &format!("; errors {:.1e}, {:.1e}; before {:.1e}, {:.1e}", now[0], now[1], before[0], before[1]);
             (0..2).for_each(|i| worst[i] = worst[i].max(now[i] / before[i]));
         }
@@ -85,36 +86,38 @@ fn errors(derived: &Derived, text: &str) -> Option<[f64; 2]> {
     Some([*errors.get(errors.len() / 2)?, *errors.get(errors.len() * 99 / 100)?])
 }
 
-/// The error of the kernel, relative to the largest acceleration or multiplier; none where it refuses the state.
+/// The error of the kernel, relative to the largest acceleration or multiplier, infinite where it refuses the state; none where
+/// the equations are singular.
 fn error(exact: &Exact, model: &dyn Model, [q, qd]: &[Vec<f64>; 2]) -> Option<f64> {
+    let expected = exact.motion(&model.values().parameters, [q, qd])?;
     let mut found = Vec::new();
     let at = At { time: 0.0, positions: q, speeds: qd, accelerations: &[], multipliers: &[] };
     let is_refused = model.call(Kernel::Dynamics, at, &mut |row, numbers| {
+        // Accelerations and multipliers; the power follows.
         if row < 2 {
-            found.push(numbers.to_vec());
+            found.extend_from_slice(numbers);
         }
     });
-    let expected = exact.motion(&model.values().parameters, [q, qd]).filter(|_| !is_refused)?;
-    let (accelerations, multipliers) = expected.split_at(q.len());
+    if is_refused {
+        return Some(f64::INFINITY);
+    }
+    let both: Vec<(f64, f256)> = found.into_iter().zip(expected).collect();
+    let (accelerations, multipliers) = both.split_at(q.len());
     // Those of quaternions' norms are zero, but for rounding.
     let norms = model.description().norm_constraints;
-    let forces: Vec<(f64, f256)> = found[1..]
-        .concat()
-        .into_iter()
-        .zip(multipliers.iter().copied())
-        .enumerate()
-        .filter(|(i, _)| !norms.contains(i))
-        .map(|(_, both)| both)
-        .collect();
-    let accelerations: Vec<(f64, f256)> = found[0].iter().copied().zip(accelerations.iter().copied()).collect();
-    Some(relative(&accelerations).max(relative(&forces)))
+    let forces = multipliers.iter().enumerate().filter(|(i, _)| !norms.contains(i)).map(|(_, force)| *force);
+    Some(relative(accelerations).max(relative(&forces.collect::<Vec<_>>())))
 }
 
-/// The largest difference beside the largest number.
+/// The largest difference beside the largest number; infinite if one is no number.
 fn relative(found: &[(f64, f256)]) -> f64 {
     let worst = found.iter().map(|(a, b)| number(&(f256::from(*a) - *b).abs())).fold(0.0, f64::max);
     let largest = found.iter().map(|(_, b)| number(&b.abs())).fold(0.0, f64::max);
-    if worst == 0.0 { 0.0 } else { worst / largest }
+    match worst {
+        _ if found.iter().any(|(a, _)| !a.is_finite()) => f64::INFINITY,
+        0.0 => 0.0,
+        worst => worst / largest,
+    }
 }
 
 /// The nearest number of double precision.
