@@ -10,6 +10,10 @@ use tests::{Random, peak_memory};
 /// `LINKWRIGHT_FUZZ` and `LINKWRIGHT_SEED` choose others.
 const CASES: usize = 300;
 
+/// A robot that takes this many times as long as its original is timed again, so often.
+const PLAINLY: f64 = 1.2;
+const TIMES: usize = 7;
+
 /// Words end with these.
 const SEPARATORS: [char; 4] = [' ', '\n', '"', '>'];
 
@@ -78,6 +82,18 @@ fn time_of(text: &str) -> (Duration, bool) {
     (clock.elapsed(), is_accepted)
 }
 
+/// How many times as long as its original a robot takes, which took this long before. One that seems to take plainly longer is
+/// timed again, by turns with its original, as both take longer while the computer does other work.
+fn beside(original: &str, text: &str, [before, time]: [Duration; 2]) -> f64 {
+    let ratio = |time: Duration, before: Duration| time.as_secs_f64() / before.as_secs_f64();
+    if ratio(time, before) < PLAINLY {
+        return ratio(time, before);
+    }
+    let by_turns = (0..TIMES).map(|_| [original, text].map(|text| time_of(text).0));
+    let [before, time] = by_turns.fold([Duration::MAX; 2], |[a, b], [c, d]| [a.min(c), b.min(d)]);
+    ratio(time, before)
+}
+
 #[test]
 fn mangled_robots_are_refused_or_read() {
     let texts = [ARM, QUADRUPED, KINDS];
@@ -87,14 +103,11 @@ fn mangled_robots_are_refused_or_read() {
     let (mut accepted, mut slowest, mut longest) = (0, Duration::ZERO, (0.0f64, 0));
     for seed in seeds {
         let text = mangled(texts[seed % texts.len()], &SEPARATORS, WORDS, &mut Random(seed as u64));
-        let (mut time, is_accepted) = time_of(&text);
+        let (time, is_accepted) = time_of(&text);
         accepted += usize::from(is_accepted);
         slowest = slowest.max(time);
         if is_accepted {
-            // As often as the originals were, if it took longer.
-            let again = if time > originals[seed % texts.len()] { 2 } else { 0 };
-            (0..again).for_each(|_| time = time.min(time_of(&text).0));
-            let beside = time.as_secs_f64() / originals[seed % texts.len()].as_secs_f64();
+            let beside = beside(texts[seed % texts.len()], &text, [originals[seed % texts.len()], time]);
             longest = if beside > longest.0 { (beside, seed) } else { longest };
         }
     }
