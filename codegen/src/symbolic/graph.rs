@@ -4,7 +4,7 @@ use super::facts::Facts;
 use super::symbols::Symbols;
 use super::{Constant, Expr, Node, Number, Symbol, Table};
 use indexmap::IndexSet;
-use rustc_hash::FxBuildHasher;
+use rustc_hash::{FxBuildHasher, FxHashMap};
 
 /// The owner of expressions.
 #[derive(Clone, Default)]
@@ -15,6 +15,8 @@ pub struct Graph {
     occurring: Vec<Symbols>,
     symbols: Vec<String>,
     pub(super) tables: Vec<Table>,
+    /// Sums that have been a factor, each as a number times a sum.
+    pub(super) contents: FxHashMap<Expr, (Number, Expr)>,
 }
 
 impl Graph {

@@ -28,6 +28,16 @@ enum Repr {
 /// Numerator and denominator have together at most so many bits, as three decimals of 16 digits multiplied.
 const MOST_BITS: usize = 384;
 
+/// The quotient of two words, neither of them zero, rounded once.
+fn nearest_quotient(n: u64, d: u64) -> f64 {
+    // At least 64 bits of the quotient, the last of which stands for all behind it.
+    let shift = 64 + n.leading_zeros();
+    let (shifted, d) = (u128::from(n) << shift, u128::from(d));
+    let quotient = shifted / d | u128::from(shifted % d != 0);
+    // Divided by a power of two, which is exact.
+    quotient as f64 / (1u128 << shift) as f64
+}
+
 fn bits(value: &RBig) -> usize {
     value.numerator().bit_len() + value.denominator().bit_len()
 }
@@ -118,7 +128,8 @@ impl Number {
     pub fn to_f64(&self) -> f64 {
         match &self.0 {
             Repr::Small(n, d) if n.unsigned_abs() <= 1 << 53 && *d <= 1 << 53 => *n as f64 / *d as f64,
-            _ => self.to_big().to_f64().value(),
+            Repr::Small(n, d) => nearest_quotient(n.unsigned_abs(), d.unsigned_abs()).copysign(*n as f64),
+            Repr::Big(value) => value.to_f64().value(),
         }
     }
 
@@ -220,10 +231,11 @@ impl Number {
         if self.is_zero() || other.is_zero() {
             return if self.is_zero() { other.abs() } else { self.abs() };
         }
-        if let (Repr::Small(a, 1), Repr::Small(b, 1)) = (&self.0, &other.0)
-            && let Ok(divisor) = i64::try_from(a.unsigned_abs().gcd(b.unsigned_abs()))
+        if let (Repr::Small(a, b), Repr::Small(c, d)) = (&self.0, &other.0)
+            && let Ok(divisor) = i64::try_from(a.unsigned_abs().gcd(c.unsigned_abs()))
+            && let Some(multiple) = (b / b.unsigned_abs().gcd(d.unsigned_abs()) as i64).checked_mul(*d)
         {
-            return Number(Repr::Small(divisor, 1));
+            return Number(Repr::Small(divisor, multiple));
         }
         // In lowest terms: what both numerators have in common has nothing in common with either denominator.
         let (a, b) = (self.to_big(), other.to_big());
@@ -341,6 +353,20 @@ mod tests {
         assert_eq!(&larger - &Number::ONE, large);
         assert_eq!(&(&large * &large) * &(&large * &large).recip().unwrap(), Number::ONE);
         assert_eq!((&Number::from(i64::MIN) * &Number::MINUS_ONE).to_string(), "9223372036854775808");
+    }
+
+    #[test]
+    fn quotients_of_words_are_rounded_once() {
+        let halfway = (1 << 53) + 1;
+        let quotient = |n: i64, d: i64| Number::fraction(n, d).unwrap().to_f64();
+        let [below, above] = [1u64 << 53, (1 << 53) + 2].map(|x| x as f64);
+        assert_eq!(quotient(halfway, 1), below);
+        assert_eq!(quotient(3 * halfway - 1, 3), below);
+        assert_eq!(quotient(3 * halfway + 1, 3), above);
+        assert_eq!(quotient(-3 * halfway - 1, 3), -above);
+        assert_eq!(quotient(i64::MIN, 3), -2f64.powi(63) / 3.0);
+        // (2^53 + 9) / 2^54 is halfway, and this is greater by a 2^54th of a part of its denominator.
+        assert_eq!(quotient(5_504_399_544_563_945, 11_008_799_089_127_879), (below + 10.0) / 2f64.powi(54));
     }
 
     #[test]

@@ -9,6 +9,21 @@ use super::{Expr, Graph, Node, Number};
 /// The largest integer coefficient used to make the coefficients of a sum integers.
 const LARGEST_INTEGER: f64 = 4e9;
 
+/// The number that [`Graph::split_content`] takes out of a sum.
+fn content(constant: &Number, terms: &[(Expr, Number)]) -> Number {
+    let Some((_, first)) = terms.first() else { return constant.abs() };
+    let (mut divisor, mut largest) = (constant.abs(), constant.to_f64().abs());
+    for (_, coefficient) in terms {
+        divisor = divisor.gcd(coefficient);
+        largest = largest.max(coefficient.to_f64().abs());
+        // The divisor of all is no greater, and the largest of all no smaller.
+        if largest > LARGEST_INTEGER * divisor.to_f64() {
+            return first.clone();
+        }
+    }
+    if first.is_negative() { -&divisor } else { divisor }
+}
+
 impl Graph {
     /// The product of any number of factors; 1 for none.
     pub fn product(&mut self, factors: &[Expr]) -> Expr {
@@ -94,16 +109,19 @@ impl Graph {
     /// A sum as a number times a sum with coprime integer coefficients, the first one positive; where these would be
     /// large, so that powers of the sum could leave the range of `f64`, times a sum whose first coefficient is 1.
     fn split_content(&mut self, sum: Expr) -> (Number, Expr) {
+        if let Some(known) = self.contents.get(&sum) {
+            return known.clone();
+        }
+        let split = self.find_content(sum);
+        self.contents.insert(sum, split.clone());
+        split
+    }
+
+    fn find_content(&mut self, sum: Expr) -> (Number, Expr) {
         let Node::Sum { constant, terms } = self.node(sum) else {
             return (Number::ONE, sum);
         };
-        let mut content = terms.iter().fold(constant.abs(), |gcd, (_, c)| gcd.gcd(c)).abs();
-        let largest = terms.iter().map(|(_, c)| c).chain([constant]).map(|c| c.to_f64().abs()).fold(0.0, f64::max);
-        match terms.first() {
-            Some((_, first)) if largest > LARGEST_INTEGER * content.to_f64() => content = first.clone(),
-            Some((_, first)) if first.is_negative() => content = -&content,
-            _ => {}
-        }
+        let content = content(constant, terms);
         match content.recip() {
             Some(inverse) if !content.is_one() => {
                 let primitive = Node::Sum {
