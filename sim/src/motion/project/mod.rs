@@ -210,22 +210,19 @@ fn correct_positions<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     linear: &mut Linear<S, M, R>,
     factors: &mut R::Factors,
 ) -> Result<S, Failure> {
-    let mut last_change = S::ZERO;
     correct::<S, M, R>(mechanism, measures, (time, q), linear, |linear, q, is_done| {
         let columns = match has_speed_rows(mechanism) {
             false => R::columns(mechanism, &linear.jacobian, measures),
             true => R::columns(mechanism, &R::between_positions(mechanism, &linear.jacobian), measures),
         };
         factorise::<S, M, R>(mechanism, &columns, is_done, factors, time, q)?;
-        let change = least_change::<S, M, R>(mechanism, measures, &columns, factors, linear.values.clone());
-        last_change = S::select(is_done, last_change, measures.size(mechanism, &change));
-        Ok(change)
-    })?;
-    Ok(last_change)
+        Ok(least_change::<S, M, R>(mechanism, measures, &columns, factors, linear.values.clone()))
+    })
 }
 
 /// Subtracts corrections from positions, at which the constraints are linearised, until these are met; leaves them linearised
-/// there. Each lane ends with its own correction: `change` is told which are done.
+/// there. Each lane ends with its own correction: `change` is told which are done. Gives the largest part of the last
+/// correction, relative to those that count as 1.
 #[inline]
 fn correct<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     mechanism: &M,
@@ -233,20 +230,22 @@ fn correct<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     (time, q): (S, &mut M::Q),
     linear: &mut Linear<S, M, R>,
     mut change: impl FnMut(&Linear<S, M, R>, &M::Q, S::Mask) -> Result<M::Q, Failure>,
-) -> Result<(), Failure> {
-    let mut is_done = S::Mask::NONE;
+) -> Result<S, Failure> {
+    let (mut is_done, mut last_change) = (S::Mask::NONE, S::ZERO);
     for _ in 0..MOST_CORRECTIONS {
         if !are_finite(linear.values.as_ref()) {
             return Err(not_finite(mechanism, &linear.values, time, q));
         }
         let correction = change(linear, q, is_done)?;
+        let size = measures.size(mechanism, &correction);
+        last_change = S::select(is_done, last_change, size);
         match is_done.any() {
             false => subtract(q, &correction),
             true => *q = q.like(|j| S::select(is_done, q[j], q[j] - correction[j])),
         }
-        is_done = is_done | is_rounding(mechanism, measures, &linear.values, &correction);
+        is_done = is_done | is_rounding(measures, &linear.values, size);
         if !S::not(is_done).any() {
-            return Ok(());
+            return Ok(last_change);
         }
         match is_done.any() {
             false => *linear = R::linearization(mechanism, time, q),
@@ -254,7 +253,7 @@ fn correct<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
         }
         is_done = is_done | is_met::<S, M, R>(mechanism, measures, time, q, linear);
         if !S::not(is_done).any() {
-            return Ok(());
+            return Ok(last_change);
         }
     }
     let (row, residual) = largest(linear.values.iter()).unwrap_or((0, f64::NAN));
@@ -284,16 +283,11 @@ fn not_finite<S: Scalar, M: Mechanism<S>>(mechanism: &M, values: &M::L, time: S,
     Failure::at(mechanism, What::NotFinite { quantity }, time, q)
 }
 
-/// Where a correction was so small that the constraints linearised before it still hold after it, within rounding:
+/// Where a correction of this size was so small that the constraints linearised before it still hold after it, within rounding:
 /// the residual of C is of second order.
 #[inline]
-fn is_rounding<S: Scalar, M: Mechanism<S>>(
-    mechanism: &M,
-    measures: &Measures<M, S>,
-    values: &M::L,
-    correction: &M::Q,
-) -> S::Mask {
-    is_within(measures, values, 0.1 * TOLERANCE) & measures.size(mechanism, correction).at_most(S::from_f64(ROUNDING))
+fn is_rounding<S: Scalar, M: Mechanism<S>>(measures: &Measures<M, S>, values: &M::L, size: S) -> S::Mask {
+    is_within(measures, values, 0.1 * TOLERANCE) & size.at_most(S::from_f64(ROUNDING))
 }
 
 /// The factors of A A', except where the old ones stay.

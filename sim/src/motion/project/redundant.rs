@@ -52,6 +52,7 @@ pub(super) fn correct_redundant_positions<M: Mechanism>(
         let rank = measures.rank_of_positions();
         reduced_change(mechanism, measures, (&jacobian, rank), &linear.values, time, q).map(|(change, _)| change)
     })
+    .map(|_| ())
 }
 
 /// The smallest change along rows of C_q of this rank that closes the residuals of the constraints or of their rates,
