@@ -3,7 +3,8 @@
 
 use models::Andrews;
 use sim::{Compiled, Run};
-use tests::{decimal, reference, run};
+use tests::any_model::{AnyModel, run};
+use tests::{decimal, reference};
 
 /// The reference's names of q, q', q'' and lambda.
 fn names() -> Vec<String> {
@@ -13,10 +14,10 @@ fn names() -> Vec<String> {
     rates("").chain(rates("_dot")).chain(rates("_ddot")).chain(multipliers).collect()
 }
 
-fn final_values(run: &Run<Andrews>) -> Vec<f64> {
+fn final_values(run: &Run<AnyModel>) -> Vec<f64> {
     let last = run.trajectory.samples.last().unwrap();
     let s = &last.state;
-    [&s.positions[..], &s.speeds, &last.accelerations, &last.multipliers].concat()
+    [s.positions.as_ref(), s.speeds.as_ref(), last.accelerations.as_ref(), last.multipliers.as_ref()].concat()
 }
 
 /// Relative to the value itself: 1e-9 in angles, 1e-8 in rates, 1e-7 in accelerations and multipliers, as the project

@@ -1,7 +1,7 @@
 //! Assembly of the start.
 
 use sim::{What, assemble, declared_start, mechanism};
-use tests::run;
+use tests::any_model::run;
 
 mechanism! {
     /// A four-bar linkage.

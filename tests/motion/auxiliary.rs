@@ -3,7 +3,8 @@
 
 use crate::linkages::{compare, history};
 use sim::{Method, Settings, Table, mechanism};
-use tests::{reference, run, run_with};
+use tests::any_model::{run, run_with};
+use tests::reference;
 
 mechanism! {
     /// The four-bar of the models with an auxiliary displacement in each pin: in O2 of the crank from the ground, in A of the

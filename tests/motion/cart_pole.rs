@@ -3,7 +3,8 @@
 use models::CartPole;
 use sim::{Controller, Input, Method, Sample, Settings, declared_start, run_controlled};
 use std::f64::consts::PI;
-use tests::{Random, run_with};
+use tests::Random;
+use tests::any_model::run_with;
 
 /// x'' and phi'' of (M + m) x'' + m l (cos phi phi'' - sin phi phi'^2) = F and l phi'' + cos phi x'' = g sin phi.
 fn accelerations(c: &CartPole, force: f64, phi: f64, rate: f64) -> [f64; 2] {

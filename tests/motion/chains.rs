@@ -3,7 +3,8 @@
 use models::{FourBars, HangingChain};
 use sim::{Method, Settings, Table};
 use std::f64::consts::PI;
-use tests::{Random, run_with};
+use tests::Random;
+use tests::any_model::run_with;
 
 const RODS: usize = 5;
 

@@ -2,7 +2,7 @@
 
 use models::QuickReturn;
 use sim::{Failure, Method, Settings, Table, What, declared_start, mechanism, run_while};
-use tests::{run, run_with};
+use tests::any_model::{run, run_with};
 
 mechanism! {
     /// A bead on a rod in a groove that ends: y = sqrt(1 - x) leaves its domain at x = 1.

@@ -2,7 +2,7 @@
 
 use models::HalfCar;
 use sim::{Method, Settings};
-use tests::run_with;
+use tests::any_model::run_with;
 
 /// One mode of M X'' + C X' + K X = f with C = 0 beside the damping of the mode itself.
 struct Mode {
@@ -68,7 +68,7 @@ fn a_half_car_over_a_bump_by_modes() {
     let mut worst = 0.0f64;
     for sample in run.trajectory.samples.iter().step_by(100).skip(1) {
         let expected = motion(&car, tau, sample.state.time);
-        for (found, expected) in sample.state.positions.iter().zip(expected) {
+        for (found, expected) in sample.state.positions.as_ref().iter().zip(expected) {
             worst = worst.max((found - expected).abs());
         }
     }

@@ -1,8 +1,9 @@
 //! Linkages declared as bodies and joints, against the references and closed forms.
 
 use crate::linkages::compare;
-use sim::{Compiled, Method, Rows, Run, Settings, Table, mechanism};
-use tests::{reference, run_with};
+use sim::{Mechanism, Method, Rows, Run, Settings, Table, mechanism};
+use tests::any_model::run_with;
+use tests::reference;
 
 mechanism! {
     /// The four-bar of the models: three free rods and four pins, each named "body, then what it is pinned to".
@@ -79,13 +80,13 @@ fn a_slider_crank_of_bodies_and_joints() {
     assert!(largest < 1e-9, "{largest:e}");
 }
 
-fn column<M: Compiled>(run: &Run<M>, name: &str) -> Vec<f64> {
+fn column<M: Mechanism>(run: &Run<M>, name: &str) -> Vec<f64> {
     assert_eq!(run.trajectory.failure, None);
     Table::of(&run.mechanism, &run.trajectory).column(name).unwrap().values.clone()
 }
 
 /// A column is `expected` at each sample, to 1e-10 of the largest: some times the tolerance of the integration.
-fn check<M: Compiled>(run: &Run<M>, name: &str, expected: impl Fn(usize) -> f64) {
+fn check<M: Mechanism>(run: &Run<M>, name: &str, expected: impl Fn(usize) -> f64) {
     let values = column(run, name);
     let largest = values.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
     for (i, value) in values.iter().enumerate() {

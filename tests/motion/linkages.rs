@@ -2,8 +2,9 @@
 
 use models::{DoublePendulum, FourBar, Pendulum, SliderCrank};
 use serde_json::Value;
-use sim::{Compiled, Run, Table};
-use tests::{decimal, reference, run};
+use sim::{Mechanism, Run, Table};
+use tests::any_model::run;
+use tests::{decimal, reference};
 
 /// What the project asks of every reference value, relative to the largest of its column.
 const TOLERANCE: f64 = 1e-9;
@@ -19,7 +20,7 @@ pub(crate) fn history(reference: &Value, quantity: &str) -> Vec<(f64, f64)> {
 }
 
 /// Every column of a run that has a history in the reference agrees with it. A sign turns the reference's direction.
-pub(crate) fn compare<M: Compiled>(run: &Run<M>, reference: &Value, columns: &[(&str, &str, f64)]) {
+pub(crate) fn compare<M: Mechanism>(run: &Run<M>, reference: &Value, columns: &[(&str, &str, f64)]) {
     assert_eq!(run.trajectory.failure, None);
     let table = Table::of(&run.mechanism, &run.trajectory);
     for (name, quantity, sign) in columns {
@@ -28,7 +29,7 @@ pub(crate) fn compare<M: Compiled>(run: &Run<M>, reference: &Value, columns: &[(
         for (time, expected) in history(reference, quantity) {
             let row = table.times().iter().position(|t| (t - time).abs() < 1e-12).unwrap();
             let error = (column.values[row] - sign * expected).abs() / largest;
-            println!("{:<16} {name:<16} t = {time:<4} {error:.1e}", M::DESCRIPTION.name);
+            println!("{:<16} {name:<16} t = {time:<4} {error:.1e}", run.mechanism.description().name);
             assert!(error < TOLERANCE, "{name} at {time}: {} instead of {expected}", column.values[row]);
         }
     }

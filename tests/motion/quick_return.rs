@@ -3,8 +3,9 @@
 
 use models::{QuickReturn, QuickReturnRatio};
 use serde_json::Value;
-use sim::{Compiled, Run, Table};
-use tests::{decimal, reference, run};
+use sim::{Mechanism, Run, Table};
+use tests::any_model::run;
+use tests::{decimal, reference};
 
 const END: f64 = 2.0;
 
@@ -48,7 +49,7 @@ fn column_error(table: &Table, exact: &Value, name: &str, exact_name: &str) -> f
     error / largest
 }
 
-fn table<M: Compiled>(run: &Run<M>) -> Table {
+fn table<M: Mechanism>(run: &Run<M>) -> Table {
     assert_eq!(run.trajectory.failure, None);
     Table::of(&run.mechanism, &run.trajectory)
 }
@@ -80,7 +81,7 @@ fn constraints_hold_at_every_step_and_energy_balances() {
     }
 }
 
-fn residuals<M: Compiled>(run: &Run<M>) -> (f64, f64, f64) {
+fn residuals<M: Mechanism>(run: &Run<M>) -> (f64, f64, f64) {
     (run.position_residual, run.velocity_residual, run.energy_balance)
 }
 

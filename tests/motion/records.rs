@@ -1,8 +1,8 @@
 //! Which rows are kept of a run, and that they are the same however many there are.
 
 use models::{BouncingBall, QuickReturn};
-use sim::{Compiled, Method, Rows, Run, Settings, StopAt, mechanism};
-use tests::run_with;
+use sim::{Mechanism, Method, Rows, Run, Settings, StopAt, mechanism};
+use tests::any_model::run_with;
 
 mechanism! {
     /// A pendulum; it passes its lowest position every half period.
@@ -16,7 +16,7 @@ mechanism! {
 }
 
 /// The bits of all numbers of a sample.
-fn bits<M: Compiled>(run: &Run<M>, row: usize) -> Vec<u64> {
+fn bits<M: Mechanism>(run: &Run<M>, row: usize) -> Vec<u64> {
     let sample = &run.trajectory.samples[row];
     let (q, qd) = (sample.state.positions.as_ref(), sample.state.speeds.as_ref());
     let (qdd, lambda) = (sample.accelerations.as_ref(), sample.multipliers.as_ref());

@@ -4,7 +4,7 @@ use models::SixBar;
 use sim::{Method, Settings, Table};
 use std::f64::consts::TAU;
 use std::ops::{Add, Mul, Sub};
-use tests::run_with;
+use tests::any_model::run_with;
 
 /// A point of the plane.
 #[derive(Clone, Copy)]

@@ -1,7 +1,7 @@
 //! The same mechanism declared in different units moves the same, and reports in the units it declares.
 
 use sim::{Table, mechanism};
-use tests::run;
+use tests::any_model::run;
 
 mechanism! {
     /// In SI units throughout.

@@ -2,7 +2,7 @@
 
 use crate::common::{apart, column};
 use sim::{Compiled, Settings, Stabilisation, mechanism};
-use tests::run_with;
+use tests::any_model::run_with;
 
 mechanism! {
     /// Two shafts in hinges of the ground, whose axes meet in the centre of the cross.

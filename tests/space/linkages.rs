@@ -4,7 +4,7 @@ use crate::common::{apart, column};
 use models::{Bennett, Cardan, Rssr, Stewart};
 use sim::{Method, Settings, mechanism, mobility};
 use std::f64::consts::TAU;
-use tests::run_with;
+use tests::any_model::run_with;
 
 /// cos(beta)/(1 - sin(beta)^2 cos(alpha)^2)
 fn cardan_ratio(beta: f64, alpha: f64) -> f64 {
@@ -124,7 +124,7 @@ fn joints_leave_what_they_should() {
     let joined = Joined::default();
     let run = run_with(joined, &Settings::adaptive(Method::Dop853, 0.6, 1e-11)).unwrap();
     let start = run.trajectory.samples[0].state.clone();
-    assert_eq!(mobility(&joined, 0.0, &start.positions).degrees_of_freedom, 10);
+    assert_eq!(mobility(&run.mechanism, 0.0, &start.positions).degrees_of_freedom, 10);
     let pitch = joined.l;
     let screw = apart(&run, "advance", "turned", |angle| pitch * angle / TAU);
     let still = ["height", "across", "bob"].map(|name| column(&run, name).iter().fold(0.0f64, |m, x| m.max(x.abs())));

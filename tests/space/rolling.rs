@@ -3,7 +3,7 @@
 use crate::common::apart;
 use models::{RollingDisc, Rover};
 use sim::{Method, Settings};
-use tests::run_with;
+use tests::any_model::run_with;
 
 #[test]
 fn a_leaning_disc_rolls_in_a_circle() {

@@ -4,7 +4,7 @@ use crate::common::{apart, column};
 use crate::elliptic::jacobi;
 use models::{SphericalPendulum, Top};
 use sim::{Method, Settings};
-use tests::run_with;
+use tests::any_model::run_with;
 
 /// The roots of A cos(theta) p^2 - C w p + m g l = 0, slow and fast.
 fn steady(top: &Top) -> [f64; 2] {

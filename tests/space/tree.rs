@@ -7,7 +7,8 @@ use codegen::kernel_id::KernelId;
 use models::RobotArm;
 use sim::{Compiled, Mechanism, Method, Settings, accelerate, mechanism};
 use std::f64::consts::TAU;
-use tests::{Random, run_with};
+use tests::Random;
+use tests::any_model::run_with;
 
 /// A chain of three bodies by its joints: `placed` by them, or `free` and held by them. Its outputs are, for each body, position,
 /// velocity, acceleration, the columns of the attitude, angular velocity and angular acceleration.

@@ -1,5 +1,6 @@
 //! What several kinds of tests and benchmarks need: reference solutions, runs, random numbers, timing.
 
+pub mod any_model;
 pub mod by_hand;
 pub mod called;
 pub mod declarations;

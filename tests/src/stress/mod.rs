@@ -17,7 +17,11 @@ use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
-use typed::{Linkage, Typed};
+#[cfg(debug_assertions)]
+use typed::Interpreted;
+use typed::Linkage;
+#[cfg(not(debug_assertions))]
+use typed::Typed;
 
 include!(concat!(env!("OUT_DIR"), "/stress.rs"));
 

@@ -1,7 +1,6 @@
 //! A linkage in one form, run without its type.
 
-use sim::{Compiled, Description, Driven, Mechanism, Settings, Start, Sweep, Table, declared_start, kinematics, run};
-use std::marker::PhantomData;
+use sim::{Description, Driven, Mechanism, Settings, Start, Sweep, Table, declared_start, kinematics, run};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// The forms of a linkage.
@@ -37,40 +36,77 @@ pub(crate) trait Form: Sync {
     fn is_driven(&self) -> bool;
 }
 
-/// The mechanism of a type.
-pub(crate) struct Typed<M>(PhantomData<fn() -> M>);
+/// The mechanism of a type, compiled.
+#[cfg(not(debug_assertions))]
+pub(crate) struct Typed<M>(std::marker::PhantomData<fn() -> M>);
 
+#[cfg(not(debug_assertions))]
 impl<M> Typed<M> {
-    pub(crate) const NEW: Typed<M> = Typed(PhantomData);
+    pub(crate) const NEW: Typed<M> = Typed(std::marker::PhantomData);
 }
 
-/// A function of the mechanism of a type: in a debug build by the loops that the library has compiled and optimised,
-/// otherwise by those compiled for this mechanism.
-macro_rules! by_loops {
-    ($function:ident::<$type:ty>($($argument:expr),*)) => {{
-        #[cfg(debug_assertions)]
-        let mechanism = sim::Erased::of(sim::erase(<$type>::defaults()));
-        #[cfg(not(debug_assertions))]
-        let mechanism = <$type>::defaults();
-        $function(&mechanism, $($argument),*)
-    }};
-}
-
-impl<M: Compiled> Form for Typed<M> {
+#[cfg(not(debug_assertions))]
+impl<M: sim::Compiled> Form for Typed<M> {
     fn name(&self) -> &'static str {
         M::DESCRIPTION.name
     }
 
     fn run(&self, parameters: &[(String, f64)], settings: &Settings) -> Result<Found, Refusal> {
-        by_loops!(run_of::<M>(parameters, settings))
+        run_of(&M::defaults(), parameters, settings)
     }
 
     fn sweep(&self, parameters: &[(String, f64)], span: [f64; 3], rows: usize) -> Result<Found, Refusal> {
-        by_loops!(sweep_of::<M>(parameters, span, rows))
+        sweep_of(&M::defaults(), parameters, span, rows)
     }
 
     fn is_driven(&self) -> bool {
         first_angle(const { &M::DESCRIPTION }).is_some()
+    }
+}
+
+/// The mechanism of a declaration, interpreted.
+#[cfg(debug_assertions)]
+pub(crate) struct Interpreted {
+    declaration: &'static str,
+    mechanism: std::sync::OnceLock<tests::any_model::AnyModel>,
+}
+
+#[cfg(debug_assertions)]
+impl Interpreted {
+    pub(crate) const fn new(declaration: &'static str) -> Interpreted {
+        Interpreted { declaration, mechanism: std::sync::OnceLock::new() }
+    }
+
+    fn mechanism(&self) -> &tests::any_model::AnyModel {
+        self.mechanism.get_or_init(|| {
+            let file = sim::DeclarationFile::of(std::path::Path::new("linkage.mech"), self.declaration.to_owned());
+            file.model(None).map(sim::Erased::of).unwrap_or_else(|mistake| fail(&mistake))
+        })
+    }
+}
+
+#[cfg(debug_assertions)]
+#[allow(clippy::panic)]
+fn fail(mistake: &dyn std::fmt::Display) -> ! {
+    panic!("{mistake}")
+}
+
+#[cfg(debug_assertions)]
+impl Form for Interpreted {
+    fn name(&self) -> &'static str {
+        self.mechanism().description().name
+    }
+
+    fn run(&self, parameters: &[(String, f64)], settings: &Settings) -> Result<Found, Refusal> {
+        run_of(self.mechanism(), parameters, settings)
+    }
+
+    fn sweep(&self, parameters: &[(String, f64)], span: [f64; 3], rows: usize) -> Result<Found, Refusal> {
+        sweep_of(self.mechanism(), parameters, span, rows)
+    }
+
+    fn is_driven(&self) -> bool {
+        first_angle(self.mechanism().description()).is_some()
     }
 }
 
