@@ -33,7 +33,7 @@ fn nearest_quotient(n: u64, d: u64) -> f64 {
     // At least 64 bits of the quotient, the last of which stands for all behind it.
     let shift = 64 + n.leading_zeros();
     let (shifted, d) = (u128::from(n) << shift, u128::from(d));
-    let quotient = shifted / d | u128::from(shifted % d != 0);
+    let quotient = (shifted / d) | u128::from(shifted % d != 0);
     // Divided by a power of two, which is exact.
     quotient as f64 / (1u128 << shift) as f64
 }
