@@ -50,6 +50,16 @@ fn any_acts(events: &[Event]) -> bool {
     events.iter().any(|event| !event.steps.is_empty())
 }
 
+/// Whether an event releases a constraint that holds.
+fn releases<M: Mechanism>(mechanism: &M, event: &Event) -> bool {
+    let activities = mechanism.activities();
+    let mut switches = event.steps.iter().flat_map(|step| match step {
+        event::Step::Switch(switches) => *switches,
+        _ => &[],
+    });
+    switches.any(|switch| !switch.active && activities[switch.conditional] == 1.0)
+}
+
 impl<M: Mechanism> EventHandler<M> {
     /// For a motion that begins then.
     pub(crate) fn new(mechanism: &M, settings: &Settings, begin: f64) -> EventHandler<M> {
@@ -204,7 +214,8 @@ impl<M: Mechanism> EventHandler<M> {
 
     /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and
     /// continues through zero. If the event has just happened, this requires that it was an impact, which should have
-    /// turned it back, or that the condition returns to zero within an instant.
+    /// turned it back, or that the condition returns to zero within an instant. One that releases a constraint because of a
+    /// force happens also if its condition is beyond zero: a contact that a blow has closed does not pull.
     fn is_due(&self, mechanism: &M, onset: &Onset<M>, index: usize, time: f64) -> bool {
         let described = &mechanism.description().events[index];
         let through = match described.direction {
@@ -212,6 +223,9 @@ impl<M: Mechanism> EventHandler<M> {
             Direction::Falling => -1.0,
             Direction::Both => return false,
         };
+        if described.on_forces && releases(mechanism, described) && onset.is_beyond(index, through) {
+            return true;
+        }
         let sign = onset.sign(index);
         let just_happened = time - self.last[index] < self.instant();
         let goes_on = match just_happened {

@@ -72,6 +72,11 @@ impl<M: Mechanism> Onset<M> {
         self.values[event].abs() <= 2.0 * self.tolerance * self.rates[event].abs() + self.noise[event]
     }
 
+    /// Whether a condition lies beyond zero here, on the side of this sign.
+    pub(crate) fn is_beyond(&self, event: usize, sign: f64) -> bool {
+        sign * self.values[event] > self.noise[event]
+    }
+
     /// The sign of a condition from here on, if it holds here: that of its first derivative, or of its second.
     pub(crate) fn sign(&self, event: usize) -> f64 {
         let (rate, second, least) = (self.rates[event], self.seconds[event], self.significant[event]);
@@ -82,10 +87,12 @@ impl<M: Mechanism> Onset<M> {
         }
     }
 
-    /// The time after which a condition that leaves zero here returns to zero, by its derivatives.
+    /// The time after which a condition that leaves zero here returns to zero, by its derivatives. Where the first is but
+    /// rounding, the second leads away for good.
     pub(crate) fn returns_after(&self, event: usize) -> f64 {
         let time = -2.0 * self.rates[event] / self.seconds[event];
-        if time >= 0.0 { time } else { f64::INFINITY }
+        let leaves_slowly = self.rates[event].abs() * self.d <= self.significant[event];
+        if time >= 0.0 && !leaves_slowly { time } else { f64::INFINITY }
     }
 }
 

@@ -2,6 +2,7 @@
 //! forms and equations by hand.
 
 mod bouncing;
+mod pulled;
 
 use sim::{Method, Run, Settings, Stabilisation, What, mechanism};
 use std::f64::consts::PI;

@@ -1,0 +1,44 @@
+//! Contacts that a blow closes and that would have to pull from then on.
+
+use super::all_settings;
+use sim::mechanism;
+use tests::any_model::run_with;
+
+mechanism! {
+    /// Two masses that fly against walls on either side, away from which they are pulled.
+    Pulled;
+    coordinates { x [m]; y [m]; }
+    parameters { m [kg] = 2; a [m/s^2] = 3; d [m] = 1; v [m/s] = 4; }
+    bodies { left: mass m at [x, 0]; right: mass m at [y, d]; }
+    loads { force [m*a, 0] at [x, 0]; force [-2*m*a, 0] at [y, d]; }
+    constraints { lower: x = 0 initially released; upper: y = 0 initially released; }
+    initial { x = d; y = -d; dot(x) = -v; dot(y) = v; }
+    events {
+        lower_hit: x = 0 falling { activate lower; }
+        lower_leave: reaction(lower) = 0 rising { release lower; }
+        upper_hit: y = 0 rising { activate upper; }
+        upper_leave: reaction(upper) = 0 falling { release upper; }
+    }
+}
+
+/// x = d - v t + a t^2/2 until it is 0, and from rest again a (t - t_hit)^2/2; y likewise with 2 a.
+#[test]
+fn what_is_pulled_away_from_a_wall_leaves_it_at_once() {
+    for size in [1e-3, 1.0, 100.0] {
+        let mechanism = Pulled { a: 3.0 * size, d: size, v: 4.0 * size, ..Pulled::default() };
+        for settings in all_settings(1.0) {
+            let run = run_with(mechanism, &settings).unwrap();
+            assert_eq!(run.trajectory.failure, None);
+            let last = run.trajectory.samples.last().unwrap();
+            for (i, (a, sign)) in [(3.0, 1.0), (6.0, -1.0)].into_iter().enumerate() {
+                let hit = (4.0 - f64::sqrt(16.0 - 2.0 * a)) / a;
+                let expected = sign * a / 2.0 * (1.0 - hit) * (1.0 - hit);
+                let found = last.state.positions[i] / size;
+                assert!((found - expected).abs() < 1e-10, "{size} m: {found} {expected}");
+                assert_eq!(last.multipliers[i], 0.0);
+            }
+            let names: Vec<&str> = run.events.iter().map(|event| event.name).collect();
+            assert_eq!(names, ["lower_hit", "lower_leave", "upper_hit", "upper_leave"]);
+        }
+    }
+}
