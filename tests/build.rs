@@ -23,6 +23,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
+/// What derives a declaration when it is first asked for. Panics of the command say nothing.
+const INTERPRETED: &str =
+    "        static MODEL: std::sync::OnceLock<tests::any_model::AnyModel> = std::sync::OnceLock::new();
+        let derived = |text| tests::any_model::interpreted(text).unwrap_or_else(|mistakes| {
+            eprintln!(\"{mistakes}\");
+            std::process::exit(2)
+        });
+        MODEL.get_or_init(|| derived";
+
 /// The linkages of the command `stress`, each in its forms, and the list of them: compiled in a release build, otherwise as
 /// text that is interpreted, which gives the same bits and takes the compiler no time.
 fn stress() -> Result<(), Box<dyn std::error::Error>> {
@@ -38,17 +47,14 @@ fn stress() -> Result<(), Box<dyn std::error::Error>> {
         for declare::Declared { type_name, text: declaration } in forms {
             if is_compiled {
                 text += &format!("sim::mechanism! {{\n{declaration}}}\n\n");
-                list += &format!("    &Typed::<{type_name}>::NEW,\n");
+                list += &format!("    &Typed(<{type_name} as sim::Compiled>::defaults),\n");
             } else {
-                text += &format!(
-                    "#[allow(non_upper_case_globals)]\nstatic {type_name}: Interpreted = Interpreted::new({declaration:?});\n"
-                );
-                list += &format!("    &{type_name},\n");
+                list += &format!("    &Typed(|| {{\n{INTERPRETED}({declaration:?})).clone()\n}}),\n");
             }
         }
         list += "] },\n";
     }
-    text += &format!("pub(crate) static LINKAGES: &[Linkage] = &[\n{list}];\n");
+    text += &format!("pub(crate) const LINKAGES: &[Linkage] = &[\n{list}];\n");
     let out = std::path::PathBuf::from(std::env::var("OUT_DIR")?);
     Ok(std::fs::write(out.join("stress.rs"), text)?)
 }

@@ -1,14 +1,20 @@
 //! Runs of mechanisms by the loops that serve any model: those are compiled once, with the library, and not for each mechanism
-//! of a test. Loops compiled for a mechanism give the same bits (`--test results`).
+//! of a test. Loops compiled for a mechanism give the same bits (`--test results`), and so do interpreted kernels
+//! (`--test interpreted`).
 
-use sim::{Compiled, Erased, Failure, Method, OnHeap, Run, Settings, declared_start, erase};
+use sim::{Compiled, DeclarationFile, Erased, Failure, Method, OnHeap, Run, Settings, declared_start, erase};
+use std::path::Path;
 
 /// A mechanism without its type.
 pub type AnyModel = Erased<OnHeap>;
 
-/// A mechanism without its type.
-pub fn any<M: Compiled>(mechanism: M) -> AnyModel {
-    Erased::of(erase(mechanism))
+/// The mechanism of a declaration, interpreted.
+///
+/// # Errors
+/// Its mistakes.
+pub fn interpreted(declaration: &str) -> Result<AnyModel, String> {
+    let file = DeclarationFile::of(Path::new("declaration.mech"), declaration.to_owned());
+    file.model(None).map(Erased::of).map_err(|mistakes| mistakes.to_string())
 }
 
 /// As [`crate::run`].
@@ -24,7 +30,5 @@ pub fn run<M: Compiled>(mechanism: M, end: f64, steps: usize) -> Result<Run<AnyM
 /// # Errors
 /// If it cannot be assembled.
 pub fn run_with<M: Compiled>(mechanism: M, settings: &Settings) -> Result<Run<AnyModel>, Failure> {
-    let mechanism = any(mechanism);
-    let start = declared_start(&mechanism);
-    sim::run(mechanism, &start, settings)
+    crate::run_with(Erased::of(erase(mechanism)), settings)
 }

@@ -50,14 +50,14 @@ fn any_acts(events: &[Event]) -> bool {
     events.iter().any(|event| !event.steps.is_empty())
 }
 
-/// Whether an event releases a constraint that holds.
-fn releases<M: Mechanism>(mechanism: &M, event: &Event) -> bool {
+/// Whether an event switches a constraint on that is released, or off that holds.
+fn switches<M: Mechanism>(mechanism: &M, event: &Event, on: bool) -> bool {
     let activities = mechanism.activities();
     let mut switches = event.steps.iter().flat_map(|step| match step {
         event::Step::Switch(switches) => *switches,
         _ => &[],
     });
-    switches.any(|switch| !switch.active && activities[switch.conditional] == 1.0)
+    switches.any(|switch| switch.active == on && (activities[switch.conditional] == 1.0) != on)
 }
 
 impl<M: Mechanism> EventHandler<M> {
@@ -214,8 +214,9 @@ impl<M: Mechanism> EventHandler<M> {
 
     /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and
     /// continues through zero. If the event has just happened, this requires that it was an impact, which should have
-    /// turned it back, or that the condition returns to zero within an instant. One that releases a constraint because of a
-    /// force happens also if its condition is beyond zero: a contact that a blow has closed does not pull.
+    /// turned it back, that the constraint it switched on is released again, or that the condition returns to zero within an
+    /// instant. One that releases a constraint because of a force happens also if its condition is beyond zero: a contact
+    /// that a blow has closed does not pull.
     fn is_due(&self, mechanism: &M, onset: &Onset<M>, index: usize, time: f64) -> bool {
         let described = &mechanism.description().events[index];
         let through = match described.direction {
@@ -223,13 +224,16 @@ impl<M: Mechanism> EventHandler<M> {
             Direction::Falling => -1.0,
             Direction::Both => return false,
         };
-        if described.on_forces && releases(mechanism, described) && onset.is_beyond(index, through) {
+        if described.on_forces && switches(mechanism, described, false) && onset.is_beyond(index, through) {
             return true;
         }
         let sign = onset.sign(index);
         let just_happened = time - self.last[index] < self.instant();
         let goes_on = match just_happened {
-            true if sign == through => described.steps.iter().any(|step| matches!(step, event::Step::Impact(_))),
+            true if sign == through => {
+                let hits = described.steps.iter().any(|step| matches!(step, event::Step::Impact(_)));
+                hits || switches(mechanism, described, true)
+            }
             true => sign == -through && onset.returns_after(index) < self.instant(),
             false => sign == through,
         };
@@ -239,7 +243,9 @@ impl<M: Mechanism> EventHandler<M> {
     fn happen_at_start(&mut self, mechanism: &M, event: usize, sample: &Sample<M>) -> Result<(), Failure> {
         let described = &mechanism.description().events[event];
         let (name, state) = (described.name, sample.state.clone());
-        if state.time - self.last[event] < self.instant() {
+        // Contacts may be closed and opened again within an instant, until those are found that push: `note_time` sees the end.
+        let switches = [true, false].into_iter().any(|on| switches(mechanism, described, on));
+        if state.time - self.last[event] < self.instant() && !switches {
             let what = What::Accumulating { event: name, count: self.counts[event] + 1 };
             return Err(Failure::at(mechanism, what, state.time, &state.positions));
         }

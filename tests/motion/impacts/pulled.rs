@@ -1,7 +1,7 @@
 //! Contacts that a blow closes and that would have to pull from then on.
 
 use super::all_settings;
-use sim::mechanism;
+use sim::{Table, mechanism};
 use tests::any_model::run_with;
 
 mechanism! {
@@ -40,5 +40,43 @@ fn what_is_pulled_away_from_a_wall_leaves_it_at_once() {
             let names: Vec<&str> = run.events.iter().map(|event| event.name).collect();
             assert_eq!(names, ["lower_hit", "lower_leave", "upper_hit", "upper_leave"]);
         }
+    }
+}
+
+mechanism! {
+    /// A bar that lands on two supports, and is pulled away from then on.
+    Bar;
+    coordinates { y [m]; phi [rad]; }
+    parameters { m [kg] = 1; J [kg*m^2] = 1/3; l [m] = 1; F [N] = 0; T [N*m] = 0; }
+    let left = y - l*sin(phi);
+    let right = y + l*sin(phi);
+    bodies { bar: mass m at [0, y], inertia J, angle phi; }
+    loads { force [0, F] at [0, y]; torque T on bar; }
+    constraints { l_held: left = 0 initially released; r_held: right = 0 initially released; }
+    initial { y = l/10; dot(y) = -1; }
+    events {
+        l_lands: left = 0 falling { activate l_held; }
+        r_lands: right = 0 falling { activate r_held; set F = 5; set T = 3; }
+        l_leaves: reaction(l_held) = 0 rising { release l_held; }
+        r_leaves: reaction(r_held) = 0 rising { release r_held; }
+    }
+    outputs { l_end [m] = left; r_end [m] = right; l_push [N] = -reaction(l_held); turning [rad/s^2] = ddot(phi); }
+}
+
+/// Both supports would have to pull, by 1 N and by 4 N. Without them the left end would go down at 4 m/s^2. The left one alone
+/// pushes: (J + m l^2) phi'' = T + F l about that end, and m l phi'' = F + 1 N.
+#[test]
+fn of_two_supports_that_would_pull_the_one_that_pushes_stays() {
+    for settings in all_settings(0.2) {
+        let run = run_with(Bar::default(), &settings).unwrap();
+        assert_eq!(run.trajectory.failure, None);
+        let names: Vec<&str> = run.events.iter().map(|event| event.name).collect();
+        assert_eq!(names, ["l_lands", "r_lands", "l_leaves", "r_leaves", "l_lands"]);
+        let table = Table::of(&run.mechanism, &run.trajectory);
+        let column = |name: &str| &table.column(name).unwrap().values;
+        let landed = table.times().iter().rposition(|time| *time == run.events[4].state.time).unwrap();
+        assert!((column("turning")[landed] - 6.0).abs() < 1e-9 && (column("l_push")[landed] - 1.0).abs() < 1e-9);
+        assert!(column("l_end").iter().all(|height| *height > -1e-12));
+        assert!(column("r_end").last().unwrap() > &0.05);
     }
 }

@@ -17,11 +17,7 @@ use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
-#[cfg(debug_assertions)]
-use typed::Interpreted;
-use typed::Linkage;
-#[cfg(not(debug_assertions))]
-use typed::Typed;
+use typed::{Linkage, Typed};
 
 include!(concat!(env!("OUT_DIR"), "/stress.rs"));
 

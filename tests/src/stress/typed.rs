@@ -36,77 +36,24 @@ pub(crate) trait Form: Sync {
     fn is_driven(&self) -> bool;
 }
 
-/// The mechanism of a type, compiled.
-#[cfg(not(debug_assertions))]
-pub(crate) struct Typed<M>(std::marker::PhantomData<fn() -> M>);
+/// A mechanism of a type: what makes it with its declared values.
+pub(crate) struct Typed<M>(pub(crate) fn() -> M);
 
-#[cfg(not(debug_assertions))]
-impl<M> Typed<M> {
-    pub(crate) const NEW: Typed<M> = Typed(std::marker::PhantomData);
-}
-
-#[cfg(not(debug_assertions))]
-impl<M: sim::Compiled> Form for Typed<M> {
+impl<M: Mechanism> Form for Typed<M> {
     fn name(&self) -> &'static str {
-        M::DESCRIPTION.name
+        self.0().description().name
     }
 
     fn run(&self, parameters: &[(String, f64)], settings: &Settings) -> Result<Found, Refusal> {
-        run_of(&M::defaults(), parameters, settings)
+        run_of(&self.0(), parameters, settings)
     }
 
     fn sweep(&self, parameters: &[(String, f64)], span: [f64; 3], rows: usize) -> Result<Found, Refusal> {
-        sweep_of(&M::defaults(), parameters, span, rows)
+        sweep_of(&self.0(), parameters, span, rows)
     }
 
     fn is_driven(&self) -> bool {
-        first_angle(const { &M::DESCRIPTION }).is_some()
-    }
-}
-
-/// The mechanism of a declaration, interpreted.
-#[cfg(debug_assertions)]
-pub(crate) struct Interpreted {
-    declaration: &'static str,
-    mechanism: std::sync::OnceLock<tests::any_model::AnyModel>,
-}
-
-#[cfg(debug_assertions)]
-impl Interpreted {
-    pub(crate) const fn new(declaration: &'static str) -> Interpreted {
-        Interpreted { declaration, mechanism: std::sync::OnceLock::new() }
-    }
-
-    fn mechanism(&self) -> &tests::any_model::AnyModel {
-        self.mechanism.get_or_init(|| {
-            let file = sim::DeclarationFile::of(std::path::Path::new("linkage.mech"), self.declaration.to_owned());
-            file.model(None).map(sim::Erased::of).unwrap_or_else(|mistake| fail(&mistake))
-        })
-    }
-}
-
-#[cfg(debug_assertions)]
-#[allow(clippy::panic)]
-fn fail(mistake: &dyn std::fmt::Display) -> ! {
-    panic!("{mistake}")
-}
-
-#[cfg(debug_assertions)]
-impl Form for Interpreted {
-    fn name(&self) -> &'static str {
-        self.mechanism().description().name
-    }
-
-    fn run(&self, parameters: &[(String, f64)], settings: &Settings) -> Result<Found, Refusal> {
-        run_of(self.mechanism(), parameters, settings)
-    }
-
-    fn sweep(&self, parameters: &[(String, f64)], span: [f64; 3], rows: usize) -> Result<Found, Refusal> {
-        sweep_of(self.mechanism(), parameters, span, rows)
-    }
-
-    fn is_driven(&self) -> bool {
-        first_angle(self.mechanism().description()).is_some()
+        first_angle(self.0().description()).is_some()
     }
 }
 
