@@ -2,7 +2,7 @@
 //! of a test. Loops compiled for a mechanism give the same bits (`--test results`), and so do interpreted kernels
 //! (`--test interpreted`).
 
-use sim::{Compiled, DeclarationFile, Erased, Failure, Method, OnHeap, Run, Settings, declared_start, erase};
+use sim::{Compiled, DeclarationFile, Erased, Failure, Method, OnHeap, Run, Settings, erase};
 use std::path::Path;
 
 /// A mechanism without its type.

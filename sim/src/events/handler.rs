@@ -244,8 +244,8 @@ impl<M: Mechanism> EventHandler<M> {
         let described = &mechanism.description().events[event];
         let (name, state) = (described.name, sample.state.clone());
         // Contacts may be closed and opened again within an instant, until those are found that push: `note_time` sees the end.
-        let switches = [true, false].into_iter().any(|on| switches(mechanism, described, on));
-        if state.time - self.last[event] < self.instant() && !switches {
+        let changes_contacts = [true, false].into_iter().any(|on| switches(mechanism, described, on));
+        if state.time - self.last[event] < self.instant() && !changes_contacts {
             let what = What::Accumulating { event: name, count: self.counts[event] + 1 };
             return Err(Failure::at(mechanism, what, state.time, &state.positions));
         }

@@ -20,9 +20,10 @@ pub(crate) struct Onset<M: Mechanism> {
     seconds: M::Events,
     /// The tolerance of constraints and rounding.
     pub(crate) noise: M::Events,
-    /// The rounding of the change of a condition in the time `d`.
+    /// The rounding of the change of a condition in either time.
     significant: M::Events,
-    d: f64,
+    /// The times over which first and second derivatives are differences.
+    times: [f64; 2],
     tolerance: f64,
 }
 
@@ -32,21 +33,24 @@ const OFFSET: f64 = 4e-12;
 const ROUNDING: f64 = 1e-14;
 
 impl<M: Mechanism> Onset<M> {
-    /// By differences over 1e-5 of the time scale of the motion, or of the span of the run: third derivatives then
-    /// contribute less than rounding.
+    /// By differences over parts of the time scale of the motion, or of the span of the run. In 1e-5 of it third derivatives
+    /// contribute less than rounding to a change, and in 1e-4 fourth ones, but gentle accelerations more.
     pub(crate) fn of(motion: &Motion<M>, sample: &Sample<M>, span: f64) -> Result<Onset<M>, Failure> {
         let [fast, sharp] = [&sample.state.speeds, &sample.accelerations].map(|change| motion.size(change));
-        let d = 1e-5 * span.min(1.0 / fast.max(sharp.sqrt()));
+        let scale = span.min(1.0 / fast.max(sharp.sqrt()));
+        let times @ [d, e] = [1e-5 * scale, 1e-4 * scale];
         let values = conditions(motion, &sample.state)?;
-        let (ahead, behind) = (conditions(motion, &moved(sample, d))?, conditions(motion, &moved(sample, -d))?);
+        let beside =
+            |time: f64| Ok([conditions(motion, &moved(sample, time))?, conditions(motion, &moved(sample, -time))?]);
+        let ([ahead, behind], [far_ahead, far_behind]) = (beside(d)?, beside(e)?);
         let terms = terms(motion, &sample.state, &values)?;
         Ok(Onset {
             values: values.clone(),
             rates: values.like(|i| (ahead[i] - behind[i]) / (2.0 * d)),
-            seconds: values.like(|i| (ahead[i] - 2.0 * values[i] + behind[i]) / (d * d)),
+            seconds: values.like(|i| (far_ahead[i] - 2.0 * values[i] + far_behind[i]) / (e * e)),
             noise: values.like(|i| OFFSET * terms[i].max(1.0)),
             significant: values.like(|i| ROUNDING * terms[i]),
-            d,
+            times,
             tolerance: tolerance(sample.state.time),
         })
     }
@@ -54,16 +58,16 @@ impl<M: Mechanism> Onset<M> {
     /// None known yet.
     pub(crate) fn blank(none: &M::Events) -> Onset<M> {
         let [values, rates, seconds, noise, significant] = std::array::from_fn(|_| none.clone());
-        Onset { values, rates, seconds, noise, significant, d: 0.0, tolerance: 0.0 }
+        Onset { values, rates, seconds, noise, significant, times: [0.0; 2], tolerance: 0.0 }
     }
 
     /// All of it as bytes, or from them.
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
-        let Onset { values, rates, seconds, noise, significant, d, tolerance } = self;
+        let Onset { values, rates, seconds, noise, significant, times, tolerance } = self;
         for numbers in [values, rates, seconds, noise, significant] {
             bytes.numbers(numbers.as_mut())?;
         }
-        bytes.number(d)?;
+        bytes.numbers(times)?;
         bytes.number(tolerance)
     }
 
@@ -81,8 +85,8 @@ impl<M: Mechanism> Onset<M> {
     pub(crate) fn sign(&self, event: usize) -> f64 {
         let (rate, second, least) = (self.rates[event], self.seconds[event], self.significant[event]);
         match () {
-            _ if rate.abs() * self.d > least => rate.signum(),
-            _ if second.abs() * self.d * self.d / 2.0 > least => second.signum(),
+            _ if rate.abs() * self.times[0] > least => rate.signum(),
+            _ if second.abs() * self.times[1].powi(2) / 2.0 > least => second.signum(),
             _ => 0.0,
         }
     }
@@ -91,16 +95,17 @@ impl<M: Mechanism> Onset<M> {
     /// rounding, the second leads away for good.
     pub(crate) fn returns_after(&self, event: usize) -> f64 {
         let time = -2.0 * self.rates[event] / self.seconds[event];
-        let leaves_slowly = self.rates[event].abs() * self.d <= self.significant[event];
+        let leaves_slowly = self.rates[event].abs() * self.times[0] <= self.significant[event];
         if time >= 0.0 && !leaves_slowly { time } else { f64::INFINITY }
     }
 }
 
-/// The size of the terms of each condition: the sum of |its derivative by a coordinate times the coordinate|.
+/// The size of the terms of each condition: the sum of |its derivative by a coordinate times the coordinate|, or times the
+/// change that counts as 1, where that is more.
 fn terms<M: Mechanism>(motion: &Motion<M>, state: &State<M>, values: &M::Events) -> Result<M::Events, Failure> {
     let mut terms = values.like(|i| values[i].abs());
-    for (j, coordinate) in motion.mechanism().description().coordinates.iter().enumerate() {
-        let size = state.positions[j].abs().max(coordinate.position.factor);
+    for j in 0..motion.mechanism().n() {
+        let size = state.positions[j].abs().max(motion.measures().coordinates()[j]);
         let mut nearby = state.clone();
         nearby.positions[j] += 1e-6 * size;
         let changed = conditions(motion, &nearby)?;
