@@ -104,10 +104,10 @@ impl<M: Mechanism> ForwardSensitivity<M> {
     /// As [`Simulation::advance_to`]; [`What::NotFinite`] where the state has no derivative; [`What::NotDifferentiable`] where the motion passes a singular position, or an event changes
     /// it.
     pub fn advance_to(&mut self, time: f64) -> Result<(), Failure> {
-        while let Some(target) = self.simulation.aim(time)? {
+        while self.simulation.aim(time)?.is_some() {
             self.check_followed()?;
             let before = self.simulation.state().time;
-            self.simulation.attempt(&target)?;
+            self.simulation.attempt()?;
             let now = self.simulation.state().time;
             if now > before {
                 self.follow(now)?;

@@ -56,12 +56,11 @@ impl<M: Mechanism> Block<'_, M> {
             // Lanes without a motion repeat one that has.
             let lanes = std::array::from_fn(|lane| if targets[lane].is_some() { lane } else { first });
             let reached = self.attempt(&lanes, &targets);
-            for (lane, target) in targets.iter().enumerate() {
-                let Some(target) = target else { continue };
+            for lane in (0..LANES).filter(|lane| targets[*lane].is_some()) {
                 let simulation = &mut self.simulations[lane];
                 let judged = match (&reached, &self.side_by_side) {
-                    (Some(reached), Some(made)) => made.give(reached, lane, simulation, target),
-                    _ => simulation.attempt(target),
+                    (Some(reached), Some(made)) => made.give(reached, lane, simulation),
+                    _ => simulation.attempt(),
                 };
                 judged.unwrap_or_else(|failure| self.failures.push((lane, failure)));
             }
@@ -121,9 +120,8 @@ impl<M: Mechanism> SideBySide<M> {
         reached: &Reached<InLanes<M>, Numbers>,
         lane: usize,
         simulation: &mut Simulation<M>,
-        target: &Target,
     ) -> Result<(), Failure> {
-        let Some((plain, method)) = &self.motion else { return simulation.attempt(target) };
+        let Some((plain, method)) = &self.motion else { return simulation.attempt() };
         let in_lane = |numbers: Numbers| numbers.lane(lane);
         let attempted = Attempted {
             error: reached.error(in_lane),
@@ -132,7 +130,7 @@ impl<M: Mechanism> SideBySide<M> {
             longest: lane_of(&plain.longest.get(), lane),
             evaluations: reached.evaluations,
         };
-        simulation.take_attempt(target, attempted, method, in_lane)
+        simulation.take_attempt(attempted, method, in_lane)
     }
 }
 

@@ -163,7 +163,7 @@ impl<M: Mechanism> EventSearch<M> {
         }
         let (motion, h) = (step.motion, step.length());
         let mechanism = motion.mechanism();
-        let from = match self.last.clone() {
+        let from = match self.last.take() {
             Some(last) => last,
             None => self.first_point(Point::of(motion, step.from, h)?),
         };

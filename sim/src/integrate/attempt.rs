@@ -38,9 +38,13 @@ pub(super) fn attempt<M: Mechanism>(
     if has_generalized_speeds(motion.mechanism()) {
         motion.choose_velocity_variables(from, time, method.is_explicit());
     }
-    let Attempt { mut end, error } = match method.step(motion, from, time, tolerance) {
-        Err(failure) if motion.falls_back(&failure) => method.step(motion, from, time, tolerance)?,
-        made => made?,
+    // Without generalised speeds it is not copied.
+    let Attempt { mut end, error } = match has_generalized_speeds(motion.mechanism()) {
+        false => method.step(motion, from, time, tolerance)?,
+        true => match method.step(motion, from, time, tolerance) {
+            Err(failure) if motion.falls_back(&failure) => method.step(motion, from, time, tolerance)?,
+            made => made?,
+        },
     };
     if !(error <= 1.0) {
         return Ok(error);

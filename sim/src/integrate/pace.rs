@@ -25,8 +25,8 @@ pub(crate) enum Aim {
     End,
     /// The next step is made.
     Made,
-    /// An attempt.
-    At(Target),
+    /// An attempt at the target.
+    Attempt,
 }
 
 /// The end of an attempted step.
@@ -40,6 +40,13 @@ pub(crate) struct Target {
     pub(crate) tolerance: Option<Tolerance>,
     /// Whether singular positions in it are looked for.
     pub(super) notes: bool,
+}
+
+impl Target {
+    /// One to be set.
+    pub(super) fn blank() -> Target {
+        Target { time: 0.0, wanted: 0.0, tolerance: None, notes: false }
+    }
 }
 
 /// The length of steps.
@@ -103,7 +110,9 @@ impl Pace {
         }
     }
 
-    /// Says what the next step is, or makes it if it leads over a singular position.
+    /// Sets the target of the next step, or makes it if it leads over a singular position.
+    ///
+    /// The target is set in place: a copy would wait until all of the last step is in memory.
     ///
     /// # Errors
     /// As steps over singular positions, and if no step is small enough.
@@ -113,12 +122,12 @@ impl Pace {
         motion: &Motion<M>,
         course: &Course,
         ends: [&mut Sample<M>; 2],
-        crossing: &mut Crossing<M>,
+        (crossing, target): (&mut Crossing<M>, &mut Target),
         steps: &mut Steps,
     ) -> Result<Aim, Failure> {
         match self {
-            Pace::Equal { count, step } => aim_equally(motion, course, (*count, step), ends, crossing, steps),
-            Pace::Adaptive(adaptive) => adaptive.aim(motion, course, ends, crossing, steps),
+            Pace::Equal { count, step } => aim_equally(motion, course, (*count, step), ends, (crossing, target), steps),
+            Pace::Adaptive(adaptive) => adaptive.aim(motion, course, ends, (crossing, target), steps),
         }
     }
 
@@ -167,7 +176,7 @@ fn aim_equally<M: Mechanism>(
     course: &Course,
     (count, step): (usize, &mut usize),
     [from, to]: [&mut Sample<M>; 2],
-    crossing: &mut Crossing<M>,
+    (crossing, target): (&mut Crossing<M>, &mut Target),
     steps: &mut Steps,
 ) -> Result<Aim, Failure> {
     let Some(goal) = next_goal(course, count, step, from.state.time) else { return Ok(Aim::End) };
@@ -185,7 +194,8 @@ fn aim_equally<M: Mechanism>(
         Way::UpTo(time) => goal.min(time),
         Way::On => goal,
     };
-    Ok(Aim::At(Target { time, wanted: goal, tolerance: None, notes: is_near }))
+    *target = Target { time, wanted: goal, tolerance: None, notes: is_near };
+    Ok(Aim::Attempt)
 }
 
 /// The first of so many equal steps that may end later than now, or the one before it.
@@ -223,7 +233,7 @@ impl Adaptive {
         motion: &Motion<M>,
         course: &Course,
         [from, to]: [&mut Sample<M>; 2],
-        crossing: &mut Crossing<M>,
+        (crossing, target): (&mut Crossing<M>, &mut Target),
         steps: &mut Steps,
     ) -> Result<Aim, Failure> {
         let (now, tolerance) = (from.state.time, self.tolerance);
@@ -250,7 +260,8 @@ impl Adaptive {
             Way::On => wanted,
         };
         // These steps may be so long that they pass positions that nothing predicts.
-        Ok(Aim::At(Target { time, wanted, tolerance: Some(tolerance), notes: true }))
+        *target = Target { time, wanted, tolerance: Some(tolerance), notes: true };
+        Ok(Aim::Attempt)
     }
 
     /// As [`Pace::judge`].

@@ -50,10 +50,16 @@ impl<M: Mechanism> Step<'_, M> {
     /// As the projection and the right-hand side.
     #[inline]
     pub fn sample(&mut self, time: f64) -> Result<Sample<M>, Failure> {
-        match time == self.to.state.time && self.end_sine >= BESIDE {
-            true => Ok(self.to.clone()),
-            false => self.find_sample(time),
+        match self.regular_end(time) {
+            Some(end) => Ok(end.clone()),
+            None => self.find_sample(time),
         }
+    }
+
+    /// Its end, if that is this time and does not lie beside a singular position.
+    #[inline(always)]
+    pub(crate) fn regular_end(&self, time: f64) -> Option<&Sample<M>> {
+        (time == self.to.state.time && self.end_sine >= BESIDE).then_some(self.to)
     }
 
     fn find_sample(&mut self, time: f64) -> Result<Sample<M>, Failure> {

@@ -24,6 +24,7 @@ pub(crate) struct Stepper<M: Mechanism> {
     last: Option<Made>,
     crossing: Crossing<M>,
     pace: Pace,
+    target: Target,
 }
 
 /// Start and end of the step that is being made.
@@ -67,6 +68,7 @@ impl<M: Mechanism> Stepper<M> {
             last: None,
             crossing: Crossing::new(mechanism),
             pace,
+            target: Target::blank(),
         }
     }
 
@@ -116,19 +118,19 @@ impl<M: Mechanism> Stepper<M> {
         steps: &mut Steps,
     ) -> Result<bool, Failure> {
         loop {
-            let target = match self.aim(motion, steps)? {
+            match self.aim(motion, steps)? {
                 Aim::End => return Ok(false),
                 Aim::Made => return Ok(true),
-                Aim::At(target) => target,
-            };
-            let attempted = self.attempt(motion, method, &target);
-            if self.judge(motion, method, steps, &target, attempted)? {
+                Aim::Attempt => {}
+            }
+            let attempted = self.attempt(motion, method);
+            if self.judge(motion, method, steps, attempted)? {
                 return Ok(true);
             }
         }
     }
 
-    /// Says what the next step is, or makes it if it leads over a singular position.
+    /// Finds the target of the next step, or makes it if it leads over a singular position.
     ///
     /// # Errors
     /// As [`advance`](Stepper::advance).
@@ -143,11 +145,16 @@ impl<M: Mechanism> Stepper<M> {
             self.last = Some(Made::Across);
             return Ok(Aim::Made);
         }
-        let aim = self.pace.aim(motion, course, [from, to], crossing, steps)?;
+        let aim = self.pace.aim(motion, course, [from, to], (crossing, &mut self.target), steps)?;
         if let Aim::Made = aim {
             self.last = Some(Made::Across);
         }
         Ok(aim)
+    }
+
+    /// Where the step ends that was aimed at.
+    pub(crate) fn target(&self) -> &Target {
+        &self.target
     }
 
     /// Attempts the step that was aimed at; gives the estimate of its error.
@@ -155,14 +162,9 @@ impl<M: Mechanism> Stepper<M> {
     /// # Errors
     /// As the method, the right-hand side and the projection.
     #[inline(always)]
-    pub(crate) fn attempt(
-        &mut self,
-        motion: &Motion<M>,
-        method: &mut dyn Advance<M>,
-        target: &Target,
-    ) -> Result<f64, Failure> {
-        let [from, to] = self.ends();
-        attempt(motion, method, from, target.time, target.tolerance.as_ref(), to)
+    pub(crate) fn attempt(&mut self, motion: &Motion<M>, method: &mut dyn Advance<M>) -> Result<f64, Failure> {
+        let [from, to] = start_and_end(&mut self.ends, self.from);
+        attempt(motion, method, from, self.target.time, self.target.tolerance.as_ref(), to)
     }
 
     /// Takes or refuses an attempt of the step that was aimed at, whose end stands in its place; gives whether it is
@@ -176,9 +178,9 @@ impl<M: Mechanism> Stepper<M> {
         motion: &Motion<M>,
         method: &mut dyn Advance<M>,
         steps: &mut Steps,
-        target: &Target,
         attempted: Result<f64, Failure>,
     ) -> Result<bool, Failure> {
+        let target = &self.target;
         let [from, to] = start_and_end(&mut self.ends, self.from);
         let is_adaptive = target.tolerance.is_some();
         let is_surprised = is_adaptive && self.crossing.is_surprised(motion);

@@ -10,7 +10,7 @@ use crate::model::AnyMechanism;
 use crate::model::conditional::released_rows;
 use crate::motion::lengths::measure;
 use crate::numerics::arrays::array;
-use crate::numerics::numbers::larger;
+use crate::numerics::numbers::{all, larger};
 use crate::state::saved::{Bytes, Damaged};
 use sim_kernel::{Array, Mechanism, Scalar};
 
@@ -122,6 +122,12 @@ impl<S: Scalar, M: Mechanism<S>> Measures<M, S> {
             false => change,
             true => change.like(|j| change[j] * self.coordinates[j]),
         }
+    }
+
+    /// Where each part of a change of coordinates is at most this fraction of those that count as 1.
+    #[inline(always)]
+    pub(crate) fn is_within(&self, change: &M::Q, fraction: f64) -> S::Mask {
+        all::<S>(change.len(), |j| change[j].abs().at_most(S::from_f64(fraction) * self.coordinates[j]))
     }
 
     /// The largest part of a change of coordinates, relative to those that count as 1.

@@ -2,7 +2,7 @@
 
 use crate::motion::measures::Measures;
 use crate::motion::rows::{Linear, Rows};
-use crate::numerics::numbers::smaller;
+use crate::numerics::numbers::{all, smaller};
 use sim_kernel::{Array, Mask, Mechanism, Scalar};
 
 /// A constraint with a residual below this fraction of its terms is met.
@@ -15,16 +15,6 @@ const LARGEST_ROUNDING: f64 = 1e-6;
 #[inline(always)]
 pub(crate) fn is_within<S: Scalar, M: Mechanism<S>>(measures: &Measures<M, S>, values: &M::L, part: f64) -> S::Mask {
     all::<S>(values.len(), |row| values[row].abs().at_most(S::from_f64(part) * measures.constraints()[row]))
-}
-
-/// Where all of these are true.
-#[inline(always)]
-fn all<S: Scalar>(count: usize, is_true: impl Fn(usize) -> S::Mask) -> S::Mask {
-    let mut mask = S::not(S::Mask::NONE);
-    for i in 0..count {
-        mask = mask & is_true(i);
-    }
-    mask
 }
 
 /// Where every residual is at the level of its own rounding.

@@ -31,6 +31,16 @@ pub(crate) fn finite<S: Scalar>(value: S) -> S::Mask {
     S::from_f64(f64::INFINITY).greater(value.abs())
 }
 
+/// Where all of these are true.
+#[inline(always)]
+pub(crate) fn all<S: Scalar>(count: usize, is_true: impl Fn(usize) -> S::Mask) -> S::Mask {
+    let mut mask = S::not(S::Mask::NONE);
+    for i in 0..count {
+        mask = mask & is_true(i);
+    }
+    mask
+}
+
 /// Whether all of these are, in all lanes.
 #[inline(always)]
 pub(crate) fn are_finite<S: Scalar>(values: &[S]) -> bool {

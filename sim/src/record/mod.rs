@@ -100,8 +100,11 @@ impl<M: Mechanism> Recorder<M> {
     #[inline]
     fn record(&mut self, step: &mut Step<M>, until: f64) -> Result<(), Failure> {
         let Some(grid) = &mut self.grid else {
-            if until == step.to.state.time {
-                self.samples.push(step.sample(until)?);
+            // The usual row is copied once.
+            match step.regular_end(until) {
+                Some(end) => self.samples.push(end.clone()),
+                None if until == step.to.state.time => self.samples.push(step.sample(until)?),
+                None => {}
             }
             return Ok(());
         };
@@ -132,7 +135,9 @@ impl<M: Mechanism> Watch<M> for Recorder<M> {
         }
         let Some(state) = until else {
             // Without a grid it is a row.
-            self.last_step = self.grid.is_some().then_some(step.to.clone());
+            if self.grid.is_some() {
+                self.last_step = Some(step.to.clone());
+            }
             return Ok(());
         };
         let last = self.samples.last().map_or(self.begin, |sample| sample.state.time);

@@ -42,7 +42,7 @@ impl<M: Mechanism> Simulation<M> {
             }
             let Some(stepper) = &mut self.stepper else { break };
             match stepper.aim(&self.motion, &mut self.steps)? {
-                Aim::At(target) => return Ok(Some(target)),
+                Aim::Attempt => return Ok(Some(*stepper.target())),
                 Aim::Made => self.conclude_step(&mut ())?,
                 Aim::End => {
                     self.reached(until);
@@ -57,10 +57,10 @@ impl<M: Mechanism> Simulation<M> {
     ///
     /// # Errors
     /// As [`advance_to`](Simulation::advance_to).
-    pub(crate) fn attempt(&mut self, target: &Target) -> Result<(), Failure> {
+    pub(crate) fn attempt(&mut self) -> Result<(), Failure> {
         let Some(stepper) = &mut self.stepper else { return Ok(()) };
-        let attempted = stepper.attempt(&self.motion, self.integrator.method(), target);
-        self.judge(target, attempted)
+        let attempted = stepper.attempt(&self.motion, self.integrator.method());
+        self.judge(attempted)
     }
 
     /// The settings.
@@ -89,7 +89,6 @@ impl<M: Mechanism> Simulation<M> {
     /// As [`advance_to`](Simulation::advance_to).
     pub(crate) fn take_attempt<S: Scalar, N: Mechanism<S>>(
         &mut self,
-        target: &Target,
         attempted: Attempted<M>,
         method: &ExplicitRungeKutta<N, S>,
         number: impl Fn(S) -> f64,
@@ -102,20 +101,20 @@ impl<M: Mechanism> Simulation<M> {
             self.motion.take_projection(closeness, longest);
             self.integrator.take_stages(method, number);
         }
-        self.judge(target, Ok(error))
+        self.judge(Ok(error))
     }
 
     /// Takes or refuses an attempt whose end stands in its place, and concludes the step if it is taken.
     ///
     /// # Errors
     /// As [`advance_to`](Simulation::advance_to).
-    fn judge(&mut self, target: &Target, attempted: Result<f64, Failure>) -> Result<(), Failure> {
-        self.judge_once(target, attempted).inspect_err(|failure| self.failure = Some(failure.clone()))
+    fn judge(&mut self, attempted: Result<f64, Failure>) -> Result<(), Failure> {
+        self.judge_once(attempted).inspect_err(|failure| self.failure = Some(failure.clone()))
     }
 
-    fn judge_once(&mut self, target: &Target, attempted: Result<f64, Failure>) -> Result<(), Failure> {
+    fn judge_once(&mut self, attempted: Result<f64, Failure>) -> Result<(), Failure> {
         let Some(stepper) = &mut self.stepper else { return Ok(()) };
-        match stepper.judge(&self.motion, self.integrator.method(), &mut self.steps, target, attempted)? {
+        match stepper.judge(&self.motion, self.integrator.method(), &mut self.steps, attempted)? {
             true => self.conclude_step(&mut ()),
             false => Ok(()),
         }

@@ -261,8 +261,12 @@ impl<M: Mechanism> Simulation<M> {
     }
 
     /// Checks that it can continue.
+    #[inline(always)]
     pub(super) fn check_sound(&self) -> Result<(), Failure> {
-        self.failure.as_ref().map_or(Ok(()), |failure| Err(failure.clone()))
+        match &self.failure {
+            None => Ok(()),
+            Some(failure) => Err(failure.clone()),
+        }
     }
 
     /// The course to a time.

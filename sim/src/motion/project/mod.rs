@@ -86,12 +86,16 @@ fn project_independent<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     longest: &Slot<M::L>,
 ) -> Result<S, Failure> {
     let (time, q) = (state.time, &mut state.positions);
-    let (mut linear, mut factors) = (R::linearization(mechanism, time, q), R::no_factors(mechanism));
-    let last_change = correct_positions::<S, M, R>(mechanism, measures, (time, q), &mut linear, &mut factors)?;
+    // By a statement of its own it is written in place.
+    let mut linear = R::linearization(mechanism, time, q);
+    let mut factors = R::no_factors(mechanism);
+    let is_small = correct_positions::<S, M, R>(mechanism, measures, (time, q), &mut linear, &mut factors)?;
     let open = rates_of::<S, M, R>(mechanism, &linear, &state.speeds);
     let columns = R::columns(mechanism, &linear.jacobian, measures);
-    let is_small = last_change.at_most(S::from_f64(SMALL_CHANGE)) & is_within(measures, &open, SMALL_RATE);
-    let serves = if has_speed_rows(mechanism) { S::Mask::NONE } else { is_small };
+    let serves = match has_speed_rows(mechanism) {
+        true => S::Mask::NONE,
+        false => is_small & is_within(measures, &open, SMALL_RATE),
+    };
     if S::not(serves).any() {
         factorise_again::<S, M, R>(mechanism, &columns, serves, &mut factors, time, q)?;
     }
@@ -199,7 +203,7 @@ fn project_redundant_velocities<M: Mechanism>(
 }
 
 /// Corrects positions; leaves the constraints linearised there, and the factors that the last correction was made with.
-/// Gives the largest part of that correction, relative to those that count as 1.
+/// Gives where that correction was a [`SMALL_CHANGE`].
 ///
 /// Both are left in place: copies of them would take as long as the projection.
 #[inline]
@@ -209,7 +213,7 @@ fn correct_positions<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     (time, q): (S, &mut M::Q),
     linear: &mut Linear<S, M, R>,
     factors: &mut R::Factors,
-) -> Result<S, Failure> {
+) -> Result<S::Mask, Failure> {
     correct::<S, M, R>(mechanism, measures, (time, q), linear, |linear, q, is_done| {
         let columns = match has_speed_rows(mechanism) {
             false => R::columns(mechanism, &linear.jacobian, measures),
@@ -221,8 +225,8 @@ fn correct_positions<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
 }
 
 /// Subtracts corrections from positions, at which the constraints are linearised, until these are met; leaves them linearised
-/// there. Each lane ends with its own correction: `change` is told which are done. Gives the largest part of the last
-/// correction, relative to those that count as 1.
+/// there. Each lane ends with its own correction: `change` is told which are done. Gives where the last correction was a
+/// [`SMALL_CHANGE`].
 #[inline]
 fn correct<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     mechanism: &M,
@@ -230,22 +234,22 @@ fn correct<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
     (time, q): (S, &mut M::Q),
     linear: &mut Linear<S, M, R>,
     mut change: impl FnMut(&Linear<S, M, R>, &M::Q, S::Mask) -> Result<M::Q, Failure>,
-) -> Result<S, Failure> {
-    let (mut is_done, mut last_change) = (S::Mask::NONE, S::ZERO);
+) -> Result<S::Mask, Failure> {
+    let (mut is_done, mut was_small) = (S::Mask::NONE, S::Mask::NONE);
     for _ in 0..MOST_CORRECTIONS {
         if !are_finite(linear.values.as_ref()) {
             return Err(not_finite(mechanism, &linear.values, time, q));
         }
         let correction = change(linear, q, is_done)?;
-        let size = measures.size(mechanism, &correction);
-        last_change = S::select(is_done, last_change, size);
+        let is_small = measures.is_within(&correction, SMALL_CHANGE);
+        was_small = (is_done & was_small) | (S::not(is_done) & is_small);
         match is_done.any() {
             false => subtract(q, &correction),
             true => *q = q.like(|j| S::select(is_done, q[j], q[j] - correction[j])),
         }
-        is_done = is_done | is_rounding(measures, &linear.values, size);
+        is_done = is_done | is_rounding(measures, &linear.values, &correction);
         if !S::not(is_done).any() {
-            return Ok(last_change);
+            return Ok(was_small);
         }
         match is_done.any() {
             false => *linear = R::linearization(mechanism, time, q),
@@ -253,7 +257,7 @@ fn correct<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
         }
         is_done = is_done | is_met::<S, M, R>(mechanism, measures, time, q, linear);
         if !S::not(is_done).any() {
-            return Ok(last_change);
+            return Ok(was_small);
         }
     }
     let (row, residual) = largest(linear.values.iter()).unwrap_or((0, f64::NAN));
@@ -283,11 +287,11 @@ fn not_finite<S: Scalar, M: Mechanism<S>>(mechanism: &M, values: &M::L, time: S,
     Failure::at(mechanism, What::NotFinite { quantity }, time, q)
 }
 
-/// Where a correction of this size was so small that the constraints linearised before it still hold after it, within rounding:
+/// Where a correction was so small that the constraints linearised before it still hold after it, within rounding:
 /// the residual of C is of second order.
 #[inline]
-fn is_rounding<S: Scalar, M: Mechanism<S>>(measures: &Measures<M, S>, values: &M::L, size: S) -> S::Mask {
-    is_within(measures, values, 0.1 * TOLERANCE) & size.at_most(S::from_f64(ROUNDING))
+fn is_rounding<S: Scalar, M: Mechanism<S>>(measures: &Measures<M, S>, values: &M::L, correction: &M::Q) -> S::Mask {
+    is_within(measures, values, 0.1 * TOLERANCE) & measures.is_within(correction, ROUNDING)
 }
 
 /// The factors of A A', except where the old ones stay.
