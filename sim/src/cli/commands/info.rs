@@ -127,7 +127,9 @@ fn as_text(facts: &Facts) -> String {
         runs(d).map(|(option, value, from)| [format!("--{option}"), value.to_owned(), from.to_owned(), String::new()]);
     text += &section("Runs, where nothing else is said", run.collect());
     if !d.events.is_empty() {
-        let event = |event: &Event| [event.name.to_owned(), happening(event, d), String::new(), String::new()];
+        let noted = |event: &Event| if event.steps.is_empty() { ", noted; the motion goes on" } else { "" };
+        let event =
+            |event: &Event| [event.name.to_owned(), happening(event, d) + noted(event), String::new(), String::new()];
         text += &section("Events", d.events.iter().map(event).collect());
     }
     text += &section("Tree of bodies, with their masses", facts.tree.iter().map(Link::line).collect());
@@ -170,6 +172,10 @@ fn coordinates(facts: &Facts) -> Vec<[String; 4]> {
         let start = match c.start {
             Start::Given => format!("starts at {}{speed}", number(*position, &c.position)),
             Start::Guess => format!("starts near {}{speed}", number(*position, &c.position)),
+            // Nothing moves it away from there.
+            Start::Free if facts.description.constraints.is_empty() => {
+                format!("starts at {}{speed}", number(*position, &c.position))
+            }
             Start::Free => format!("start found{speed}"),
         };
         [c.position.name.to_owned(), unit(&c.position), start, c.position.docs.to_owned()]

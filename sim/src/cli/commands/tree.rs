@@ -16,7 +16,8 @@ pub(super) struct Link {
     mass: f64,
 }
 
-/// The links of a tree in space, each after the one before it.
+/// The links of a tree in space, each after the one before it. Frames without bodies, such as the origins of joints, are
+/// on the way to a link: the coordinates that turn them move it too.
 pub(super) fn tree(equations: &EquationsOfMotion, defaults: &[f64]) -> Vec<Link> {
     let EquationsOfMotion { model, graph, links, .. } = equations;
     let value = |symbol| {
@@ -27,16 +28,22 @@ pub(super) fn tree(equations: &EquationsOfMotion, defaults: &[f64]) -> Vec<Link>
         let fixed = model.links.get(link).into_iter().flat_map(|link| &link.bodies);
         fixed.map(|fixed| &model.bodies[fixed.body]).collect::<Vec<_>>()
     };
-    let names = |link: usize| bodies(link).into_iter().map(|body| body.name.clone()).collect();
-    let links = links.iter().flat_map(|links| &links.links).enumerate();
-    let told = links.map(|(at, link)| {
+    let names = |link: usize| bodies(link).into_iter().map(|body| body.name.clone()).collect::<Vec<_>>();
+    let links = links.as_ref().map_or(&[][..], |links| &links.links);
+    let told = (0..links.len()).filter(|at| !bodies(*at).is_empty()).map(|at| {
+        let (mut on, mut columns) = (links[at].before, vec![&links[at].columns]);
+        while let Some(frame) = on.filter(|frame| bodies(*frame).is_empty()) {
+            on = links[frame].before;
+            columns.push(&links[frame].columns);
+        }
         let masses: Vec<_> =
             bodies(at).into_iter().filter_map(|body| body.mass.as_ref().map(|(mass, _)| *mass)).collect();
+        let coordinates = columns.into_iter().rev().flatten();
         Link {
             bodies: names(at),
-            on: link.before.map(names).unwrap_or_default(),
-            coordinates: link.columns.iter().map(|(i, _)| model.coordinates[*i].name.clone()).collect(),
-            mass: evaluate(graph, &masses, value).into_iter().sum(),
+            on: on.map(names).unwrap_or_default(),
+            coordinates: coordinates.map(|(i, _)| model.coordinates[*i].name.clone()).collect(),
+            mass: evaluate(graph, &masses, value).into_iter().fold(0.0, |sum, mass| sum + mass),
         }
     });
     told.collect()

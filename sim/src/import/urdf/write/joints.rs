@@ -136,7 +136,8 @@ impl Written<'_> {
         let mut docs = format!("{verb} {child} against {parent}");
         let Some(limit) = limit else { return docs + "." };
         if let Some([lower, upper]) = &limit.range {
-            docs += &format!(", from {lower} to {upper} {unit}");
+            let kept = if self.options.stops { "" } else { " (noted, not kept)" };
+            docs += &format!(", from {lower} to {upper} {unit}{kept}");
         }
         let most = |number: &Option<Number>| number.as_ref().filter(|number| number.value > 0.0).map(Number::to_string);
         let effort = if *kind == Kind::Prismatic { "N" } else { "N m" };
