@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use std::fs::File;
 use std::io::Read;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 /// The largest file that is read, in bytes.
 const LARGEST: u64 = 64 << 20;
@@ -12,8 +12,7 @@ const LARGEST: u64 = 64 << 20;
 const HEAD: usize = 84;
 const TRIANGLE: usize = 50;
 
-/// Where the file of a mesh is: `package://NAME/..` in the folder of that package, any other name in the robot's folder. A
-/// package that is not given is sought from the robot's folder upwards.
+/// Where the file of a mesh is: `package://NAME/..` in the folder of that package, any other name in the robot's folder.
 ///
 /// # Errors
 /// What the file lacks to be read: it is elsewhere, or of another kind.
@@ -22,38 +21,19 @@ pub(super) fn find(name: &str, folder: &Path, packages: &[(String, PathBuf)]) ->
     if !is_stl {
         return Err(Missing::OtherKind);
     }
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     let (folder, inside) = match name.strip_prefix("package://") {
         Some(rest) => {
             let (package, inside) = rest.split_once('/').unwrap_or((rest, ""));
-            let known = packages.iter().find(|(known, _)| known == package).map(|(_, folder)| folder.clone());
-            let found = known.or_else(|| above(folder, package));
-            (found.ok_or_else(|| Missing::Package(package.to_owned()))?, inside)
+            let known = packages.iter().find(|(known, _)| known == package);
+            let (_, folder) = known.ok_or_else(|| Missing::Package(package.to_owned()))?;
+            (folder.as_path(), inside)
         }
-        None => (folder.to_owned(), name.strip_prefix("file://").unwrap_or(name)),
+        None => (folder, name.strip_prefix("file://").unwrap_or(name)),
     };
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     let inner = |path: &Path| path.canonicalize().map_err(|why| Missing::File(why.to_string()));
-    let (path, folder) = (inner(&folder.join(inside))?, inner(&folder)?);
+    let (path, folder) = (inner(&folder.join(inside))?, inner(folder)?);
     if path.starts_with(&folder) { Ok(path) } else { Err(Missing::Outside) }
-}
-
-/// How far upwards packages are sought.
-const LEVELS: usize = 8;
-
-/// The folder of a package that a folder lies in, or a folder above it: one of its name, or whose `package.xml` names it.
-fn above(folder: &Path, package: &str) -> Option<PathBuf> {
-    let mut parts = Path::new(package).components();
-    let is_name = matches!((parts.next(), parts.next()), (Some(Component::Normal(_)), None));
-    let folder = folder.canonicalize().ok().filter(|_| is_name)?;
-    // All but the root.
-    let above = || folder.ancestors().take(LEVELS).filter(|at| at.parent().is_some());
-    let is_named = |at: &&Path| {
-        let manifest = std::fs::read_to_string(at.join("package.xml")).ok();
-        let names = |text: String| text.replace(char::is_whitespace, "").contains(&format!("<name>{package}</name>"));
-        at.file_name().is_some_and(|name| name == package) || manifest.is_some_and(names)
-    };
-    let within = |at: &Path| Some(at.join(package)).filter(|inner| inner.is_dir());
-    above().find(is_named).map(Path::to_owned).or_else(|| above().find_map(within))
 }
 
 /// Why a mesh is not drawn.
@@ -140,7 +120,6 @@ mod tests {
         let folder = std::env::temp_dir();
         let of = |name: &str| find(name, &folder, &[]);
         assert_eq!(of("package://arm/a.stl"), Err(Missing::Package("arm".into())));
-        assert_eq!(of("package://../a.stl"), Err(Missing::Package("..".into())));
         assert_eq!(of("a.dae"), Err(Missing::OtherKind));
         assert_eq!(of("package://arm/a.dae"), Err(Missing::OtherKind));
         assert!(matches!(of("no-such-mesh.stl"), Err(Missing::File(_))));
@@ -148,26 +127,5 @@ mod tests {
         std::fs::create_dir_all(&inside).unwrap();
         std::fs::write(folder.join("linkwright-mesh.stl"), "").unwrap();
         assert_eq!(find("../linkwright-mesh.stl", &inside, &[]), Err(Missing::Outside));
-    }
-
-    #[test]
-    fn packages_are_found_from_the_robots_folder_upwards() {
-        let root = std::env::temp_dir().join(format!("linkwright-packages-{}", std::process::id()));
-        let [urdf, meshes] = ["one/clone/urdf", "one/clone/meshes"].map(|name| root.join(name));
-        [&urdf, &meshes].map(|folder| std::fs::create_dir_all(folder).unwrap());
-        let mesh = meshes.join("a.stl");
-        std::fs::write(&mesh, "").unwrap();
-        let mesh = mesh.canonicalize().unwrap();
-        let of = |package: &str, inside: &str| find(&format!("package://{package}/{inside}"), &urdf, &[]);
-        // By its name, as the neighbour of a folder above, and by its manifest.
-        assert_eq!(of("clone", "meshes/a.stl"), Ok(mesh.clone()));
-        assert_eq!(of("meshes", "a.stl"), Ok(mesh.clone()));
-        assert_eq!(of("arm", "meshes/a.stl"), Err(Missing::Package("arm".into())));
-        std::fs::write(root.join("one/clone/package.xml"), "<package>\n <name> arm </name>\n</package>").unwrap();
-        assert_eq!(of("arm", "meshes/a.stl"), Ok(mesh));
-        assert_eq!(of("arm", "../clone.stl"), Err(Missing::File("No such file or directory (os error 2)".into())));
-        std::fs::write(root.join("one/clone.stl"), "").unwrap();
-        assert_eq!(of("arm", "../clone.stl"), Err(Missing::Outside));
-        std::fs::remove_dir_all(&root).unwrap();
     }
 }
