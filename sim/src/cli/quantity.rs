@@ -26,7 +26,7 @@ pub(super) fn parse_quantity(what: &str, text: &str, default_unit: &str) -> Resu
     if unit.is_empty() {
         return finite(value * declared.factor());
     }
-    let given = Unit::parse(unit).map_err(fail)?;
+    let given = Unit::parse(unit).map_err(|why| fail(multiplied(unit).unwrap_or(why)))?;
     if given.dimension() != declared.dimension() {
         return Err(fail(format!(
             "`{unit}` is a unit of dimension {}, but {} is needed, as in `{default_unit}`",
@@ -35,6 +35,13 @@ pub(super) fn parse_quantity(what: &str, text: &str, default_unit: &str) -> Resu
         )));
     }
     finite(value * given.factor())
+}
+
+/// What would be right for units that are multiplied by spaces or dots, as in `N m`.
+fn multiplied(unit: &str) -> Option<String> {
+    let words: Vec<&str> = unit.split([' ', '·', '⋅', '×']).filter(|word| !word.is_empty()).collect();
+    let right = words.join("*");
+    (words.len() > 1 && Unit::parse(&right).is_ok()).then(|| format!("`{unit}` is not a unit; write `{right}`"))
 }
 
 /// The longest start that is a number, and the rest.
@@ -91,6 +98,9 @@ mod tests {
     fn mistakes_say_what_is_needed() {
         assert_eq!(value("180kg", "m").unwrap_err(), "O2A: `kg` is a unit of dimension kg, but m is needed, as in `m`");
         assert_eq!(value("1 mmm", "m").unwrap_err(), "O2A: `mmm` is not a known unit (did you mean `mm`?)");
+        for bad in ["5 N m", "5 N·m", "5N⋅m"] {
+            assert!(value(bad, "N*m").unwrap_err().ends_with("is not a unit; write `N*m`"), "{bad}");
+        }
         for bad in ["", "mm", "inf", "NaN", "1e999"] {
             assert!(value(bad, "m").unwrap_err().contains("does not start with a number"), "{bad}");
         }

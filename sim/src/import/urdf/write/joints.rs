@@ -140,7 +140,7 @@ impl Written<'_> {
             docs += &format!(", from {lower} to {upper} {unit}{kept}");
         }
         let most = |number: &Option<Number>| number.as_ref().filter(|number| number.value > 0.0).map(Number::to_string);
-        let effort = if *kind == Kind::Prismatic { "N" } else { "N m" };
+        let effort = if *kind == Kind::Prismatic { "N" } else { "N*m" };
         let drive: Vec<String> =
             [(most(&limit.effort), effort.to_owned()), (most(&limit.velocity), format!("{unit}/s"))]
                 .into_iter()

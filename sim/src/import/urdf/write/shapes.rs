@@ -112,7 +112,9 @@ impl Drawing<'_> {
         let why = match why {
             Missing::Package(name) => {
                 let name = one_line(&name);
-                format!("the folder of package `{name}` is not known; `sim import FILE --package {name}=FOLDER` says it")
+                format!(
+                    "the folder of package `{name}` is not known; `sim import FILE --package {name}=FOLDER` says it"
+                )
             }
             Missing::OtherKind => "of meshes STL alone is read".to_owned(),
             Missing::Outside => "meshes are read from the robot's folder and from those of packages alone".to_owned(),
