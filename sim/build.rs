@@ -1,4 +1,4 @@
-//! Finds the commit that is built, which stands in every file that the program writes. `sim` and `codegen` have the same script.
+//! Finds the commit that is built, which stands in every file that the program writes. The commands `sim` and `codegen` have the same script.
 //!
 //! It is that of the checkout in which this package is a member, with `-dirty` if its sources differ from it; else the one that
 //! the package was published from; else what the variable LINKWRIGHT_COMMIT says; else `unknown`. A repository of somebody
@@ -10,7 +10,7 @@ use std::process::Command;
 /// What is to be known of the package: its folder in the checkout, and the sources that it is made of.
 fn package(name: &str) -> (&'static str, &'static [&'static str]) {
     match name {
-        "codegen" => ("codegen/", &["codegen/src"]),
+        "codegen-command" => ("codegen/command/", &["codegen/command/src", "codegen/src"]),
         _ => {
             ("sim/", &["sim/src", "sim/assets", "sim/kernel/src", "mechanism-macros/src", "codegen/src", "models/src"])
         }
@@ -22,10 +22,7 @@ fn main() {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-env-changed=LINKWRIGHT_COMMIT");
     let (folder, name) = (PathBuf::from(variable("CARGO_MANIFEST_DIR")), variable("CARGO_PKG_NAME"));
-    // Without its command `codegen` writes no file, and macros need not be built again for each commit.
-    let is_needed = name != "codegen" || std::env::var_os("CARGO_FEATURE_COMMAND").is_some();
-    let found = || of_checkout(&folder, &name).or_else(|| of_archive(&folder));
-    let commit = if is_needed { found() } else { None };
+    let commit = of_checkout(&folder, &name).or_else(|| of_archive(&folder));
     let is_plain =
         |text: &String| !text.is_empty() && text.chars().all(|c| c.is_ascii_alphanumeric() || "-_.+".contains(c));
     let said = || Some(variable("LINKWRIGHT_COMMIT")).filter(is_plain);

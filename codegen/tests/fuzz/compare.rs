@@ -9,8 +9,8 @@ use codegen::model::Unit;
 use codegen::oracle::{self, Comparison, Computed, Measured, Observed, Oracle, Solution, residual};
 
 /// Declarations in the plane and in space, and states of each.
-const PLANE: usize = 24;
-const SPACE: usize = 12;
+const PLANE: usize = 12;
+const SPACE: usize = 6;
 const STATES: usize = 4;
 /// Declarations that are compiled as one crate: more of them take the compiler more memory than a machine may have.
 const TOGETHER: usize = 144;

@@ -32,9 +32,13 @@ pub const CRATES: &[Crate] = &[
             "notation",
             "emit",
             "oracle",
-            "command",
         ],
         apart: &[("symbolic", &[]), ("oracle", &["dsl"])],
+    },
+    Crate {
+        folder: "codegen/command/src",
+        stages: &["source", "difference", "header", "document", "graph", "statistics", "command"],
+        apart: &[],
     },
     Crate {
         folder: "sim/src",

@@ -49,7 +49,8 @@ pub(in crate::cli) fn new(arguments: &NewArguments, voice: Voice) -> Result<(), 
     }
     if let Some(workspace) = workspace {
         let manifest = workspace.join("Cargo.toml");
-        let alias = ["run", "-q", "--release", "--manifest-path", &manifest.to_string_lossy(), "-p", "codegen", "--"];
+        let alias =
+            ["run", "-q", "--release", "--manifest-path", &manifest.to_string_lossy(), "-p", "codegen-command", "--"];
         // As one string if no word contains a blank: cargo joins lists with those of parent folders, but a string
         // replaces them.
         let alias = match alias.iter().any(|word| word.contains(char::is_whitespace)) {

@@ -1,17 +1,14 @@
 //! The command: reads declarations, prints one view of them, or compares it with a file.
 
-mod difference;
-mod document;
-mod graph;
-mod header;
-mod source;
-mod statistics;
-
+use crate::difference::difference;
+use crate::document::{Notation, document};
+use crate::graph::graph;
+use crate::header::{Comment, header, header_of};
+use crate::source::Source;
+use crate::statistics::statistics;
 use anyhow::{Context, Result};
-use clap::{Parser, ValueEnum};
-use header::{Comment, header, header_of};
+use clap::Parser;
 use proc_macro2::TokenStream;
-use source::Source;
 use std::io::{ErrorKind, Write};
 use std::path::PathBuf;
 
@@ -40,13 +37,6 @@ pub(crate) struct Arguments {
     path: String,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
-enum Notation {
-    Infix,
-    Latex,
-    Mathml,
-}
-
 /// The outcome of a command that could be carried out.
 pub(crate) enum Outcome {
     Done,
@@ -63,7 +53,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome> {
         Some(file) => {
             let expected = std::fs::read_to_string(file).with_context(|| format!("cannot read {}", file.display()))?;
             let found = header_of(&expected).to_owned() + &text;
-            match difference::difference(&file.display().to_string(), &expected, &found) {
+            match difference(&file.display().to_string(), &expected, &found) {
                 None => Ok(Outcome::Done),
                 Some(difference) => print(&difference).map(|()| Outcome::Differs),
             }
@@ -88,13 +78,13 @@ fn top(arguments: &Arguments, source: &Source) -> Result<String> {
 fn view(arguments: &Arguments, source: &Source) -> Result<String> {
     let of_each = |view: &dyn Fn(TokenStream) -> syn::Result<String>| source.located(source.each(view));
     if let Some(notation) = arguments.equations {
-        return source.located(document::document(source, notation));
+        return source.located(document(source, notation));
     }
     if arguments.statistics {
-        return of_each(&|declaration| statistics::statistics(declaration));
+        return of_each(&|declaration| statistics(declaration));
     }
     if let Some(kernel) = &arguments.graph {
-        return graph::graph(source, kernel);
+        return graph(source, kernel);
     }
     source.located(codegen::generate_text_in(&source.text, &arguments.path, &source.folder))
 }

@@ -1,12 +1,20 @@
 //! Equations of motion as a standalone document.
 
-use super::Notation;
-use super::source::Source;
+use crate::source::Source;
+use clap::ValueEnum;
 use codegen::dynamics::EquationsOfMotion;
 use codegen::notation::{self, Section, equations};
 
+/// How equations are written.
+#[derive(Clone, Copy, ValueEnum)]
+pub(crate) enum Notation {
+    Infix,
+    Latex,
+    Mathml,
+}
+
 /// The equations of all mechanisms of a text.
-pub(super) fn document(source: &Source, notation: Notation) -> syn::Result<String> {
+pub(crate) fn document(source: &Source, notation: Notation) -> syn::Result<String> {
     let mechanisms = source.equations()?;
     let sections =
         |write: fn(&EquationsOfMotion) -> String| mechanisms.iter().map(write).collect::<Vec<_>>().join("\n");

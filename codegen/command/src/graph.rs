@@ -1,6 +1,6 @@
 //! The graph of a kernel's operations, in the language of Graphviz.
 
-use super::source::Source;
+use crate::source::Source;
 use anyhow::{Result, bail};
 use codegen::program::{Diagram, Program, plan};
 use codegen::{dynamics, model, nearest};
@@ -8,7 +8,7 @@ use proc_macro2::TokenStream;
 use std::fmt::Write;
 
 /// The graph of one kernel, of each mechanism.
-pub(super) fn graph(source: &Source, kernel: &str) -> Result<String> {
+pub(crate) fn graph(source: &Source, kernel: &str) -> Result<String> {
     let mut out = String::new();
     for declaration in source.located(source.declarations())? {
         let (name, program) = source.located(program(declaration))?;

@@ -1,6 +1,12 @@
 //! `codegen [FILE]`: what becomes of the mechanisms that a file declares.
 
 mod command;
+mod difference;
+mod document;
+mod graph;
+mod header;
+mod source;
+mod statistics;
 
 use clap::Parser;
 use command::{Arguments, Outcome};

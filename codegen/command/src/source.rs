@@ -8,17 +8,17 @@ use proc_macro2::TokenStream;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-pub(super) struct Source {
+pub(crate) struct Source {
     /// For messages.
     name: String,
-    pub(super) text: String,
+    pub(crate) text: String,
     /// The folder of the files of tables: that of the crate that a Rust file is in, the file's own, or the current one.
-    pub(super) folder: PathBuf,
+    pub(crate) folder: PathBuf,
 }
 
 impl Source {
     /// A file, or standard input.
-    pub(super) fn read(file: Option<&Path>) -> Result<Source> {
+    pub(crate) fn read(file: Option<&Path>) -> Result<Source> {
         match file.filter(|file| *file != Path::new("-")) {
             Some(file) => {
                 let name = file.display().to_string();
@@ -33,24 +33,24 @@ impl Source {
         }
     }
 
-    pub(super) fn declarations(&self) -> syn::Result<Vec<TokenStream>> {
+    pub(crate) fn declarations(&self) -> syn::Result<Vec<TokenStream>> {
         let declarations = codegen::dsl::declarations(&self.text)?.into_iter();
         declarations.map(|declaration| Ok(read_files(declaration, &self.folder)?.0)).collect()
     }
 
     /// The equations of motion of all mechanisms.
-    pub(super) fn equations(&self) -> syn::Result<Vec<EquationsOfMotion>> {
+    pub(crate) fn equations(&self) -> syn::Result<Vec<EquationsOfMotion>> {
         self.declarations()?.into_iter().map(codegen::equations).collect()
     }
 
     /// One view of each mechanism, with an empty line between two.
-    pub(super) fn each(&self, view: &dyn Fn(TokenStream) -> syn::Result<String>) -> syn::Result<String> {
+    pub(crate) fn each(&self, view: &dyn Fn(TokenStream) -> syn::Result<String>) -> syn::Result<String> {
         let views: syn::Result<Vec<String>> = self.declarations()?.into_iter().map(view).collect();
         Ok(views?.join("\n"))
     }
 
     /// The result, or its mistakes by line and column.
-    pub(super) fn located<T>(&self, result: syn::Result<T>) -> Result<T> {
+    pub(crate) fn located<T>(&self, result: syn::Result<T>) -> Result<T> {
         result.map_err(|mistakes| anyhow!(located(&self.name, mistakes)))
     }
 }

@@ -8,7 +8,7 @@ const CONTEXT: usize = 2;
 const SHOWN: usize = 8;
 
 /// The changes as a unified diff, headed by the place of the first one; empty if there are none.
-pub(super) fn difference(file: &str, expected: &str, found: &str) -> Option<String> {
+pub(crate) fn difference(file: &str, expected: &str, found: &str) -> Option<String> {
     if expected == found {
         return None;
     }

@@ -1,11 +1,11 @@
 //! What a print says of where it comes from.
 
-use super::source::Source;
+use crate::source::Source;
 use codegen::dsl;
 
 /// How a comment begins and ends.
 #[derive(Clone, Copy)]
-pub(super) enum Comment {
+pub(crate) enum Comment {
     /// Rust, Graphviz.
     Slashes,
     /// LaTeX.
@@ -20,7 +20,7 @@ pub(super) enum Comment {
 const MADE: &str = "Made by Linkwright ";
 
 /// The program with its commit, each declaration by its hash, and the options; then an empty line.
-pub(super) fn header(source: &Source, options: &str, comment: Comment) -> syn::Result<String> {
+pub(crate) fn header(source: &Source, options: &str, comment: Comment) -> syn::Result<String> {
     let mut lines = vec![format!("{MADE}{}, commit {}.", env!("CARGO_PKG_VERSION"), env!("LINKWRIGHT_COMMIT"))];
     for declaration in source.declarations()? {
         let hash = dsl::hash(declaration.clone());
@@ -38,7 +38,7 @@ pub(super) fn header(source: &Source, options: &str, comment: Comment) -> syn::R
 
 /// The header of a print, if it has one. Prints are compared without it: those of the same declaration by another commit are
 /// the same where nothing else differs.
-pub(super) fn header_of(print: &str) -> &str {
+pub(crate) fn header_of(print: &str) -> &str {
     let is_header = print.lines().next().is_some_and(|line| line.contains(MADE));
     let end = print.find("\n\n").filter(|_| is_header);
     end.map_or("", |end| &print[..end + 2])

@@ -8,7 +8,7 @@ use quote::quote;
 use std::time::{Duration, Instant};
 
 /// Operations by kind for each kernel, what sharing saves, and the stages of the path with their times.
-pub(super) fn statistics(declaration: TokenStream) -> syn::Result<String> {
+pub(crate) fn statistics(declaration: TokenStream) -> syn::Result<String> {
     let mut stages = Stages::default();
     let source = dsl::Source::of(declaration.clone());
     // The body of `codegen::generate`, stage by stage.
