@@ -38,24 +38,25 @@ pub(super) fn attempt<M: Mechanism>(
     if has_generalized_speeds(motion.mechanism()) {
         motion.choose_velocity_variables(from, time, method.is_explicit());
     }
-    // Without generalised speeds it is not copied.
-    let Attempt { mut end, error } = match has_generalized_speeds(motion.mechanism()) {
-        false => method.step(motion, from, time, tolerance)?,
-        true => match method.step(motion, from, time, tolerance) {
-            Err(failure) if motion.falls_back(&failure) => method.step(motion, from, time, tolerance)?,
-            made => made?,
-        },
+    let mut made = method.step(motion, from, time, tolerance);
+    if has_generalized_speeds(motion.mechanism()) && made.as_ref().is_err_and(|failure| motion.falls_back(failure)) {
+        made = method.step(motion, from, time, tolerance);
+    }
+    // It is used where it stands: a copy would wait until all of the step is in memory.
+    let (end, error) = match &mut made {
+        Ok(Attempt { end, error }) => (end, *error),
+        Err(failure) => return Err(failure.clone()),
     };
     if !(error <= 1.0) {
         return Ok(error);
     }
     let before = tolerance.map(|tolerance| (tolerance, end.clone()));
-    motion.keep(&mut end)?;
+    motion.keep(end)?;
     let moved = before.map(|(tolerance, before)| {
-        let [positions, speeds] = difference(&before, &end);
-        tolerance.norm(motion.measures(), &before, &end, [&positions, &speeds])
+        let [positions, speeds] = difference(&before, end);
+        tolerance.norm(motion.measures(), &before, end, [&positions, &speeds])
     });
-    *to = motion.sample_in_place(end)?;
+    *to = motion.sample_in_place(end.clone())?;
     Ok(moved.map_or(error, |moved| with_move(error, moved, motion.relative_sine())))
 }
 
