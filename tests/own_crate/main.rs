@@ -23,16 +23,17 @@ fn shared_target() -> &'static Path {
     Path::new(env!("CARGO_TARGET_TMPDIR")).parent().unwrap()
 }
 
-/// The profile of the workspace, without which nothing could be shared: its own packages are others' to a crate beside it.
+/// The profile of the workspace for the packages of others, without which nothing could be shared. Its own packages are others
+/// to a crate beside it, and built anew: as fast as can be.
 const PROFILE: [&str; 13] = [
     "profile.dev.debug='line-tables-only'",
     "profile.dev.package.'*'.opt-level=1",
     "profile.dev.package.'*'.debug=false",
     "profile.dev.build-override.opt-level=1",
     "profile.dev.build-override.debug='line-tables-only'",
-    "profile.dev.package.codegen.opt-level=1",
+    "profile.dev.package.codegen.opt-level=0",
     "profile.dev.package.codegen.debug='line-tables-only'",
-    "profile.dev.package.sim.opt-level=1",
+    "profile.dev.package.sim.opt-level=0",
     "profile.dev.package.sim.debug='line-tables-only'",
     "profile.dev.package.sim-kernel.opt-level=0",
     "profile.dev.package.sim-kernel.debug='line-tables-only'",
