@@ -1,4 +1,5 @@
-//! Finds the commit that is built, which stands in every file that the program writes. The commands `sim` and `codegen` have the same script.
+//! Finds the commit that is built, which stands in every file that the program writes. The packages of the commands `sim` and
+//! `codegen` have the same script, each its own, as it is published with them.
 //!
 //! It is that of the checkout in which this package is a member, with `-dirty` if its sources differ from it; else the one that
 //! the package was published from; else what the variable LINKWRIGHT_COMMIT says; else `unknown`. A repository of somebody
