@@ -63,7 +63,7 @@ fn times<A: Compiled, F: Compiled>() -> String {
             },
             &mut || {
                 for _ in 0..CALLS {
-                    let mut state: State<F> = *black_box(&end);
+                    let mut state: State<F> = black_box(&end).clone();
                     let kept = project(&F::defaults(), &measures, &mut state);
                     black_box(F::prepared_dynamics(&as_free, 0.0, &state.positions, &state.speeds));
                     black_box(kept.is_ok());
