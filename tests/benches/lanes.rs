@@ -92,7 +92,7 @@ impl<M: Compiled> Work for Resident<'_, M> {
     type Output = ();
 
     #[inline(always)]
-    fn run(self) {
+    fn run<const AT_ONCE: usize>(self) {
         for (found, [q, qd]) in self.found.iter_mut().zip(self.states) {
             *found = Some(InLanes::<M>::prepared_dynamics(self.prepared, Lanes::from_f64(0.0), q, qd));
         }
@@ -141,7 +141,7 @@ impl Work for SinesOf<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run(self) {
+    fn run<const AT_ONCE: usize>(self) {
         for (wave, angle) in self.waves.iter_mut().zip(self.angles) {
             let ([sine], [cosine]) = Scalar::sin_cos_each([*angle]);
             *wave = (sine, cosine);

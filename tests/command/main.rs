@@ -7,6 +7,7 @@ mod commit;
 mod failing;
 mod files;
 mod info;
+mod inputs;
 mod provenance;
 mod run_files;
 mod watch;

@@ -4,7 +4,7 @@
 //! into a function compiled for wide vectors is compiled for the baseline: therefore `dynamics` is always inlined, and
 //! batches loop instead of passing closures.
 
-use crate::wave::sin_cos_each;
+use crate::wave::{give_sin_cos, sin_cos_each};
 use crate::{Mask, Scalar};
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 
@@ -34,6 +34,18 @@ impl<const N: usize> Lanes<N> {
         self.0
     }
 
+    /// So many lanes, from one on.
+    #[inline(always)]
+    pub fn part<const COUNT: usize>(&self, first: usize) -> [f64; COUNT] {
+        core::array::from_fn(|lane| self.0[first + lane])
+    }
+
+    /// Sets so many lanes, from one on.
+    #[inline(always)]
+    pub fn set_part<const COUNT: usize>(&mut self, first: usize, values: [f64; COUNT]) {
+        self.0[first..first + COUNT].copy_from_slice(&values);
+    }
+
     /// One lane.
     #[inline(always)]
     pub fn lane(&self, lane: usize) -> f64 {
@@ -46,10 +58,10 @@ impl<const N: usize> Lanes<N> {
         self.0[lane] = value;
     }
 
-    /// The sines of angles in their place, and their cosines.
+    /// Gives the sines and cosines of a part of the lanes to a function: they need not leave vector registers before.
     #[inline(always)]
-    pub fn sin_cos_in_place(angles_and_sines: &mut Self, cosines: &mut Self) {
-        sin_cos_in_place(&mut angles_and_sines.0, &mut cosines.0);
+    pub fn give_sin_cos<const COUNT: usize>(angles: [f64; COUNT], found: impl FnMut([f64; COUNT], [f64; COUNT])) {
+        give_sin_cos(angles, found);
     }
 
     #[inline(always)]
@@ -141,7 +153,7 @@ fn sin_cos_in_place(angles_and_sines: &mut [f64], cosines: &mut [f64]) {
     let (sines, few_sines) = angles_and_sines.as_chunks_mut::<8>();
     let (cosines, few_cosines) = cosines.as_chunks_mut::<8>();
     for (sine, cosine) in sines.iter_mut().zip(cosines) {
-        (*sine, *cosine) = sin_cos_each(*sine);
+        give_sin_cos(*sine, |sines, cosines| (*sine, *cosine) = (sines, cosines));
     }
     for (sine, cosine) in few_sines.iter_mut().zip(few_cosines) {
         ([*sine], [*cosine]) = sin_cos_each([*sine]);

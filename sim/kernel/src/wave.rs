@@ -39,6 +39,26 @@ const COS: [f64; 6] = [
 /// Sine and cosine of each angle: the same bits as one by one.
 #[inline(always)]
 pub(crate) fn sin_cos_each<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
+    let (sines, cosines, all_plain) = side_by_side(angles);
+    if all_plain { (sines, cosines) } else { each_by_itself(angles) }
+}
+
+/// Gives the same sines and cosines to a function, which is compiled once for the usual case and once for the rare one: where
+/// the two met, what vector registers hold would go through memory.
+#[inline(always)]
+pub(crate) fn give_sin_cos<const N: usize>(angles: [f64; N], mut found: impl FnMut([f64; N], [f64; N])) {
+    let (sines, cosines, all_plain) = side_by_side(angles);
+    if all_plain {
+        found(sines, cosines);
+    } else {
+        let (sines, cosines) = each_by_itself(angles);
+        found(sines, cosines);
+    }
+}
+
+/// Sines and cosines, and whether all of them are right: if no angle is large, or next to a multiple of pi/2.
+#[inline(always)]
+fn side_by_side<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N], bool) {
     let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
     let mut all_plain = true;
     for i in 0..N {
@@ -46,7 +66,7 @@ pub(crate) fn sin_cos_each<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64;
         all_plain &= reduced.is_plain;
         (sines[i], cosines[i]) = evaluate(angles[i], &reduced);
     }
-    if all_plain { (sines, cosines) } else { each_by_itself(angles) }
+    (sines, cosines, all_plain)
 }
 
 #[cold]

@@ -70,7 +70,7 @@ impl<M: Mechanism> Work for Batch<'_, M> {
     type Output = Vec<(usize, Failure)>;
 
     #[inline(always)]
-    fn run(self) -> Vec<(usize, Failure)> {
+    fn run<const AT_ONCE: usize>(self) -> Vec<(usize, Failure)> {
         let mut failures = Vec::new();
         let prepared = self.mechanism.on(Lanes::from_f64).prepare();
         for first in (0..self.states.len()).step_by(LANES) {

@@ -163,7 +163,7 @@ impl<M: Mechanism> Work for Attempts<'_, M> {
     type Output = Result<Reached<InLanes<M>, Numbers>, Failure>;
 
     #[inline(always)]
-    fn run(self) -> Self::Output {
+    fn run<const AT_ONCE: usize>(self) -> Self::Output {
         attempt_plainly(self.plain, self.method, self.from, self.time, self.tolerance.as_ref())
     }
 }

@@ -1,6 +1,7 @@
 //! A program at many states: each instruction is read once for a block of them, and done by vector
 //! instructions.
 
+use super::block_sums::BlockSum;
 use super::compact::{Body, body};
 use super::execute::{Given, refused, step};
 use crate::numerics::vectors::Work;
@@ -10,8 +11,9 @@ use codegen::kernel_id::Argument;
 use sim_kernel::{Input, Lanes, Mask, Scalar, Table};
 use std::ops::Range;
 
-/// How many states a block has.
-const STATES: usize = 64;
+/// How many states a block has. Not a power of two: registers would stand such a number of bytes apart, and loads would wait for
+/// stores whose addresses have the same lowest 12 bits.
+const STATES: usize = 72;
 
 /// A number at each of them.
 type Block = Lanes<STATES>;
@@ -33,7 +35,7 @@ impl Work for OfMany<'_> {
     type Output = Results;
 
     #[inline(always)]
-    fn run(self) -> Results {
+    fn run<const AT_ONCE: usize>(self) -> Results {
         let OfMany { code, states, .. } = self;
         let inputs: Vec<Input<Block>> = self.inputs.iter().map(|input| input.map(Block::from_f64)).collect();
         let given = Given::at_rest(&inputs, self.tables);
@@ -41,13 +43,14 @@ impl Work for OfMany<'_> {
         let mut registers: Vec<Block> = self.image.iter().map(|number| Block::from_f64(*number)).collect();
         registers.resize(code.registers, Block::ZERO);
         let body = body(code, |register| register);
+        let sums: Vec<BlockSum> = body.sums.iter().map(|sum| BlockSum::of(sum, self.image.len())).collect();
         let width: usize = self.rows.iter().map(ExactSizeIterator::len).sum();
         let count = states.times.len();
         let (mut numbers, mut refusals) = (Vec::with_capacity(width * count), Vec::new());
         for first in (0..count).step_by(STATES) {
             let filled = STATES.min(count - first);
             gather(code, states, first, filled, &mut registers);
-            execute(&body, &given, &mut registers);
+            execute::<AT_ONCE>((&body, &sums, self.image), &given, &mut registers);
             // Block by block, so that they are in the cache when they are written.
             numbers.resize((first + filled) * width, 0.0);
             scatter(&registers, self.rows, &mut numbers[first * width..], width);
@@ -62,15 +65,19 @@ impl Work for OfMany<'_> {
 
 /// Executes a program on registers that hold its image.
 #[inline(always)]
-fn execute(body: &Body<u32>, given: &Given<Block>, registers: &mut [Block]) {
+fn execute<const AT_ONCE: usize>(
+    (body, sums, numbers): (&Body<u32>, &[BlockSum], &[f64]),
+    given: &Given<Block>,
+    registers: &mut [Block],
+) {
     for group in &body.groups {
-        for sum in &body.sums[group.sums.clone()] {
-            sum.execute_block(registers);
+        for sum in &sums[group.sums.clone()] {
+            sum.execute::<AT_ONCE, STATES>(numbers, registers);
         }
         match group.last {
             Some(Instruction::Waves { place }) => {
                 for wave in &body.lists().waves[place as usize] {
-                    sin_cos(*wave, registers);
+                    sin_cos::<AT_ONCE>(*wave, registers);
                 }
             }
             Some(last) => step::<_, _, true>(last, body.lists(), given, registers),
@@ -80,12 +87,14 @@ fn execute(body: &Body<u32>, given: &Given<Block>, registers: &mut [Block]) {
 }
 
 #[inline(always)]
-fn sin_cos(Wave { angle, sin, cos }: Wave<u32>, registers: &mut [Block]) {
-    let angle = registers[angle as usize];
-    registers[sin as usize] = angle;
-    // They are two registers.
-    let Ok([sin, cos]) = registers.get_disjoint_mut([sin as usize, cos as usize]) else { return };
-    Lanes::sin_cos_in_place(sin, cos);
+fn sin_cos<const AT_ONCE: usize>(Wave { angle, sin, cos }: Wave<u32>, registers: &mut [Block]) {
+    for first in (0..STATES).step_by(AT_ONCE) {
+        let angles: [f64; AT_ONCE] = registers[angle as usize].part(first);
+        Block::give_sin_cos(angles, |sines, cosines| {
+            registers[sin as usize].set_part(first, sines);
+            registers[cos as usize].set_part(first, cosines);
+        });
+    }
 }
 
 /// The results of a block, state by state.

@@ -79,13 +79,11 @@ impl<'a> Lists<'a, u32> {
 /// a + b c, or a - b c.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SumOfProduct<R> {
-    to: R,
-    a: R,
-    b: R,
-    c: R,
-    is_negative: bool,
-    /// Whether a is -0.
-    is_product: bool,
+    pub(super) to: R,
+    pub(super) a: R,
+    pub(super) b: R,
+    pub(super) c: R,
+    pub(super) is_negative: bool,
 }
 
 impl<R: Register> SumOfProduct<R> {
@@ -94,18 +92,6 @@ impl<R: Register> SumOfProduct<R> {
         let sign = u64::from(self.is_negative) << 63;
         let product = self.b.read(file) * self.c.read(file);
         self.to.write(file, self.a.read(file) + f64::from_bits(product.to_bits() ^ sign));
-    }
-
-    /// On a block of states, whose operands take longer to read than a wrong guess: -0 is not read. To multiply by 1 or -1
-    /// is exact.
-    #[inline(always)]
-    pub(super) fn execute_block<S: Scalar>(self, file: &mut R::File<S>) {
-        let product = self.b.read(file) * self.c.read(file);
-        let value = match self.is_product {
-            true => product,
-            false => self.a.read(file) + product * S::from_f64(if self.is_negative { -1.0 } else { 1.0 }),
-        };
-        self.to.write(file, value);
     }
 }
 
@@ -194,6 +180,5 @@ fn sum_of_product<R: Copy>(instruction: Instruction<R>, minus_zero: R, one: R) -
         Instruction::SubtractProduct { to, a, b, c } => (to, a, b, c, true),
         _ => return None,
     };
-    let is_product = matches!(instruction, Instruction::Multiply { .. } | Instruction::Copy { .. });
-    Some(SumOfProduct { to, a, b, c, is_negative, is_product })
+    Some(SumOfProduct { to, a, b, c, is_negative })
 }

@@ -3,6 +3,7 @@
 //! The results are those of the generated Rust, to the last bit: the same operations in the same order, on the same
 //! routines for sines and other functions.
 
+mod block_sums;
 mod blocks;
 mod compact;
 mod derivatives;

@@ -6,8 +6,8 @@ use std::fmt;
 pub trait Work {
     /// Its result.
     type Output;
-    /// Does it. Implementations are `#[inline(always)]`.
-    fn run(self) -> Self::Output;
+    /// Does it, with vectors of so many numbers of double precision. Implementations are `#[inline(always)]`.
+    fn run<const AT_ONCE: usize>(self) -> Self::Output;
 }
 
 /// Vector instructions that this processor has.
@@ -72,7 +72,7 @@ impl Vectors {
     #[inline]
     pub fn run<W: Work>(self, work: W) -> W::Output {
         match self.0 {
-            Width::Baseline => work.run(),
+            Width::Baseline => work.run::<4>(),
             // Safety: these widths are made only where the processor was found to have the instructions.
             #[cfg(target_arch = "x86_64")]
             #[allow(unsafe_code)]
@@ -87,11 +87,11 @@ impl Vectors {
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
 fn with_avx2<W: Work>(work: W) -> W::Output {
-    work.run()
+    work.run::<4>()
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512dq")]
 fn with_avx512<W: Work>(work: W) -> W::Output {
-    work.run()
+    work.run::<8>()
 }

@@ -14,7 +14,7 @@ use crate::output::show::{self, About};
 use crate::output::write::summary_of;
 use crate::{Settings, Start, Stepping, Table, What, assemble, mobility, run_while, write_json};
 use serde_json::{Value, json};
-use sim_kernel::Mechanism;
+use sim_kernel::{Description, Mechanism};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -63,7 +63,7 @@ fn told(
     let outcome = found.outcome();
     let mut summary = summary_of(&outcome, table);
     let times = write(&mut files, found, (&outcome, &mut *table, &mut summary), arguments, (reproduction, clock));
-    files.say(voice, summary, &report(&outcome, &files, &times))?;
+    files.say(voice, summary, &report(&outcome, &arguments.input, &files, &times))?;
     let is_interrupted = outcome.failure.as_ref().is_some_and(|failure| failure.what == What::Interrupted);
     files.check(failures(&outcome, table), is_interrupted)
 }
@@ -160,12 +160,13 @@ fn never(run: &Outcome) -> Option<String> {
 type Line = (&'static str, String);
 
 /// The short table for the terminal.
-fn report(run: &Outcome, files: &Files, times: &Times) -> String {
+fn report(run: &Outcome, held: &[String], files: &Files, times: &Times) -> String {
     let description = run.description;
     let end = run.settings.end;
     let reached = run.reached;
     let span = if reached == end { format!("0 to {end:?} s") } else { format!("0 to {reached:?} s of {end:?} s") };
     let mut rows = vec![("model", description.name.to_owned()), ("method", method(run)), ("time", span)];
+    rows.extend(inputs(run.description, held));
     rows.extend(happened(run));
     rows.extend(quality(run));
     let milliseconds = |seconds: f64| 1e3 * seconds;
@@ -183,6 +184,22 @@ fn report(run: &Outcome, files: &Files, times: &Times) -> String {
         rows.push(("look at", format!("{}", files.directory().join("report.html").display())));
     }
     rows.iter().map(|(name, value)| format!("{name:<12} {value}\n")).collect()
+}
+
+/// Which inputs are held, and how others can be; nothing of a mechanism without inputs.
+fn inputs(description: &Description, held: &[String]) -> Option<Line> {
+    let names: Vec<&str> = description.inputs.iter().map(|input| input.name).collect();
+    let (first, others) = names.split_first()?;
+    let line = match (held.len(), others.len()) {
+        (0, 0) => format!("{first} as declared; `--input {first}=VALUE` holds it at a value"),
+        (0, more) => {
+            let others = counted(more, "other");
+            format!("{first} and {others} as declared; `--input {first}=VALUE` holds one at a value")
+        }
+        (count, more) if count > more => format!("{} held", held.join(", ")),
+        _ => format!("{} held, others as declared", held.join(", ")),
+    };
+    Some(("inputs", line))
 }
 
 /// The events of the run, and warnings about its numbers.
