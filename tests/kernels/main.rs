@@ -13,6 +13,7 @@ mod lagrange;
 mod lanes;
 mod mechanisms;
 mod oracle;
+mod printed;
 mod refusal;
 mod sparse;
 mod tabled;

@@ -459,7 +459,7 @@ impl<S: sim_kernel::Scalar> BouncingBallPrepared<S> {
         }
     }
 }
-#[allow(non_snake_case, clippy::all, clippy::pedantic)]
+#[allow(non_snake_case, unused_variables, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
     type Q = [S; 2];
     type L = [S; 1];

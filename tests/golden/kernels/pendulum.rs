@@ -403,7 +403,7 @@ impl<S: sim_kernel::Scalar> PendulumPrepared<S> {
         }
     }
 }
-#[allow(non_snake_case, clippy::all, clippy::pedantic)]
+#[allow(non_snake_case, unused_variables, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
     type Q = [S; 1];
     type L = [S; 0];

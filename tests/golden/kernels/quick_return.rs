@@ -1062,7 +1062,7 @@ impl<S: sim_kernel::Scalar> QuickReturnPrepared<S> {
         }
     }
 }
-#[allow(non_snake_case, clippy::all, clippy::pedantic)]
+#[allow(non_snake_case, unused_variables, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
     type Q = [S; 3];
     type L = [S; 2];

@@ -759,7 +759,7 @@ impl<S: sim_kernel::Scalar> SliderCrankPrepared<S> {
         }
     }
 }
-#[allow(non_snake_case, clippy::all, clippy::pedantic)]
+#[allow(non_snake_case, unused_variables, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
     type Q = [S; 2];
     type L = [S; 1];

@@ -674,7 +674,7 @@ impl<S: sim_kernel::Scalar> TopPrepared<S> {
         }
     }
 }
-#[allow(non_snake_case, clippy::all, clippy::pedantic)]
+#[allow(non_snake_case, unused_variables, clippy::all, clippy::pedantic)]
 impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Top<S> {
     type Q = [S; 3];
     type L = [S; 0];

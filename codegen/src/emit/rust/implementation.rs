@@ -33,7 +33,7 @@ pub(super) fn implementation(
     let velocity_variables = speeds::velocity_variables(equations, path);
     let forwards = forwards(Trait::Mechanism, model, program, concrete, path);
     quote! {
-        #[allow(non_snake_case, clippy::all, clippy::pedantic)]
+        #[allow(non_snake_case, unused_variables, clippy::all, clippy::pedantic)]
         impl<S: #path::Scalar> #path::Mechanism<S> for #name<S> {
             #types
             type On<#other: #path::Scalar> = #name<#other>;
