@@ -37,7 +37,9 @@ impl<const N: usize> Lanes<N> {
     /// So many lanes, from one on.
     #[inline(always)]
     pub fn part<const COUNT: usize>(&self, first: usize) -> [f64; COUNT] {
-        core::array::from_fn(|lane| self.0[first + lane])
+        let mut part = [0.0; COUNT];
+        part.copy_from_slice(&self.0[first..first + COUNT]);
+        part
     }
 
     /// Sets so many lanes, from one on.

@@ -104,7 +104,7 @@ impl BlockSum {
 }
 
 /// Computes a block, as many states at once as a vector holds, so that nothing goes through memory between reading operands and
-/// writing the value.
+/// writing the value. Loops, since what closures of `array::map` hold may be left in memory.
 #[inline(always)]
 fn each<const AT_ONCE: usize, const STATES: usize, const OPERANDS: usize>(
     file: &mut [Lanes<STATES>],
@@ -113,8 +113,18 @@ fn each<const AT_ONCE: usize, const STATES: usize, const OPERANDS: usize>(
     value: impl Fn([f64; OPERANDS]) -> f64,
 ) {
     for first in (0..STATES).step_by(AT_ONCE) {
-        let vectors: [[f64; AT_ONCE]; OPERANDS] = operands.map(|operand| file[operand as usize].part(first));
-        let values: [f64; AT_ONCE] = std::array::from_fn(|lane| value(vectors.map(|vector| vector[lane])));
+        let mut vectors = [[0.0; AT_ONCE]; OPERANDS];
+        for (vector, operand) in vectors.iter_mut().zip(operands) {
+            *vector = file[operand as usize].part(first);
+        }
+        let mut values = [0.0; AT_ONCE];
+        for lane in 0..AT_ONCE {
+            let mut of_lane = [0.0; OPERANDS];
+            for i in 0..OPERANDS {
+                of_lane[i] = vectors[i][lane];
+            }
+            values[lane] = value(of_lane);
+        }
         file[to as usize].set_part(first, values);
     }
 }
