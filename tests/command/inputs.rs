@@ -18,7 +18,7 @@ fn said(model: &str, name: &str, options: &[&str]) -> Option<String> {
 fn a_run_tells_how_its_inputs_are_driven() {
     let one = |options: &[&str]| said("cart-pole", "inputs-one", options);
     assert_eq!(one(&[]).unwrap(), "push as declared; `--input push=VALUE` holds it at a value");
-    assert_eq!(one(&["--input", "push=2N"]).unwrap(), "push=2N held");
+    assert_eq!(one(&["--input", "push=2N"]).unwrap(), "push = 2 N held");
     assert_eq!(said("pendulum", "inputs-none", &[]), None);
 
     let file = fresh("inputs-file.mech");
@@ -27,7 +27,9 @@ fn a_run_tells_how_its_inputs_are_driven() {
     fs::write(&file, text).unwrap();
     let two = |options: &[&str]| said(file.to_str().unwrap(), "inputs-two", options);
     assert_eq!(two(&[]).unwrap(), "right and 1 other as declared; `--input right=VALUE` holds one at a value");
-    assert_eq!(two(&["--input", "up=3N"]).unwrap(), "up=3N held, others as declared");
-    assert_eq!(two(&["--input", "up=3N", "--input", "right=1N"]).unwrap(), "up=3N, right=1N held");
+    assert_eq!(two(&["--input", "up=3N"]).unwrap(), "up = 3 N held, others as declared");
+    // What is given twice is held at the last value.
+    assert_eq!(two(&["--input", "up=3N", "--input", "up=4kN"]).unwrap(), "up = 4000 N held, others as declared");
+    assert_eq!(two(&["--input", "up=3N", "--input", "right=1N"]).unwrap(), "right = 1 N, up = 3 N held");
     fs::remove_file(&file).unwrap();
 }

@@ -60,12 +60,6 @@ impl<const N: usize> Lanes<N> {
         self.0[lane] = value;
     }
 
-    /// Gives the sines and cosines of a part of the lanes to a function: they need not leave vector registers before.
-    #[inline(always)]
-    pub fn give_sin_cos<const COUNT: usize>(angles: [f64; COUNT], found: impl FnMut([f64; COUNT], [f64; COUNT])) {
-        give_sin_cos(angles, found);
-    }
-
     #[inline(always)]
     fn each(self, f: impl Fn(f64) -> f64) -> Self {
         Lanes::from_fn(|lane| f(self.0[lane]))

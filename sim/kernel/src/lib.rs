@@ -31,6 +31,7 @@ pub use mechanism::{
 pub use scalar::{Mask, Scalar};
 pub use speeds::{GeneralizedSpeeds, SpeedDynamics};
 pub use table::Table;
+pub use wave::give_sin_cos;
 
 #[cfg(feature = "macros")]
 #[doc(hidden)]

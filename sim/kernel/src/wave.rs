@@ -43,10 +43,10 @@ pub(crate) fn sin_cos_each<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64;
     if all_plain { (sines, cosines) } else { each_by_itself(angles) }
 }
 
-/// Gives the same sines and cosines to a function, which is compiled once for the usual case and once for the rare one: where
-/// the two met, what vector registers hold would go through memory.
+/// Gives sine and cosine of each angle to a function, with the same bits as one by one. It is compiled once for the usual case and
+/// once for the rare one: where the two met, what vector registers hold would go through memory.
 #[inline(always)]
-pub(crate) fn give_sin_cos<const N: usize>(angles: [f64; N], mut found: impl FnMut([f64; N], [f64; N])) {
+pub fn give_sin_cos<const N: usize>(angles: [f64; N], mut found: impl FnMut([f64; N], [f64; N])) {
     let (sines, cosines, all_plain) = side_by_side(angles);
     if all_plain {
         found(sines, cosines);

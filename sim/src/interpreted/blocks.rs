@@ -8,7 +8,7 @@ use crate::numerics::vectors::Work;
 use crate::{Results, States};
 use codegen::emit::bytecode::{Code, Instruction, Wave};
 use codegen::kernel_id::Argument;
-use sim_kernel::{Input, Lanes, Mask, Scalar, Table};
+use sim_kernel::{Input, Lanes, Mask, Scalar, Table, give_sin_cos};
 use std::ops::Range;
 
 /// How many states a block has. Not a power of two: registers would stand such a number of bytes apart, and loads would wait for
@@ -90,7 +90,7 @@ fn execute<const AT_ONCE: usize>(
 fn sin_cos<const AT_ONCE: usize>(Wave { angle, sin, cos }: Wave<u32>, registers: &mut [Block]) {
     for first in (0..STATES).step_by(AT_ONCE) {
         let angles: [f64; AT_ONCE] = registers[angle as usize].part(first);
-        Block::give_sin_cos(angles, |sines, cosines| {
+        give_sin_cos(angles, |sines, cosines| {
             registers[sin as usize].set_part(first, sines);
             registers[cos as usize].set_part(first, cosines);
         });

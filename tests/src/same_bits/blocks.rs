@@ -5,8 +5,11 @@ use super::{Answer, bits, plain};
 use crate::Random;
 use sim::{Kernel, Model, Results, States, Vectors};
 
+/// Two blocks of an interpreted program, and a part of one.
+const SOME_BLOCKS: usize = 150;
+
 /// The kernels of which many states at once differ from the compiled kernel at each: no state, one, a part of a block, and as
-/// many as are asked for, with the last block in part.
+/// many as are asked for, at least some blocks.
 pub(super) fn differences(
     compiled: &dyn Model,
     interpreted: &dyn Model,
@@ -14,7 +17,7 @@ pub(super) fn differences(
     random: &mut Random,
 ) -> Vec<String> {
     let mut found = Vec::new();
-    for count in [0, 1, 7, states.max(70)] {
+    for count in [0, 1, 7, states.max(SOME_BLOCKS)] {
         let values = random_values(compiled, random);
         let [compiled, interpreted] = [compiled, interpreted].map(|model| model.with_values(&values));
         let places: Vec<Place> = (0..count).map(|_| Place::random(&*compiled, random)).collect();

@@ -7,14 +7,14 @@ use crate::cli::files::reproduction::Reproduction;
 use crate::cli::files::written::Files;
 use crate::cli::given::{as_given, held_at};
 use crate::cli::progress;
-use crate::cli::said::counted;
+use crate::cli::said::{counted, short};
 use crate::output::happening::impulses;
 use crate::output::outcome::{Outcome, Recorded, Until};
 use crate::output::show::{self, About};
 use crate::output::write::summary_of;
 use crate::{Settings, Start, Stepping, Table, What, assemble, mobility, run_while, write_json};
 use serde_json::{Value, json};
-use sim_kernel::{Description, Mechanism};
+use sim_kernel::{Description, Input, Mechanism, Quantity};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -30,9 +30,10 @@ pub(in crate::cli) fn run_command<M: Mechanism>(
     let directory = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(description.name));
     let files = Files::new(description, &directory, &["mechanism"])?;
     warn_of_redundancy(&mechanism, &start, voice);
+    let driven = inputs(description, mechanism.inputs().as_ref());
     let found = progress::watched(settings.end, voice, |goes_on| run_while(mechanism, &start, &settings, goes_on))?;
     let mut table = Table::of(&found.mechanism, &found.trajectory);
-    told(&found, &mut table, arguments, (&mut reproduction, files, clock), voice)
+    told(&found, &mut table, arguments, (&mut reproduction, files, clock), (driven, voice))
 }
 
 /// A run as it is asked for.
@@ -52,18 +53,18 @@ pub(in crate::cli) fn asked<M: Mechanism>(mechanism: &M, arguments: &RunArgument
     Ok(Asked { mechanism, start, settings, reproduction })
 }
 
-/// Writes the results, prints a short table, and reports failures.
+/// Writes the results, prints a short table with what drives the inputs, and reports failures.
 fn told(
     found: &dyn Recorded,
     table: &mut Table,
     arguments: &RunArguments,
     (reproduction, mut files, clock): (&mut Reproduction, Files, Instant),
-    voice: Voice,
+    (driven, voice): (Option<Line>, Voice),
 ) -> Result<(), Stop> {
     let outcome = found.outcome();
     let mut summary = summary_of(&outcome, table);
     let times = write(&mut files, found, (&outcome, &mut *table, &mut summary), arguments, (reproduction, clock));
-    files.say(voice, summary, &report(&outcome, &arguments.input, &files, &times))?;
+    files.say(voice, summary, &report(&outcome, driven, &files, &times))?;
     let is_interrupted = outcome.failure.as_ref().is_some_and(|failure| failure.what == What::Interrupted);
     files.check(failures(&outcome, table), is_interrupted)
 }
@@ -160,13 +161,13 @@ fn never(run: &Outcome) -> Option<String> {
 type Line = (&'static str, String);
 
 /// The short table for the terminal.
-fn report(run: &Outcome, held: &[String], files: &Files, times: &Times) -> String {
+fn report(run: &Outcome, driven: Option<Line>, files: &Files, times: &Times) -> String {
     let description = run.description;
     let end = run.settings.end;
     let reached = run.reached;
     let span = if reached == end { format!("0 to {end:?} s") } else { format!("0 to {reached:?} s of {end:?} s") };
     let mut rows = vec![("model", description.name.to_owned()), ("method", method(run)), ("time", span)];
-    rows.extend(inputs(run.description, held));
+    rows.extend(driven);
     rows.extend(happened(run));
     rows.extend(quality(run));
     let milliseconds = |seconds: f64| 1e3 * seconds;
@@ -186,18 +187,25 @@ fn report(run: &Outcome, held: &[String], files: &Files, times: &Times) -> Strin
     rows.iter().map(|(name, value)| format!("{name:<12} {value}\n")).collect()
 }
 
-/// Which inputs are held, and how others can be; nothing of a mechanism without inputs.
-fn inputs(description: &Description, held: &[String]) -> Option<Line> {
-    let names: Vec<&str> = description.inputs.iter().map(|input| input.name).collect();
-    let (first, others) = names.split_first()?;
+/// Which inputs are held from the start, and how others can be; nothing of a mechanism without inputs.
+fn inputs(description: &Description, inputs: &[Input]) -> Option<Line> {
+    let (first, others) = description.inputs.split_first()?;
+    let of_each = description.inputs.iter().zip(inputs);
+    let held: Vec<String> = of_each
+        .filter_map(|(quantity, input)| {
+            let Quantity { name, unit, factor, .. } = quantity;
+            Some(format!("{name} = {} {unit}", short(input.held()? / factor)))
+        })
+        .collect();
+    let (first, held_there) = (first.name, held.join(", "));
     let line = match (held.len(), others.len()) {
         (0, 0) => format!("{first} as declared; `--input {first}=VALUE` holds it at a value"),
         (0, more) => {
             let others = counted(more, "other");
             format!("{first} and {others} as declared; `--input {first}=VALUE` holds one at a value")
         }
-        (count, more) if count > more => format!("{} held", held.join(", ")),
-        _ => format!("{} held, others as declared", held.join(", ")),
+        (count, more) if count > more => format!("{held_there} held"),
+        _ => format!("{held_there} held, others as declared"),
     };
     Some(("inputs", line))
 }
