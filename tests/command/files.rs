@@ -274,6 +274,11 @@ fn kernels_are_evaluated_at_states() {
     assert!(said(&["--kernel", "dynamic", "--at", states]).contains("did you mean `dynamics`?"));
     fs::write(folder.join("few.csv"), "alpha [deg],beta,gamma\n90,1.2,2.7\n").unwrap();
     assert!(said(&["--kernel", "dynamics", "--at", "few.csv"]).contains("`dynamics` needs the column `alpha_dot`"));
+    fs::write(folder.join("twice.csv"), "alpha,beta,alpha [deg],gamma\n1,1.2,90,2.7\n").unwrap();
+    assert!(said(&["--kernel", "mass_matrix", "--at", "twice.csv"]).contains("the heading has `alpha` twice"));
+    let without_times = "there is no column `t`: t = 0 at all states";
+    assert!(said(&["--kernel", "mass_matrix", "--at", "few.csv"]).contains(without_times));
+    assert!(!said(&["--kernel", "dynamics", "--at", states]).contains(without_times));
     // 90 degrees are pi/2, and the entries of a matrix have numbers.
     fs::write(
         folder.join("same.csv"),
@@ -293,6 +298,10 @@ fn kernels_are_evaluated_at_states() {
     assert_eq!(line("pendulum", "constraint_jacobian", "phi\n0.5\n").0, "t [s],refused\n0.0,0\n");
     let (nothing, why) = line("pendulum", "speed_mass_matrix", "phi\n0.5\n");
     assert!(nothing.is_empty() && why.contains("write `kernels { speed_mass_matrix; }` in its declaration"), "{why}");
+    let columns = "{\n  \"t [s]\": [\n    0.0\n  ],\n  \"mass_matrix_1_1\": [\n    1.0\n  ],\n  \"refused\": [\n    false\n  ]\n}\n";
+    fs::write(folder.join("few.csv"), "t,phi\n0,0.5\n").unwrap();
+    let json = ["evaluate", "pendulum", "--kernel", "mass_matrix", "--at", "few.csv", "--json"];
+    assert_eq!(stdout(&within(&folder, &json)), columns);
     let body = "pub Body; bodies { body: free, mass 2, inertia [1, 2, 3]; } kernels { speed_mass_matrix; }";
     fs::write(folder.join("body.mech"), body).unwrap();
     let (found, why) = line("body.mech", "speed_mass_matrix", BODY);
@@ -302,7 +311,7 @@ fn kernels_are_evaluated_at_states() {
     let (nothing, why) = line("pendulum", "mass_matrix", "phi\n");
     assert!(nothing.is_empty() && why.contains("few.csv: no states"), "{nothing}{why}");
     fs::write(folder.join("nan.csv"), "alpha,beta,gamma\nNaN,1.2,2.7\n").unwrap();
-    assert!(said(&["--kernel", "mass_matrix", "--at", "nan.csv"]).contains("`alpha [1]`: row 1 is not finite"));
+    assert!(said(&["--kernel", "mass_matrix", "--at", "nan.csv"]).contains("`alpha`: row 1 is not finite"));
 }
 
 /// Text of a declaration stays text wherever it is shown: no file has it as markup.

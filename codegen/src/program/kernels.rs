@@ -8,6 +8,7 @@ use super::results::Results;
 use super::separate::separate_kernels;
 use super::sparsity::Sparsity;
 use super::speed_mass_matrix::speed_mass_matrix;
+use super::ways::takes_rows;
 use super::{Kernel, Program};
 use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::{KernelId, Record};
@@ -36,21 +37,17 @@ pub fn plan(equations: &mut EquationsOfMotion) -> Program {
 
 /// Expressions with products of sums multiplied out, if terms then cancel; the power by forces along coordinates.
 fn expansions(equations: &mut EquationsOfMotion) -> FxHashMap<Expr, Expr> {
+    let takes_rows = takes_rows(equations);
     let EquationsOfMotion { graph, tmt, constraints, speeds, energy, .. } = equations;
-    let matrices = tmt.mass_matrix.iter().chain(&constraints.jacobian).flatten();
+    let terms = [&tmt.right_hand_side, &tmt.convective_forces, &tmt.generalized_forces];
+    let terms = tmt.mass_matrix.iter().chain(terms).filter(|_| takes_rows);
     let in_speeds = speeds.iter().flat_map(|speeds| {
         let matrices = speeds.tmt.mass_matrix.iter().chain(&speeds.jacobian);
         matrices.chain([&speeds.tmt.right_hand_side, &speeds.convective]).flatten()
     });
-    let vectors = [
-        &tmt.right_hand_side,
-        &tmt.convective_forces,
-        &tmt.generalized_forces,
-        &constraints.convective,
-        &constraints.time_derivative,
-    ];
+    let constraints = constraints.jacobian.iter().chain([&constraints.convective, &constraints.time_derivative]);
     let zero = graph.zero();
-    let exprs = matrices.chain(vectors.into_iter().flatten()).chain(in_speeds).copied();
+    let exprs = terms.chain(constraints).flatten().chain(in_speeds).copied();
     let exprs: Vec<Expr> = exprs.filter(|expr| *expr != zero).collect();
     let expanded = exprs.into_iter().filter_map(|expr| Some((expr, graph.expand(expr, LONGEST_EXPANSION)?)));
     expanded.chain(energy.power_along_variables.map(|other| (energy.power, other))).collect()

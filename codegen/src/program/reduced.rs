@@ -1,6 +1,6 @@
 //! The terms of the equations of motion in coordinates alone, for any formulation.
 
-use super::eliminate::reduce;
+use super::eliminate::{System, reduce};
 use super::lower::Lowering;
 use super::motion::{constraint_system, definition, system};
 use super::results::Results;
@@ -17,7 +17,8 @@ const SPARSE: usize = 4;
 
 /// T_q' M T_q, n x n.
 pub(super) fn mass_matrix(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
-    matrix(equations, lowering, 0..equations.model.coordinates.len())
+    let system = system(equations, &equations.declared, &equations.declared.rows, lowering);
+    matrix(equations, lowering, &system, 0..equations.model.coordinates.len())
 }
 
 /// The same with all of its zeros.
@@ -32,7 +33,8 @@ pub(super) fn dense_mass_matrix(equations: &EquationsOfMotion, lowering: &mut Lo
 /// C_q, m x n.
 pub(super) fn constraint_jacobian(equations: &EquationsOfMotion, lowering: &mut Lowering) -> Results<Value> {
     let first = equations.variables.len();
-    matrix(equations, lowering, first..first + equations.model.constraints.len())
+    let system = constraint_system(equations, lowering);
+    matrix(equations, lowering, &system, first..first + equations.model.constraints.len())
 }
 
 /// For each row of C_q the columns of its entries that need not be 0.
@@ -103,10 +105,14 @@ pub(super) fn constraint_convective(equations: &EquationsOfMotion, lowering: &mu
     constraint_rows(equations, lowering, &equations.constraints.convective, &accelerations)
 }
 
-fn matrix(equations: &EquationsOfMotion, lowering: &mut Lowering, rows: Range<usize>) -> Results<Value> {
+fn matrix(
+    equations: &EquationsOfMotion,
+    lowering: &mut Lowering,
+    system: &System,
+    rows: Range<usize>,
+) -> Results<Value> {
     let n = equations.model.coordinates.len();
-    let system = system(equations, &equations.declared, &equations.declared.rows, lowering);
-    let mut reduced = reduce(&mut lowering.values, &system);
+    let mut reduced = reduce(&mut lowering.values, system);
     let size = [rows.len(), n];
     let held = rows.clone().map(|i| (0..n).filter(|j| reduced.holds(i, *j)).count()).sum::<usize>();
     if n * rows.len() > LARGEST_DENSE && held * SPARSE < n * rows.len() {

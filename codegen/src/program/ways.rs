@@ -85,8 +85,7 @@ impl<'a> Solution<'a> {
             let trials = ways.filter_map(|way| way.tried(planner));
             trials.reduce(|best, other| if other.cost < best.cost { other } else { best })
         };
-        let declared = &planner.equations.declared;
-        let is_differentiated = !declared.by_state.is_empty() || declared.by_parameters.is_some();
+        let is_differentiated = is_differentiated(planner.equations);
         let open = least(&mut Way::open(planner.equations));
         let open = match open {
             Some(Trial { lowering, motion, .. }) if !is_differentiated && !can_be_by_rows(planner.equations) => {
@@ -111,6 +110,16 @@ impl<'a> Solution<'a> {
 /// Whether the terms of the equations of motion may come from rows of T.
 pub(super) fn can_be_by_rows(equations: &EquationsOfMotion) -> bool {
     equations.links.is_none() || equations.model.coordinates.len() <= MOST_BY_ROWS
+}
+
+/// Whether anything is made of the terms from rows of T.
+pub(super) fn takes_rows(equations: &EquationsOfMotion) -> bool {
+    can_be_by_rows(equations) || is_differentiated(equations) || !equations.separations.is_empty()
+}
+
+/// Whether derivatives of the motion are wanted.
+fn is_differentiated(EquationsOfMotion { declared, .. }: &EquationsOfMotion) -> bool {
+    !declared.by_state.is_empty() || declared.by_parameters.is_some()
 }
 
 /// The number of operations that are not on parameters alone.

@@ -141,7 +141,7 @@ fn execute(mechanisms: &[Entry], arguments: Arguments) -> Result<(), Stop> {
         Command::Kinematics(sweep) => kinematics::kinematics_command(Erased::of(model(sweep.model())?), sweep, voice),
         Command::Linearize(about) => linearize::linearize_command(Erased::of(model(&about.start.model)?), about, voice),
         Command::Poincare(of) => stepping!(poincare::poincare_command, model(&of.start.model)?, of, voice),
-        Command::Evaluate(of) => evaluate::evaluate(&*model(&of.model)?, of),
+        Command::Evaluate(of) => evaluate::evaluate(&*model(&of.model)?, of, voice),
         Command::Watch(arguments) => watch::watch(arguments, voice),
         Command::Check(arguments) => check::check(arguments, voice),
         Command::Import(arguments) => import::import(arguments, voice),

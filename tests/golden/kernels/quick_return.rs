@@ -465,9 +465,9 @@ impl<S: sim_kernel::Scalar> QuickReturn<S> {
         ]);
         let w = cos_beta * cos_alpha;
         [
-            [S::from_f64(0.0), self.O4B * cos_beta, cos_gamma * self.BC],
+            [S::from_f64(0.0), self.O4B * cos_beta, self.BC * cos_gamma],
             [
-                self.O2A * (w + sin_beta * sin_alpha),
+                self.O2A * (w + sin_alpha * sin_beta),
                 -(self.O2A * w + sin_beta * (self.O4O2 + self.O2A * sin_alpha)),
                 S::from_f64(0.0),
             ],

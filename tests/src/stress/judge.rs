@@ -45,7 +45,7 @@ pub(crate) fn judge(draw: &Draw) -> Verdict {
     let reference = draw.reference();
     match (result, reference) {
         (Ok(found), Ok(mut reference)) => match draw.worst(&found, &mut reference) {
-            Ok(None) => Verdict::Right,
+            Ok(None) => draw.beside_projection(&found, &mut reference),
             Ok(Some((share, words))) if draw.is_coarse(share, &mut reference) => {
                 Verdict::Wrong(format!("{words}, and another form about as far off"))
             }
@@ -178,6 +178,29 @@ impl Draw {
 
     fn worst(&self, found: &Found, reference: &mut Reference) -> Result<Option<(f64, String)>, String> {
         self.beyond(found, reference, self.task.bound(), 100.0)
+    }
+
+    /// Equal steps by partitioning within their bound may still be far worse than they need be: their error is held to a
+    /// hundred times that of the same steps by projection, or of what references are confirmed to.
+    fn beside_projection(&self, found: &Found, reference: &mut Reference) -> Verdict {
+        let Task::Run(settings @ Settings { stepping: Stepping::Equal(_), .. }) = &self.task else {
+            return Verdict::Right;
+        };
+        if settings.stabilisation != Stabilisation::Partitioning {
+            return Verdict::Right;
+        }
+        let another = Task::Run(Settings { stabilisation: Stabilisation::Projection, ..*settings });
+        let Ok(projected) = self.result(self.linkage.forms[self.form], &self.parameters, &another) else {
+            return Verdict::Right;
+        };
+        let error = CONFIRMED * self.off(&projected, reference, CONFIRMED, 0.0).map_or(1.0, |(share, _)| share);
+        match self.beyond(found, reference, 100.0 * error, 100.0) {
+            Ok(None) => Verdict::Right,
+            Ok(Some((_, words))) => {
+                Verdict::Wrong(format!("{words}, which is a hundred times the error of projection"))
+            }
+            Err(why) => Verdict::Undecided(why),
+        }
     }
 
     /// Whether the same method with the same steps or tolerance is about as far off in another form, kept on the constraints

@@ -61,7 +61,7 @@ impl Stored {
 }
 
 impl StoredColumn {
-    /// `name [unit]`.
+    /// `name [unit]`; a pure number's is 1.
     pub(in crate::cli) fn header(&self) -> String {
         format!("{} [{}]", self.name, self.unit)
     }
@@ -91,6 +91,9 @@ pub(in crate::cli) fn columns(file: &Path) -> Result<Vec<StoredColumn>, Stop> {
     };
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(input);
     let mut columns: Vec<StoredColumn> = reader.headers().map_err(|why| fail(&why))?.iter().map(column).collect();
+    if let Some(name) = given_twice(&columns) {
+        return Err(fail(&format!("the heading has `{name}` twice")));
+    }
     for record in reader.records() {
         let record = record.map_err(|why| fail(&why))?;
         for (column, cell) in columns.iter_mut().zip(&record) {
@@ -100,6 +103,14 @@ pub(in crate::cli) fn columns(file: &Path) -> Result<Vec<StoredColumn>, Stop> {
         }
     }
     Ok(columns)
+}
+
+/// A name that two columns have: which is meant is not known.
+fn given_twice(columns: &[StoredColumn]) -> Option<&str> {
+    let mut names: Vec<&str> =
+        columns.iter().map(|column| column.name.as_str()).filter(|name| !name.is_empty()).collect();
+    names.sort_unstable();
+    names.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])
 }
 
 /// A column from its header, `name [unit]`.

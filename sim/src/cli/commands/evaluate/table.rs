@@ -9,6 +9,8 @@ use sim_kernel::{Description, Quantity};
 
 /// What a kernel reads, in SI units, state by state.
 pub(super) struct Table {
+    /// Whether the table has times; they are zero otherwise.
+    pub(super) has_times: bool,
     times: Vec<f64>,
     /// Positions, speeds, accelerations and multipliers.
     levels: [Vec<f64>; 4],
@@ -49,6 +51,7 @@ impl Table {
         let named = |q: &'static Quantity| (q.name.to_owned(), q);
         let multipliers = description.constraints.iter().map(|c| (format!("lambda_{}", c.name), c));
         Ok(Table {
+            has_times: table.iter().any(|column| column.name == "t"),
             times: of("t".into(), "s", 1.0, false)?,
             levels: [
                 all(coordinates.iter().map(|c| named(&c.position)).collect(), 0)?,
@@ -100,7 +103,8 @@ fn needs(kernel: Kernel) -> usize {
 
 /// The values of a column in SI units, from the unit of its heading or else the declared one.
 fn in_si(column: &StoredColumn, declared: &str, factor: f64) -> Result<Vec<f64>, Stop> {
-    let fail = |why: String| Stop::Usage(format!("`{}`: {why}", column.header()));
+    let heading = if column.has_unit { column.header() } else { column.name.clone() };
+    let fail = |why: String| Stop::Usage(format!("`{heading}`: {why}"));
     let unit = column.unit.as_str();
     let factor = if column.has_unit && unit != declared {
         let (given, declared) = (Unit::parse(unit).map_err(fail)?, Unit::parse(declared).map_err(fail)?);
