@@ -182,3 +182,25 @@ mechanism! {
     constraints { blade: dot(x)*sin(psi) = dot(y)*cos(psi); }
     initial { x = 0; y = 0; psi = 0; dot(x) = 2; }
 }
+
+mechanism! {
+    /// A pendulum whose bob touches an elastic wall while it hangs at rest.
+    Touching;
+    coordinates { phi [rad]; }
+    let P = [sin(phi)*1 [m], -cos(phi)*1 [m]];
+    bodies { bob: mass 1 [kg] at P; }
+    loads {
+        gravity [0, -9.81 [m/s^2]];
+        force [-5e4 [N]*max(0, P.x/1 [m])^1.5, 0] at P;
+    }
+}
+
+/// phi'' = -g phi: the wall's force is of higher order.
+#[test]
+fn a_contact_by_hertz_has_a_derivative_where_it_opens() {
+    let touching: Touching = Touching::default();
+    let state = equilibrium(&touching, &declared_start(&touching)).unwrap().state;
+    let found = linearize(&touching, &state, &[]).unwrap();
+    let expected = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, -9.81, 0.0]);
+    assert!((&found.a - &expected).amax() < 1e-12, "{}", found.a);
+}

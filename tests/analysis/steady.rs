@@ -149,3 +149,44 @@ fn a_precessing_top_nods_as_its_effective_potential_says() {
     // Some roundings of terms ten times as large.
     assert!((nods / expected - 1.0).abs() < 1e-12, "{nods} {expected}");
 }
+
+mechanism! {
+    /// A pendulum whose pivot shakes up and down.
+    Shaken;
+    coordinates { phi [rad]; }
+    parameters { l [m] = 0.5; A [m] = 0.02; w [rad/s] = 150; }
+    let P = [0, A*cos(w*t)] + l*[sin(phi), -cos(phi)];
+    bodies { bob: mass 1 [kg] at P; }
+    loads { gravity [0, -9.81 [m/s^2]]; }
+}
+
+mechanism! {
+    /// A bead on a hoop that a drive turns.
+    Hoop;
+    coordinates { psi [rad]; th [rad]; }
+    parameters { R [m] = 0.5; w [rad/s] = 8; J [kg*m^2] = 0.1; }
+    let A = rotation(z, psi);
+    bodies { h: inertia [J, J, J], attitude A; p: mass 1 [kg] at A*[R*sin(th), 0, -R*cos(th)]; }
+    loads { gravity [0, 0, -9.81 [m/s^2]]; }
+    constraints { drive: psi = w*t; }
+    initial { th = 1; guess psi = 0; }
+}
+
+/// At rest A is constant unless time itself changes it: the hanging position of a shaken pendulum holds, its modes do not.
+#[test]
+fn what_time_changes_is_not_steady() {
+    let shaken: Shaken = Shaken::default();
+    let found = sim::equilibrium(&shaken, &declared_start(&shaken)).unwrap();
+    assert!(!found.is_steady && !linearize(&shaken, &found.state, &[]).unwrap().is_steady);
+    let still: Shaken = Shaken { A: 0.0, ..Shaken::default() };
+    let found = sim::equilibrium(&still, &declared_start(&still)).unwrap();
+    assert!(found.is_steady && linearize(&still, &found.state, &[]).unwrap().is_steady);
+}
+
+/// Nothing is at rest on a drive.
+#[test]
+fn a_driven_mechanism_has_no_equilibrium() {
+    let hoop: Hoop = Hoop::default();
+    let failure = sim::equilibrium(&hoop, &declared_start(&hoop)).unwrap_err();
+    assert_eq!(failure.what, sim::What::Driven { constraint: "drive" });
+}

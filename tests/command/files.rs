@@ -314,6 +314,42 @@ fn kernels_are_evaluated_at_states() {
     assert!(said(&["--kernel", "mass_matrix", "--at", "nan.csv"]).contains("`alpha`: row 1 is not finite"));
 }
 
+/// What events have set is what is linearised after them, and a time after the end of a motion is refused.
+#[test]
+fn events_before_the_state_count_in_its_linearisation() {
+    let text = "pub Stiffened; coordinates { x [m]; } parameters { k [N/m] = 10; } bodies { p: mass 1 [kg] at [x, 0]; }
+        loads { force [-k*x, 0] at [x, 0]; } initial { x = 0.3; }
+        events { flip: t = 0.5 [s] rising { set k = 40; } last: t = 3 [s] rising { stop; } }";
+    let folder = folder("stiffened", &[("stiffened.mech", text)]);
+    let mode = |at: &str| {
+        let output = within(&folder, &["linearize", "stiffened.mech", "--at", at, "--json"]);
+        let said: serde_json::Value = serde_json::from_str(&stdout(&output)).unwrap_or_default();
+        (said["eigenvalues"][1][1].as_f64().unwrap_or(f64::NAN), stderr(&output))
+    };
+    for (at, k) in [("0.4", 10.0f64), ("1", 40.0)] {
+        assert!((mode(at).0.abs() - k.sqrt()).abs() < 1e-9, "{at}: {}{}", mode(at).0, mode(at).1);
+    }
+    assert!(mode("4").1.contains("the motion ends at t = 3"), "{}", mode("4").1);
+}
+
+/// A parameter that the declaration starts with acts on a run file too, except where the start was given by hand.
+#[test]
+fn parameters_of_a_run_file_move_its_start() {
+    let text = "pub Hung; coordinates { phi [rad]; } parameters { a [deg] = 30; l [m] = 1; } bodies { b: mass 1 [kg] at
+        l*[sin(phi), -cos(phi)]; } loads { gravity [0, -9.81 [m/s^2]]; } initial { phi = a; }";
+    let folder = folder("hung", &[("hung.mech", text)]);
+    let first = |name: &str, words: &[&str]| {
+        let more = ["--t-end", "0.1", "--rows", "1", "--no-figures", "--no-report", "--out", name];
+        let output = within(&folder, &[&["run"], words, &more[..]].concat());
+        assert!(output.status.success(), "{}", stderr(&output));
+        column(&folder.join(name), "phi [rad]")[0]
+    };
+    assert!((first("a", &["hung.mech"]) - 30f64.to_radians()).abs() < 1e-15);
+    assert!((first("b", &["a/run.json", "--set", "a=60deg"]) - 60f64.to_radians()).abs() < 1e-15);
+    assert_eq!(first("c", &["hung.mech", "--initial", "phi=0.25"]), 0.25);
+    assert_eq!(first("d", &["c/run.json", "--set", "a=60deg"]), 0.25);
+}
+
 /// Text of a declaration stays text wherever it is shown: no file has it as markup.
 #[test]
 fn text_is_inert() {

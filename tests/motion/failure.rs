@@ -1,7 +1,7 @@
 //! Runs that fail say what, when and where, and keep what was computed until then.
 
 use models::QuickReturn;
-use sim::{Failure, Method, Settings, Table, What, declared_start, mechanism, run_while};
+use sim::{Failure, Method, Settings, Stabilisation, Table, What, declared_start, mechanism, run_while};
 use tests::any_model::{run, run_with};
 
 mechanism! {
@@ -131,6 +131,35 @@ fn an_adaptive_method_ends_where_a_load_leaves_its_domain() {
         println!("{}: {failure}", method.name());
         assert!(last.time > 0.3 && last.positions[0] < 0.5 && failure.time >= last.time, "{failure}");
         assert!(failure.state[0].1 > 0.49, "{failure}");
+    }
+}
+
+mechanism! {
+    /// A bead on a wire that is bent by a right angle at the origin, which it reaches at t = 1 s.
+    Bent;
+    coordinates { x [m]; y [m]; }
+    parameters { m [kg] = 2; slope [1] = 1; }
+    bodies { bead: mass m at [x, y]; }
+    constraints { wire: y = slope*sqrt(x^2); }
+    initial { x = -1; guess y = 1; dot(x) = 1; }
+}
+
+/// A projection onto a wire on which the bead cannot go on would bring it back to the bend, step after step, with its speed
+/// kept. Steeper bends take back more than that, and flatter ones let it through with another speed.
+#[test]
+fn a_bend_of_a_constraint_ends_the_run_with_its_name() {
+    let methods = [Method::Dopri5, Method::Dop853, Method::Radau5];
+    for (method, slope) in methods.into_iter().flat_map(|method| [0.5, 1.0, 3.0].map(|slope| (method, slope))) {
+        for stabilisation in [Stabilisation::Projection, Stabilisation::MassProjection] {
+            let bent = Bent { slope, ..Bent::default() };
+            let settings = Settings { stabilisation, ..Settings::adaptive(method, 1.5, 1e-9) };
+            let failure = run_with(bent, &settings).unwrap().trajectory.failure.unwrap();
+            println!("{} {slope} {stabilisation}: {failure}", method.name());
+            // It ends before a step that is a millionth of the longest one.
+            assert!((failure.time - 1.0).abs() < 1e-5, "{failure}");
+            let is_kink = matches!(failure.what, What::Kink { constraint: "wire" });
+            assert!(is_kink || slope < 1.0, "{failure}");
+        }
     }
 }
 

@@ -32,6 +32,7 @@ mod six_bar;
 mod sparse;
 mod statics;
 mod stiff;
+mod sudden;
 mod units;
 mod verification;
 mod work;

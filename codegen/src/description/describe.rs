@@ -1,7 +1,7 @@
 //! From equations and programs to the description.
 
 use super::events::events;
-use super::{Conditional, Coordinate, Description, Figure, Quantity, Shape, Start, kebab_case};
+use super::{Conditional, Coordinate, Description, Figure, Quantity, Shape, Start, Timetable, kebab_case};
 use crate::dsl::{Mark, Source};
 use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::KernelId;
@@ -36,7 +36,19 @@ pub fn describe(equations: &EquationsOfMotion, program: &Program, source: &Sourc
         dimension: model.dimension,
         drawing: model.drawing.iter().map(shape).collect(),
         run: model.run.clone(),
+        timetables: timetables(equations),
     }
+}
+
+/// The tables that are looked up at t somewhere.
+fn timetables(equations: &EquationsOfMotion) -> Vec<Timetable> {
+    let EquationsOfMotion { graph, model, .. } = equations;
+    let time = graph.existing(model.time);
+    let is_of_time = |table: &usize| {
+        graph.look_ups().iter().any(|(look_up, id, _)| id.index() == *table && graph.operands(*look_up).next() == time)
+    };
+    let named = |index: usize| Timetable { index, name: graph.tables()[index].name.clone() };
+    (0..graph.tables().len()).filter(is_of_time).map(named).collect()
 }
 
 impl Quantity {

@@ -61,6 +61,16 @@ pub struct Description {
     pub drawing: Vec<Shape>,
     /// How it is run where nothing else is said.
     pub run: Vec<RunDefault>,
+    /// The tables whose argument is t.
+    pub timetables: Vec<Timetable>,
+}
+
+/// A table whose argument is t.
+pub struct Timetable {
+    /// Its index among all tables.
+    pub index: usize,
+    /// Its name.
+    pub name: String,
 }
 
 /// A named quantity.

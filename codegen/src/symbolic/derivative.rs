@@ -96,6 +96,17 @@ impl Differential {
     fn of_product(&mut self, graph: &mut Graph, coefficient: &Number, factors: &[(Expr, i64)]) -> Expr {
         let mut terms = Vec::new();
         for (at, (base, exponent)) in factors.iter().enumerate() {
+            if let Some((radicand, degree)) = root_in(graph, *base).filter(|(_, degree)| degree <= exponent)
+                && let Some(share) = Number::fraction(*exponent, degree)
+            {
+                // Of u^(p/q) with p >= q it is p/q u^(p/q - 1), which has a value where u = 0.
+                let rate = self.of(graph, radicand);
+                let mut powers = factors.to_vec();
+                powers[at].1 -= degree;
+                powers.push((rate, 1));
+                terms.push((graph.product_of_powers(&powers), coefficient * &share));
+                continue;
+            }
             let rate = self.of(graph, *base);
             if graph.is_zero(rate) {
                 continue;
@@ -134,6 +145,13 @@ impl Differential {
         }
         graph.sum(&terms)
     }
+}
+
+/// u and q of a root u^(1/q).
+fn root_in(graph: &Graph, expr: Expr) -> Option<(Expr, i64)> {
+    let Node::Power { base, exponent } = graph.node(expr) else { return None };
+    let (one, degree) = graph.as_number(*exponent)?.to_fraction()?;
+    (one == 1).then(|| (*base, i64::try_from(degree).unwrap_or(i64::MAX)))
 }
 
 /// The derivative of a function at its argument; `value` is the function there.

@@ -1,5 +1,6 @@
 //! The description of a mechanism: names, units, documentation, figures, drawing.
 
+use crate::Table;
 use crate::event::{Conditional, Event};
 
 /// Everything about a mechanism that is known at build time.
@@ -53,6 +54,9 @@ pub struct Description {
     pub drawing: &'static [Shape],
     /// How it is run where nothing else is said, from its block `run`.
     pub run: &'static [RunDefault],
+    /// The tables whose argument is t. At their rows what acts on the mechanism changes its form: there the steps end that a
+    /// method chooses.
+    pub timetables: &'static [&'static Table],
 }
 
 /// A setting of a run, as a program takes it on its command line.

@@ -40,6 +40,18 @@ impl Table {
         })
     }
 
+    /// The first row after x, of a periodic table too; infinite after the last one.
+    pub fn next_row(&self, x: f64) -> f64 {
+        let Some(first) = self.knots.first() else { return f64::INFINITY };
+        let turns = if self.period == 0.0 { 0.0 } else { libm::floor((x - first) / self.period) * self.period };
+        let after = |turns: f64| {
+            let place = self.knots.partition_point(|row| row + turns <= x);
+            self.knots.get(place).map(|row| row + turns)
+        };
+        // Rounding may put the last row of a period before x: the first of the next one is the same.
+        after(turns).or_else(|| after(turns + self.period)).unwrap_or(f64::INFINITY)
+    }
+
     /// The piece that x is in, its start moved by whole periods.
     fn piece(&self, x: f64) -> [f64; 5] {
         let Some(first) = self.knots.first() else { return [f64::NAN; 5] };

@@ -21,8 +21,14 @@ pub struct Equilibrium<M: Mechanism> {
     /// The eigenvalues of small motions about it, 2 for each degree of freedom, by imaginary part; a positive real part
     /// is unstable.
     pub eigenvalues: Vec<Complex<f64>>,
+    /// Whether nothing that acts on it, or that small motions depend on, changes with time. Otherwise it holds at time 0 alone.
+    pub is_steady: bool,
 }
 
+/// Other times, in seconds, at which an equilibrium is one too, if nothing changes with time.
+const TIMES: [f64; 3] = [0.37, 1.3, 11.7];
+/// The largest rate of a constraint that moves nothing, in its terms per second.
+const AT_REST: f64 = 1e-12;
 /// Steps of Newton's method.
 const MOST_STEPS: usize = 100;
 /// The largest number of steps of the descent.
@@ -50,11 +56,12 @@ const TURNED: f64 = 0.5;
 /// does not depend on units.
 ///
 /// # Errors
-/// If the start cannot be assembled, [`What::NoEquilibrium`], and [`What::SingularState`] where it is in a singular position.
+/// If the start cannot be assembled, [`What::NoEquilibrium`], [`What::Driven`] if time moves a constraint, and [`What::SingularState`] where it is in a singular position.
 pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equilibrium<M>, Failure> {
     let any: &dyn Differentiable = &Any(mechanism);
     let assembled = assemble(mechanism, &at_rest(start))?;
     let near = assembled.positions.as_ref().to_vec();
+    check_undriven(any, &near)?;
     let begin = || Statics::at(any, near.clone(), &measure(any, 0.0, &near).0);
     let found = match newton(any, begin()?)? {
         Ended::AtRest(found) => found,
@@ -66,8 +73,20 @@ pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equi
     let multipliers = any.accelerate(At::moving(0.0, &found.q, &[]))?;
     let state =
         State { positions: array(mechanism.n(), &found.q), speeds: M::Q::repeat(mechanism.n(), 0.0), ..assembled };
-    let eigenvalues = linearize(mechanism, &state, &[])?.eigenvalues;
-    Ok(Equilibrium { state, multipliers: array(mechanism.m(), &multipliers.as_slice()[mechanism.n()..]), eigenvalues })
+    let small = linearize(mechanism, &state, &[])?;
+    let multipliers = array(mechanism.m(), &multipliers.as_slice()[mechanism.n()..]);
+    let is_steady = small.is_steady && TIMES.iter().all(|time| found.stays_at_rest(any, *time));
+    Ok(Equilibrium { state, multipliers, eigenvalues: small.eigenvalues, is_steady })
+}
+
+/// Refuses constraints that time moves: nothing is at rest on them.
+fn check_undriven(mechanism: &dyn Differentiable, q: &[f64]) -> Result<(), Failure> {
+    let (rates, terms) = (mechanism.constraint_time_derivative(0.0, q), measure(mechanism, 0.0, q).1);
+    let driven = rates.iter().zip(&terms).position(|(rate, terms)| !(rate.abs() <= AT_REST * terms));
+    driven.map_or(Ok(()), |row| {
+        let constraint = mechanism.description().constraints[row].name;
+        Err(mechanism.failure(What::Driven { constraint }, 0.0, q))
+    })
 }
 
 /// The same start with all coordinates free and no speeds.
@@ -84,7 +103,9 @@ enum Ended {
 
 impl Ended {
     fn at(at: Statics) -> Ended {
-        if at.is_at_rest() { Ended::AtRest(at) } else { Ended::Moving(at) }
+        // Far out, where a force fades, nothing accelerates either, but Newton's method would go on.
+        let is_near = at.newton_step().is_none_or(|step| at.size(&step) <= NEAR);
+        if at.is_at_rest() && is_near { Ended::AtRest(at) } else { Ended::Moving(at) }
     }
 }
 

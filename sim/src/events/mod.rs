@@ -67,8 +67,13 @@ impl<M: Mechanism> Occurrence<M> {
 
 /// The number of halvings of a step, below which a condition is not resolved.
 const MOST_HALVINGS: usize = 8;
-/// The number of occurrences in one step that counts as chatter.
-const MOST_IN_A_STEP: usize = 64;
+/// The number of occurrences in one part of a step that counts as chatter.
+const MOST_IN_A_PART: usize = 64;
+/// The largest change of positions in a part of a step, beside those that count as 1: steps of a motion that is simple may go
+/// through many turns.
+const MOST_CHANGE: f64 = 0.5;
+/// The largest number of parts.
+const MOST_PARTS: f64 = 1e6;
 /// How close to zero, relative to its largest value, a condition has to turn to touch it.
 const TOUCH: f64 = 1e-9;
 
@@ -161,34 +166,44 @@ impl<M: Mechanism> EventSearch<M> {
         if self.begin.is_empty() {
             return Ok(());
         }
-        let (motion, h) = (step.motion, step.length());
-        let mechanism = motion.mechanism();
-        let from = match self.last.take() {
+        let (motion, begin) = (step.motion, step.from.state.time);
+        let parts = parts(step);
+        let length = step.length() / parts;
+        let mut from = match self.last.take() {
             Some(last) => last,
-            None => self.first_point(Point::of(motion, step.from, h)?),
+            None => self.first_point(Point::of(motion, step.from, length)?),
         };
-        let mut to = Point::of(motion, step.to, h)?;
+        for part in 1..parts as usize {
+            let middle = step.sample(begin + part as f64 * length)?;
+            from = self.search_part(step, &from, Point::of(motion, &middle, length)?)?;
+        }
+        self.last = Some(self.search_part(step, &from, Point::of(motion, step.to, length)?)?);
+        Ok(())
+    }
+
+    /// Searches a part of a step, whose end it gives.
+    fn search_part(&mut self, step: &mut Step<M>, from: &Point<M>, mut to: Point<M>) -> Result<Point<M>, Failure> {
+        let mechanism = step.motion.mechanism();
         let first = self.found.len();
         for event in 0..self.begin.len() {
-            if self.is_noise(step, event, &from, &to)? {
+            if self.is_noise(step, event, from, &to)? {
                 to.values[event] = from.values[event];
                 continue;
             }
             self.largest[event] = to.values[event].abs().max(from.values[event].abs()).max(self.largest[event]);
             let name = mechanism.description().events[event].name;
-            if !may_reach_zero(event, &from, &to) {
+            if !may_reach_zero(event, from, &to) {
                 continue;
             }
-            self.search_one(step, event, &from, &to, MOST_HALVINGS).map_err(|failure| failure.in_event(name))?;
-            if self.found.len() - first > MOST_IN_A_STEP {
+            self.search_one(step, event, from, &to, MOST_HALVINGS).map_err(|failure| failure.in_event(name))?;
+            if self.found.len() - first > MOST_IN_A_PART {
                 let what = What::Chattering { event: name, count: self.found.len() - first };
                 let begins = &self.found[first].state;
                 return Err(Failure::at(mechanism, what, begins.time, &begins.positions));
             }
         }
         sort_few(&mut self.found[first..], |a, b| a.state.time.total_cmp(&b.state.time));
-        self.last = Some(to);
-        Ok(())
+        Ok(to)
     }
 
     /// Whether a condition is zero throughout a step, up to the tolerance of constraints: it keeps the sign that it had.
@@ -304,6 +319,14 @@ impl<M: Mechanism> EventSearch<M> {
             self.found.push(Occurrence { event, name: described.name, crossing, state, change: None });
         }
     }
+}
+
+/// Into how many parts of equal time a step is searched.
+fn parts<M: Mechanism>(step: &Step<M>) -> f64 {
+    let (from, to) = (&step.from.state.positions, &step.to.state.positions);
+    let change = step.motion.size(&from.like(|i| to[i] - from[i]));
+    let parts = (change / MOST_CHANGE).ceil();
+    if parts >= 1.0 { parts.min(MOST_PARTS) } else { 1.0 }
 }
 
 /// The value of a condition where a search starts: a condition that holds there is being left, not crossed.

@@ -1,14 +1,16 @@
 //! One attempted step, and why it may fail.
 //!
 //! A projection that moves the end of a step by more than a thousand tolerances is refused: it would lead to another
-//! branch of the motion.
+//! branch of the motion. So is one that takes back what the step gained: a motion that ends at a kink of a constraint would
+//! stand still there while time goes on.
 
 use super::method::{Advance, Attempt};
 use crate::motion::Motion;
 use crate::motion::generalized_speeds::has_generalized_speeds;
 use crate::motion::gimbal;
+use crate::motion::measures::Measures;
 use crate::motion::singular::{AT, weakest_constraint};
-use crate::state::failure::{Failure, What};
+use crate::state::failure::{Failure, What, constraint_name, largest};
 use crate::state::settings::Tolerance;
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism, Scalar};
@@ -18,6 +20,9 @@ use sim_kernel::{Array, Mechanism, Scalar};
 const MOST_MOVED: f64 = 1000.0;
 /// The same at a singular position, where rounding moves it.
 const MOST_MOVED_THERE: f64 = 1.0;
+
+/// The largest part of a step that its projection may take back.
+const MOST_TAKEN_BACK: f64 = 0.5;
 
 /// The differences of positions and speeds.
 pub(super) fn difference<S: Scalar, M: Mechanism<S>>(a: &State<M, S>, b: &State<M, S>) -> [M::Q; 2] {
@@ -52,17 +57,35 @@ pub(super) fn attempt<M: Mechanism>(
     }
     let before = tolerance.map(|tolerance| (tolerance, end.clone()));
     motion.keep(end)?;
-    let moved = before.map(|(tolerance, before)| {
-        let [positions, speeds] = difference(&before, end);
-        tolerance.norm(motion.measures(), &before, end, [&positions, &speeds])
+    let moves = before.map(|(tolerance, before)| {
+        let moved = distance(tolerance, motion.measures(), &before, end);
+        // Seldom needed.
+        let gained = if moved > 1.0 { distance(tolerance, motion.measures(), &from.state, &before) } else { 0.0 };
+        [moved, gained]
     });
     *to = motion.sample_in_place(end.clone())?;
-    Ok(moved.map_or(error, |moved| with_move(error, moved, motion.relative_sine())))
+    Ok(moves.map_or(error, |moves| with_move(error, moves, motion.relative_sine())))
+}
+
+/// How far two states are apart, in units of the tolerance.
+#[inline]
+pub(super) fn distance<S: Scalar, M: Mechanism<S>>(
+    tolerance: &Tolerance,
+    measures: &Measures<M, S>,
+    a: &State<M, S>,
+    b: &State<M, S>,
+) -> S {
+    let [positions, speeds] = difference(a, b);
+    tolerance.norm(measures, a, b, [&positions, &speeds])
 }
 
 /// The estimate of an error with the move by projection, in units of the tolerance, to where this is the smallest sine.
+/// Infinite where the projection takes the step back, which gained so much.
 #[inline]
-pub(super) fn with_move(error: f64, moved: f64, sine: f64) -> f64 {
+pub(super) fn with_move(error: f64, [moved, gained]: [f64; 2], sine: f64) -> f64 {
+    if moved > 1.0 && moved > MOST_TAKEN_BACK * gained {
+        return f64::INFINITY;
+    }
     error.max(moved / if sine < AT { MOST_MOVED_THERE } else { MOST_MOVED })
 }
 
@@ -74,6 +97,15 @@ pub(super) fn too_small<M: Mechanism>(motion: &Motion<M>, at: &State<M>, step: f
     let cause =
         cause.unwrap_or_else(|| Failure::at(motion.mechanism(), What::StepTooSmall { step }, at.time, &at.positions));
     gimbal::explained(explained(motion, at, cause), motion.mechanism(), at.time, &at.positions)
+}
+
+/// Why the constraints take steps back from a state on.
+pub(super) fn taken_back<M: Mechanism>(motion: &Motion<M>, at: &Sample<M>, step: f64) -> Failure {
+    let ahead = at.state.changed(at.state.time + step, step, &at.rates());
+    let opened = motion.mechanism().constraints(ahead.time, &ahead.positions);
+    let row = largest(opened.iter()).map_or(0, |(row, _)| row);
+    let what = What::Kink { constraint: constraint_name(motion.mechanism(), row) };
+    Failure::at(motion.mechanism(), what, at.state.time, &at.state.positions)
 }
 
 /// A failure that a singular position explains, as such.

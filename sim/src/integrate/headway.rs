@@ -21,6 +21,9 @@ impl Headway {
     const ATTEMPTS: u32 = 20_000;
     const LEAST: f64 = 1e-8;
 
+    /// A step that is a smaller fraction of the longest one leads nowhere if it is taken back.
+    const SHORT: f64 = 1e-6;
+
     pub(super) fn from(time: f64) -> Headway {
         Headway { since: time, attempts: 0, longest: 0.0 }
     }
@@ -42,6 +45,11 @@ impl Headway {
     /// Records a step.
     pub(super) fn comes(&mut self, length: f64) {
         self.longest = self.longest.max(length);
+    }
+
+    /// Whether a step is so short that no shorter one will do where projection takes it back.
+    pub(super) fn is_short(&self, length: f64) -> bool {
+        length < Headway::SHORT * self.longest
     }
 
     /// Whether the last attempts have led nowhere.

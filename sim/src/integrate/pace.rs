@@ -2,7 +2,7 @@
 //!
 //! Times of equal steps are computed from the start each time, so that they do not accumulate rounding.
 
-use super::attempt::{explained, too_small};
+use super::attempt::{explained, taken_back, too_small};
 use super::control::{Controller, initial_step};
 use super::crossing::{Crossing, Way};
 use super::headway::Headway;
@@ -204,6 +204,13 @@ fn first_step(course: &Course, count: usize, now: f64) -> usize {
     (passed as usize).max(1)
 }
 
+/// The first row after now of the tables that are functions of time. A step over it might see nothing of what begins and
+/// ends there.
+fn next_row<M: Mechanism>(motion: &Motion<M>, now: f64) -> f64 {
+    let tables = motion.mechanism().description().timetables;
+    tables.iter().map(|table| table.next_row(now + shortest(now))).fold(f64::INFINITY, f64::min)
+}
+
 /// A step that still changes a time.
 fn shortest(now: f64) -> f64 {
     16.0 * f64::EPSILON * now.abs()
@@ -245,7 +252,8 @@ impl Adaptive {
         }
         // The last step is not followed by a tiny one.
         let h = self.h.max(shortest(now));
-        let wanted = if now + 1.01 * h >= course.end { course.end } else { now + h };
+        let stop = next_row(motion, now).min(course.end);
+        let wanted = if now + 1.01 * h >= stop { stop } else { now + h };
         let way = match crossing.may_be_ahead(motion) {
             true => crossing.lead(motion, [from, to], [wanted - now, course.end], &tolerance, steps)?,
             false => Way::On,
@@ -285,6 +293,9 @@ impl Adaptive {
             }
             refused => {
                 self.h = (time - now) * self.controller.rejected(refused.as_ref().ok().copied());
+                if refused.as_ref().is_ok_and(|error| *error == f64::INFINITY) && self.headway.is_short(self.h) {
+                    return Err(taken_back(motion, from, self.h));
+                }
                 if self.h < f64::EPSILON * (16.0 * now.abs()).max(self.first) {
                     return Err(too_small(motion, &from.state, self.h, refused.err()));
                 }

@@ -26,15 +26,18 @@ static KEPT: Mutex<BTreeMap<String, Kept>> = Mutex::new(BTreeMap::new());
 pub(super) fn kept(derived: &Derived) -> Kept {
     let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
     let text = derived.description.source.text.clone();
-    *kept.entry(text).or_insert_with(|| Kept {
-        description: Box::leak(Box::new(description(&derived.description))),
-        tables: each(derived.equations.graph.tables(), table),
-        rows_left: derived.equations.speeds.as_ref().map(|speeds| &*speeds.rows.clone().leak()),
+    *kept.entry(text).or_insert_with(|| {
+        let tables = each(derived.equations.graph.tables(), table);
+        Kept {
+            description: Box::leak(Box::new(description(&derived.description, tables))),
+            tables,
+            rows_left: derived.equations.speeds.as_ref().map(|speeds| &*speeds.rows.clone().leak()),
+        }
     })
 }
 
 /// The description in the runtime's terms.
-fn description(of: &made::Description) -> Description {
+fn description(of: &made::Description, tables: &'static [Table]) -> Description {
     Description {
         name: text(&of.name),
         type_name: text(&of.type_name),
@@ -63,6 +66,7 @@ fn description(of: &made::Description) -> Description {
         dimension: of.dimension,
         drawing: each(&of.drawing, |shape| self::shape(*shape)),
         run: each(&of.run, |default| RunDefault { option: default.option, value: text(&default.value) }),
+        timetables: each(&of.timetables, |timetable| &tables[timetable.index]),
     }
 }
 

@@ -4,7 +4,7 @@ use crate::motion::gimbal;
 use crate::motion::least_norm::least_norm;
 use crate::motion::measures::Measures;
 use crate::motion::reduction::Reduction;
-use crate::numerics::solve::{Solved, solve};
+use crate::numerics::solve::{Solved, power_of_two, solve};
 use crate::state::failure::{Failure, What, constraint_name};
 use crate::state::trajectory::State;
 use sim_kernel::{Array, Dynamics, Mechanism};
@@ -48,6 +48,28 @@ fn saddle<M: Mechanism>(mechanism: &M, mass: &M::QQ, jacobian: &M::LQ) -> M::ZZ 
     M::ZZ::with_len(size, |i| M::Z::with_len(size, |j| entry(i, j)))
 }
 
+/// The solution of a system of so many accelerations, then multipliers. Where something is undetermined, as the system is, it
+/// is balanced first: that of a mechanism of micrometres has entries of a square of its size beside their fourth powers, which
+/// no pivot tells from rounding unless the scales of both kinds of unknowns are known.
+fn solve_balanced<A: Array<R>, R: Array<f64>>(matrix: A, rhs: R, n: usize) -> Solved<R> {
+    let solved = solve(matrix.clone(), rhs.clone());
+    let undetermined = solved.undetermined().count();
+    if undetermined == 0 {
+        return solved;
+    }
+    let mut scale = rhs.like(|i| if i < n { power_of_two(matrix[i][i].abs().sqrt()) } else { 1.0 });
+    for k in n..rhs.len() {
+        scale[k] = power_of_two((0..n).map(|j| (matrix[k][j] * scale[j]).abs()).fold(0.0, f64::max));
+    }
+    let balanced = matrix.like(|i| matrix[i].like(|j| matrix[i][j] * scale[i] * scale[j]));
+    let mut again = solve(balanced, rhs.like(|i| rhs[i] * scale[i]));
+    if again.undetermined().count() >= undetermined {
+        return solved;
+    }
+    again.solution = again.solution.like(|i| again.solution[i] * scale[i]);
+    again
+}
+
 /// Solves for accelerations and multipliers. Reactions that no equation determines, because their constraints are
 /// redundant, are zero here.
 fn solve_motion<M: Mechanism>(
@@ -59,7 +81,7 @@ fn solve_motion<M: Mechanism>(
 ) -> Result<Solved<M::Z>, Failure> {
     let fail =
         |unknown: usize| Failure::at(mechanism, What::Singular { unknown: unknown_name(mechanism, unknown) }, time, q);
-    let solved = solve(matrix, rhs);
+    let solved = solve_balanced(matrix, rhs, mechanism.n());
     let acceleration = solved.undetermined().find(|unknown| *unknown < mechanism.n());
     match acceleration {
         Some(acceleration) => Err(fail(acceleration)),

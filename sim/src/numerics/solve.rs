@@ -104,7 +104,7 @@ fn equilibrate<A: Array<R>, R: Array<f64>>(matrix: &mut A, rhs: &mut R) -> R {
 }
 
 /// About 1 / size, exact to multiply with.
-fn power_of_two(size: f64) -> f64 {
+pub(crate) fn power_of_two(size: f64) -> f64 {
     if size > 0.0 && size.is_finite() { (-size.log2().round()).clamp(-1000.0, 1000.0).exp2() } else { 1.0 }
 }
 

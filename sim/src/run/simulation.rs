@@ -220,7 +220,7 @@ impl<M: Mechanism> Simulation<M> {
         let Some(stepper) = &mut self.stepper else {
             let course = self.course(until);
             self.stepper = self.begin(&course, watch)?;
-            return Ok(Some(self.stepper.is_some() || !self.has_ended()));
+            return Ok(Some(self.stepper.is_some() || self.begins_phase || !self.has_ended()));
         };
         if stepper.end() != until {
             stepper.head_for(&Course::new(&self.settings, self.begin, until));

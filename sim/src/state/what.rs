@@ -219,11 +219,29 @@ pub enum What {
     /// The tolerance cannot be met by any step.
     #[error(
         "the tolerance cannot be met: the step has shrunk to {step:.1e} s. Allow a larger tolerance, or use `--method radau5` \
-             if the mechanism is stiff; at a jump of a load no step is small enough"
+             if the mechanism is stiff; at a jump of a load, or a kink of a constraint, no step is small enough"
     )]
     StepTooSmall {
         /// The step that was refused, in seconds.
         step: f64,
+    },
+    /// Nothing is at rest on a constraint that time moves.
+    #[error(
+        "constraint `{constraint}` moves with time, so nothing is at rest. `linearize --at initial` and `--at TIME` take a state \
+             of the motion, such as a steady one"
+    )]
+    Driven {
+        /// Its name.
+        constraint: &'static str,
+    },
+    /// A step is taken back by the projection onto the constraints, however short it is.
+    #[error(
+        "constraint `{constraint}` has a kink here, as `abs`, `min` and `max` have: speeds would jump, and no law says to what. \
+             Write it smoothly, or let an event set the speeds"
+    )]
+    Kink {
+        /// The constraint that such a step opens most.
+        constraint: &'static str,
     },
     /// The implicit method's equations were not solved.
     #[error("the equations of an implicit step were not solved: Newton's method does not converge. Take smaller steps")]
@@ -356,6 +374,8 @@ impl What {
             What::TooManyRows { .. } => "E-TOO-MANY-ROWS",
             What::NoErrorEstimate => "E-NO-ERROR-ESTIMATE",
             What::StepTooSmall { .. } => "E-STEP-TOO-SMALL",
+            What::Driven { .. } => "E-DRIVEN",
+            What::Kink { .. } => "E-KINK",
             What::NoConvergence => "E-NO-CONVERGENCE",
             What::Chattering { .. } => "E-CHATTERING",
             What::Accumulating { .. } => "E-ACCUMULATING",

@@ -839,6 +839,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for BouncingBall<S> {
         dimension: 2,
         drawing: &[sim_kernel::Shape::Curve(2), sim_kernel::Shape::Circle],
         run: &[],
+        timetables: &[],
     };
     fn defaults() -> Self {
         Self {

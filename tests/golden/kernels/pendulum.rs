@@ -706,6 +706,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Pendulum<S> {
             sim_kernel::Shape::Circle,
         ],
         run: &[],
+        timetables: &[],
     };
     fn defaults() -> Self {
         Self {

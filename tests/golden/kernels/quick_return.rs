@@ -1626,6 +1626,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for QuickReturn<S> {
             sim_kernel::Shape::Points(2),
         ],
         run: &[],
+        timetables: &[],
     };
     fn defaults() -> Self {
         Self {

@@ -946,6 +946,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Skate<S> {
         dimension: 2,
         drawing: &[sim_kernel::Shape::Line(2), sim_kernel::Shape::Points(2)],
         run: &[],
+        timetables: &[],
     };
     fn defaults() -> Self {
         Self {

@@ -1162,6 +1162,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for SliderCrank<S> {
             sim_kernel::Shape::Slider,
         ],
         run: &[],
+        timetables: &[],
     };
     fn defaults() -> Self {
         Self {

@@ -1070,6 +1070,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Top<S> {
             sim_kernel::Shape::Line(2),
         ],
         run: &[],
+        timetables: &[],
     };
     fn defaults() -> Self {
         Self {

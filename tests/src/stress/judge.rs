@@ -36,6 +36,10 @@ const CONFIRMED: f64 = 1e-9;
 /// What the start is changed by, relative.
 const NUDGE: f64 = 1e-12;
 
+/// These pass singular positions, where the directions across the constraints change within a step: there equal steps by
+/// partitioning lose digits that those by projection keep.
+const GO_FLAT: [&str; 2] = ["ParallelCranks", "Parallelograms"];
+
 /// Runs a draw and judges it.
 pub(crate) fn judge(draw: &Draw) -> Verdict {
     let result = draw.result(draw.linkage.forms[draw.form], &draw.parameters, &draw.task);
@@ -186,7 +190,7 @@ impl Draw {
         let Task::Run(settings @ Settings { stepping: Stepping::Equal(_), .. }) = &self.task else {
             return Verdict::Right;
         };
-        if settings.stabilisation != Stabilisation::Partitioning {
+        if settings.stabilisation != Stabilisation::Partitioning || GO_FLAT.contains(&self.linkage.name) {
             return Verdict::Right;
         }
         let another = Task::Run(Settings { stabilisation: Stabilisation::Projection, ..*settings });

@@ -1,6 +1,7 @@
 //! The description of the mechanism, as a constant.
 
 use super::size;
+use super::table_constant::constant;
 use crate::description::{
     Conditional, Coordinate, Description, Event, Figure, Quantity, RunDefault, Shape, SparseRow, Step, Target,
 };
@@ -30,6 +31,7 @@ pub(super) fn description(description: &Description, path: &TokenStream) -> Toke
     let figures = description.figures.iter().map(|each| figure(each, path));
     let drawing = description.drawing.iter().map(|each| shape(*each, path));
     let run = description.run.iter().map(|each| run_default(each, path));
+    let timetables = description.timetables.iter().map(|table| constant(&table.name));
     let dimension = size(description.dimension);
     quote! {
         #path::Description {
@@ -56,6 +58,7 @@ pub(super) fn description(description: &Description, path: &TokenStream) -> Toke
             dimension: #dimension,
             drawing: &[#(#drawing),*],
             run: &[#(#run),*],
+            timetables: &[#(&Self::#timetables),*],
         }
     }
 }

@@ -192,6 +192,9 @@ impl Eliminated {
         let zero = values.constant(0.0);
         let acts = |values: &Values, column: &[Value]| column.iter().any(|x| !values.is_zero(*x));
         let acting: Vec<usize> = (0..forces.len()).filter(|j| acts(values, &forces[*j])).collect();
+        if acting.is_empty() {
+            return forces;
+        }
         let sides = acting.iter().map(|j| self.unknowns.iter().map(|unknown| forces[*j][*unknown]).collect());
         let solved = solve_each(values, &self.factors, sides.collect());
         for (j, solved) in acting.into_iter().zip(solved) {

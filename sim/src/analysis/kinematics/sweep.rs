@@ -155,6 +155,7 @@ impl<'s> Followed<'s> {
     fn follow(&mut self, mut from: Point, search: &mut Search<'s>) -> Result<(), Failure> {
         let (path, end, mut length) = (self.path, self.sweep.parameter(self.sweep.steps), f64::INFINITY);
         loop {
+            self.check_interrupt(|| path.place(&from.z))?;
             let piece = Rc::new(path.next(&from, &mut length)?);
             // The curve may begin before the sweep does.
             let is_within = path.reached(&piece) > 0.0 || piece.limit.is_some();
@@ -181,16 +182,21 @@ impl<'s> Followed<'s> {
         }
     }
 
+    /// Ends the sweep where it is interrupted.
+    fn check_interrupt(&self, place: impl Fn() -> (Vec<f64>, f64)) -> Result<(), Failure> {
+        if !self.interrupt.load(Ordering::Relaxed) {
+            return Ok(());
+        }
+        let ((q, p), system) = (place(), self.path.system);
+        Err(system.mechanism.failure(What::Interrupted, system.time(p), &q))
+    }
+
     /// The rows in a step.
     fn record(&mut self, piece: &Piece) -> Result<(), Failure> {
         let reached = piece.limit.map_or_else(|| self.path.reached(piece), |x| self.path.at(piece, x).1);
         while self.motion.len() <= self.sweep.steps && self.sweep.parameter(self.motion.len()) <= reached {
             let p = self.sweep.parameter(self.motion.len());
-            if self.interrupt.load(Ordering::Relaxed) {
-                let (q, _) = self.path.at(piece, self.path.locate(piece, p));
-                let system = self.path.system;
-                return Err(system.mechanism.failure(What::Interrupted, system.time(p), &q));
-            }
+            self.check_interrupt(|| (self.path.at(piece, self.path.locate(piece, p)).0, p))?;
             match self.path.motion(piece, self.path.locate(piece, p), p) {
                 Ok(motion) => self.motion.push(motion),
                 // In a limit position itself, which is reported.

@@ -36,8 +36,10 @@ pub struct Linearization<M: Mechanism> {
     pub independent_speeds: Vec<usize>,
     /// The coordinates that make A change along the motion; none if the motion is steady. A steady motion moves along
     /// coordinates that nothing depends on, A is constant, and its eigenvalues are those of all small motions about it.
-    /// Rest is steady.
+    /// Rest is steady, unless A changes with time itself.
     pub unsteady: Vec<usize>,
+    /// Whether A is constant along the motion.
+    pub is_steady: bool,
     /// The quantities that u changes.
     pub inputs: Vec<Control>,
     /// A, h + f square with h independent coordinates and f independent speeds.
@@ -70,11 +72,13 @@ pub fn linearize<M: Mechanism>(
 ) -> Result<Linearization<M>, Failure> {
     let found = linearize_any(&Any(mechanism), At::state(state), inputs)?;
     let AnyLinearization { a, b, c, d, eigenvalues, modes, reduction, unsteady } = found;
+    let is_steady = unsteady.is_none();
     Ok(Linearization {
         state: state.clone(),
         independent: reduction.independent().to_vec(),
         independent_speeds: reduction.independent_speeds().to_vec(),
-        unsteady,
+        unsteady: unsteady.unwrap_or_default(),
+        is_steady,
         inputs: inputs.to_vec(),
         a,
         b,
@@ -94,7 +98,8 @@ struct AnyLinearization {
     eigenvalues: Vec<Complex<f64>>,
     modes: Vec<Mode>,
     reduction: Reduction,
-    unsteady: Vec<usize>,
+    /// Nothing where A is constant.
+    unsteady: Option<Vec<usize>>,
 }
 
 fn linearize_any(mechanism: &dyn Differentiable, at: At<f64>, inputs: &[Control]) -> Result<AnyLinearization, Failure> {

@@ -125,12 +125,21 @@ impl Statics {
 
     /// Whether nothing accelerates.
     pub(crate) fn is_at_rest(&self) -> bool {
+        self.are_at_rest(self.accelerations.as_slice())
+    }
+
+    /// Whether that is so at another time too, without speeds.
+    pub(crate) fn stays_at_rest(&self, mechanism: &dyn Differentiable, time: f64) -> bool {
+        mechanism.accelerate(At::moving(time, &self.q, &[])).is_ok_and(|solved| self.are_at_rest(solved.as_slice()))
+    }
+
+    fn are_at_rest(&self, accelerations: &[f64]) -> bool {
         let independent = self.reduction.independent().iter().enumerate();
         (0..self.q.len()).all(|i| {
             let rounding =
                 |(k, j): (usize, &usize)| self.by_positions[(i, k)].abs() * (self.q[*j].abs() + self.sizes[*j]);
             let rounding: f64 = independent.clone().map(rounding).sum();
-            self.accelerations[i].abs() <= AT_REST * self.sizes[i] + ROUNDINGS * f64::EPSILON * rounding
+            accelerations[i].abs() <= AT_REST * self.sizes[i] + ROUNDINGS * f64::EPSILON * rounding
         })
     }
 

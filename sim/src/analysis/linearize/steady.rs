@@ -15,7 +15,8 @@ const STEADY: f64 = 1e-6;
 /// which a motion from rest needs, then have a rounding error of 1e-7 if A itself is computed by differences.
 const STEP: f64 = 1e-2;
 
-/// The coordinates that do not move uniformly, where A changes along the motion; none where it does not.
+/// The coordinates that do not move uniformly, where A changes along the motion; nothing where it does not. There are none at
+/// rest, where A changes with time itself.
 ///
 /// A steady motion moves along coordinates that nothing depends on, at constant speeds, and has an A that is constant.
 pub(super) fn unsteady(
@@ -23,7 +24,7 @@ pub(super) fn unsteady(
     reduction: &Reduction,
     a: &DMatrix<f64>,
     eigenvalues: &[Complex<f64>],
-) -> Result<Vec<usize>, Failure> {
+) -> Result<Option<Vec<usize>>, Failure> {
     let (mechanism, at) = (derivatives.mechanism(), derivatives.state());
     let sizes = measure(mechanism, at.time, at.positions).0;
     let parts = |values: &[f64]| -> Vec<f64> { values.iter().zip(&sizes).map(|(v, size)| v.abs() / size).collect() };
@@ -32,7 +33,7 @@ pub(super) fn unsteady(
     let modes = eigenvalues.iter().map(|value| value.norm());
     let rate = modes.chain(speeds.iter().copied()).chain(accelerations.iter().map(|a| a.sqrt())).fold(0.0, f64::max);
     if rate == 0.0 || a.is_empty() {
-        return Ok(Vec::new());
+        return Ok(None);
     }
     let [before, after] = [-STEP, STEP].map(|part| later(mechanism, derivatives, reduction, part / rate));
     let (before, after) = (before?, after?);
@@ -48,17 +49,17 @@ pub(super) fn unsteady(
         (slope * size).abs() <= STEADY && (bend * size).abs() <= STEADY
     };
     if (0..a.nrows()).all(|i| (0..a.ncols()).all(|k| is_steady(i, k))) {
-        return Ok(Vec::new());
+        return Ok(None);
     }
     let beyond = |parts: &[f64], least: f64| (0..parts.len()).filter(|j| parts[*j] > least).collect::<Vec<usize>>();
     let (bent, moving) = (beyond(&accelerations, STEADY * rate * rate), beyond(&speeds, STEADY * rate));
     if bent.is_empty() {
-        return Ok(moving);
+        return Ok(Some(moving));
     }
     // Some entries of a turning quaternion may be at their turning points.
     let quaternions = quaternions(mechanism);
     let turns = |j: &usize| quaternions.iter().any(|four| four.contains(j) && four.iter().any(|k| bent.contains(k)));
-    Ok((0..sizes.len()).filter(|j| bent.contains(j) || moving.contains(j) && turns(j)).collect())
+    Ok(Some((0..sizes.len()).filter(|j| bent.contains(j) || moving.contains(j) && turns(j)).collect()))
 }
 
 /// The coordinates of each quaternion.

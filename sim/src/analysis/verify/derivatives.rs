@@ -5,6 +5,7 @@ use super::worst::{Worst, largest, relative};
 use super::{Check, places};
 use crate::model::{At, Differentiable};
 use crate::motion::typed::Any;
+use crate::numerics::numbers::larger;
 use crate::state::trajectory::Sample;
 use nalgebra::DMatrix;
 use sim_kernel::{Dual, Mechanism};
@@ -12,6 +13,9 @@ use sim_kernel::{Dual, Mechanism};
 /// The largest difference of a derivative, relative to its rounding. Both ways solve K dz = dr - dK z, which amplifies
 /// rounding by the condition of K: 1e-8 lets it be 1e8.
 const BOUND: f64 = 1e-8;
+/// The part of the largest acceleration and reaction below which a derivative, by a change that counts as 1, is their rounding:
+/// a few hundred times what doubles resolve, at [`BOUND`].
+const LEAST: f64 = 1e-5;
 
 /// C_q, d(q'')/dq, d(q'')/dq', d(lambda)/dq and d(lambda)/dq'.
 pub fn jacobians_against_duals<M: Mechanism>(mechanism: &M, samples: &[Sample<M>]) -> Check {
@@ -76,12 +80,15 @@ fn compare_solutions(mechanism: &dyn Differentiable, samples: &[At<f64>], worst:
     let coordinates = scales(mechanism, samples);
     let names = [["d(q'')/dq", "d(lambda)/dq"], ["d(q'')/dq'", "d(lambda)/dq'"]];
     let mut found: [Vec<(&str, f64, f64)>; 2] = [vec![], vec![]];
+    let mut solved = 0.0;
     for sample in samples {
         let Some(generated) = mechanism.by_state(sample.time, sample.positions, sample.speeds) else { continue };
         let jacobian = mechanism.constraint_jacobian(sample.time, sample.positions);
         // A multiplier is measured by its force.
         let forces = (0..jacobian.nrows()).map(|k| largest((0..n).map(|j| jacobian[(k, j)] / coordinates[j])));
         let rows: Vec<f64> = coordinates.iter().copied().chain(forces).collect();
+        let solution = sample.accelerations.iter().chain(sample.multipliers).zip(&rows);
+        solved = larger(solved, largest(solution.map(|(value, unit)| value * unit)));
         for (by_speed, generated) in generated.iter().enumerate() {
             let columns: Option<Vec<Vec<f64>>> =
                 (0..n).map(|j| solution_by(mechanism, sample, j, by_speed == 1)).collect();
@@ -96,7 +103,7 @@ fn compare_solutions(mechanism: &dyn Differentiable, samples: &[At<f64>], worst:
         }
     }
     for entries in &found {
-        let size = largest(entries.iter().map(|(_, _, size)| *size));
+        let size = larger(largest(entries.iter().map(|(_, _, size)| *size)), LEAST * solved);
         entries.iter().for_each(|(name, apart, _)| worst.enter(relative(*apart, size), name));
     }
     found.iter().map(Vec::len).sum()

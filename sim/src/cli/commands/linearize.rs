@@ -44,9 +44,9 @@ fn linearized<M: Mechanism, T>(
     let description = mechanism.description();
     let (mechanism, start) = as_given(&mechanism, &arguments.start.set, &arguments.start.initial)?;
     let inputs = controls(description, &arguments.input)?;
-    let state = state_at(&mechanism, &start, &arguments.at, interrupted)?;
+    let (mechanism, state) = state_at(mechanism, &start, &arguments.at, interrupted)?;
     let State { time, positions, speeds, .. } = &state;
-    let Linearization { independent, independent_speeds, unsteady, a, b, c, d, eigenvalues, modes, .. } =
+    let Linearization { independent, independent_speeds, unsteady, is_steady, a, b, c, d, eigenvalues, modes, .. } =
         linearize(&mechanism, &state, &inputs)?;
     let found = Found {
         description,
@@ -54,6 +54,7 @@ fn linearized<M: Mechanism, T>(
         positions: positions.as_ref(),
         speeds: speeds.as_ref(),
         states: states(description, &independent, &independent_speeds),
+        is_steady,
         unsteady: names(description, &unsteady),
         advice: advice(&mechanism, &state, &unsteady),
         inputs: inputs.iter().map(|input| input.name_in(description)).collect(),
@@ -73,6 +74,8 @@ struct Found<'a> {
     speeds: &'a [f64],
     /// The names of the entries of x.
     states: Vec<&'static str>,
+    /// Whether A is constant.
+    is_steady: bool,
     /// The coordinates in which the motion is not steady, and those in which it may be.
     unsteady: Vec<&'static str>,
     advice: Option<String>,
@@ -123,21 +126,27 @@ fn controls(description: &'static Description, named: &[String]) -> Result<Vec<C
     named.iter().map(control).collect()
 }
 
+/// The state in question, and the mechanism as events have left it there.
 fn state_at<M: Mechanism>(
-    mechanism: &M,
+    mechanism: M,
     start: &Start<M>,
     place: &str,
     interrupted: &AtomicBool,
-) -> Result<State<M>, Stop> {
+) -> Result<(M, State<M>), Stop> {
     match place {
-        "equilibrium" => Ok(equilibrium(mechanism, start)?.state),
-        "initial" => Ok(assemble(mechanism, start)?),
+        "equilibrium" => equilibrium(&mechanism, start).map(|found| (mechanism, found.state)).map_err(Stop::from),
+        "initial" => assemble(&mechanism, start).map(|state| (mechanism, state)).map_err(Stop::from),
         time => {
             let settings = Settings::new(positive("--at", time)?);
             let run = run_while(mechanism.clone(), start, &settings, &mut |_| !interrupted.load(Ordering::Relaxed))?;
-            match (run.trajectory.failure, run.trajectory.samples.last()) {
+            let last = run.trajectory.with_mechanisms(&mechanism).last();
+            match (run.trajectory.failure.clone(), last) {
                 (Some(failure), _) => Err(failure.into()),
-                (None, Some(sample)) => Ok(sample.state.clone()),
+                (None, Some((_, sample))) if sample.state.time < settings.end => Err(Stop::Usage(format!(
+                    "--at {time}: the motion ends at t = {:?} s, where an event stops it",
+                    sample.state.time
+                ))),
+                (None, Some((mechanism, sample))) => Ok((mechanism, sample.state.clone())),
                 (None, None) => Err(Stop::Failed(anyhow::anyhow!("nothing was recorded"))),
             }
         }
@@ -170,7 +179,7 @@ fn summary(found: &Found, place: &str) -> Value {
         "coordinates": positions.collect::<Map<_, _>>(),
         "speeds": speeds.collect::<Map<_, _>>(),
         "states": found.states,
-        "steady": found.unsteady.is_empty(),
+        "steady": found.is_steady,
         "unsteady": found.unsteady,
         "advice": found.advice,
         "inputs": found.inputs,
@@ -211,6 +220,8 @@ fn report(found: &Found) -> String {
             "steady"
         );
         text += &format!("{:<12} {advice}\n", "");
+    } else if !found.is_steady {
+        text += &format!("{:<12} no: A changes with time itself, and the modes hold for one instant only\n", "steady");
     } else if found.speeds.iter().any(|speed| *speed != 0.0) {
         text += &format!("{:<12} yes: A is constant along the motion\n", "steady");
     }

@@ -122,14 +122,14 @@ pub(in crate::cli) fn balanced<M: Mechanism>(mechanism: M, arguments: &StartArgu
     let (mechanism, start) = as_given(&mechanism, &arguments.set, &arguments.initial)?;
     let found = equilibrium(&mechanism, &start)?;
     let (positions, multipliers) = (found.state.positions.as_ref(), found.multipliers.as_ref());
-    of_equilibrium(description, positions, multipliers, &found.eigenvalues)
+    of_equilibrium(description, positions, multipliers, (&found.eigenvalues, found.is_steady))
 }
 
 fn of_equilibrium(
     description: &Description,
     positions: &[f64],
     multipliers: &[f64],
-    eigenvalues: &[Complex<f64>],
+    (eigenvalues, is_steady): (&[Complex<f64>], bool),
 ) -> Result<Said, Stop> {
     let values = eigenvalues.iter().map(|value| json!([value.re, value.im]));
     let json = json!({
@@ -137,6 +137,7 @@ fn of_equilibrium(
         "coordinates": named(description.coordinates.iter().map(|c| &c.position), positions),
         "multipliers": named(description.constraints.iter(), multipliers),
         "eigenvalues": values.collect::<Vec<_>>(),
+        "steady": is_steady,
     });
     let mut out = String::new();
     for (c, q) in description.coordinates.iter().zip(positions) {
@@ -147,6 +148,9 @@ fn of_equilibrium(
     }
     for value in eigenvalues {
         writeln!(out, "{:<20} {:>20} {:+.12} i 1/s", "eigenvalue", fixed(value.re, 12), value.im + 0.0)?;
+    }
+    if !is_steady {
+        writeln!(out, "{:<20} what acts changes with time: this holds at t = 0 alone", "warning")?;
     }
     Ok(Said { json, text: out })
 }

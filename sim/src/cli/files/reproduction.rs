@@ -88,7 +88,8 @@ impl Reproduction {
             "format": FORMAT,
             "model": arguments.model,
             "parameters": object(&parameters),
-            "initial": object(&initial),
+            // What is declared follows the parameters, and the declaration tells it.
+            "initial": object(&initial.into_iter().filter(|entry| entry.2).collect::<Vec<_>>()),
             "options": options,
         });
         if !inputs.is_empty() {

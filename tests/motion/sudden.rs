@@ -1,0 +1,116 @@
+//! What begins and ends within a step that a method could take if nothing happened.
+
+use sim::{Method, Rows, Settings, mechanism};
+use std::f64::consts::PI;
+use tests::any_model::run_with;
+
+mechanism! {
+    /// A mass on a spring, at rest until a blow that lasts 11 ms: half of it rising, half falling.
+    Struck;
+    coordinates { x [m]; }
+    parameters { m [kg] = 1; k [N/m] = 400; }
+    tables {
+        blow [N] over [ms] = linear { 0, 0; 1000, 0; 1005.5, 500; 1011, 0; }
+        knock [N] over [s] = linear, periodic { 0, 0; 0.001, 1; 0.002, 0; 1, 0; }
+    }
+    bodies { b: mass m at [x, 0]; }
+    loads { spring k, rest 0 on x; force blow(t) on x; force 0*knock(t) on x; }
+}
+
+/// The response to a force that rises by 1 N/s from 0 on.
+fn ramp(time: f64, k: f64, omega: f64) -> f64 {
+    if time > 0.0 { (time - (omega * time).sin() / omega) / k } else { 0.0 }
+}
+
+/// x by Duhamel's integral.
+#[test]
+fn a_short_blow_is_not_stepped_over() {
+    let slope = 500.0 / 5.5e-3;
+    for method in [Method::Dopri5, Method::Dop853, Method::Radau5] {
+        for rows in [1, 7, 1000] {
+            let settings = Settings { rows: Rows::Even(rows), ..Settings::adaptive(method, 2.0, 1e-10) };
+            let run = run_with(Struck::default(), &settings).unwrap();
+            assert_eq!(run.trajectory.failure, None);
+            for sample in &run.trajectory.samples {
+                let t = sample.state.time;
+                let [first, second, third] = [1.0, 1.0055, 1.011].map(|begin| ramp(t - begin, 400.0, 20.0));
+                let exact = slope * (first - 2.0 * second + third);
+                // A thousand steps' errors of at most 1e-10 of its own length.
+                assert!((sample.state.positions[0] - exact).abs() < 1e-7, "{}, {t}: {exact}", method.name());
+            }
+        }
+    }
+}
+
+mechanism! {
+    /// A wheel that turns evenly.
+    Wheel;
+    coordinates { phi [rad]; }
+    parameters { J [kg*m^2] = 1; w [rad/s] = 1; }
+    bodies { wheel: inertia J, angle phi; }
+    initial { phi = 0.1; dot(phi) = w; }
+    events {
+        plain: sin(phi) = 0 rising;
+        flat: max(sin(phi), 0.5) = 0.7 rising;
+        sharp: exp(20*(cos(phi) - 1)) = 0.5 rising;
+    }
+}
+
+/// In each turn every event happens once, at the same angle, however long the steps are and however many turns they make.
+#[test]
+fn events_of_each_turn_are_found() {
+    for (turns, w) in [(1.0, 2.0), (10.0, 60.0), (800.0, 300.0)] {
+        for method in [Method::Dopri5, Method::Dop853, Method::Radau5] {
+            let end = turns * 2.0 * PI / w;
+            let run = run_with(Wheel { w, ..Wheel::default() }, &Settings::adaptive(method, end, 1e-10)).unwrap();
+            assert_eq!(run.trajectory.failure, None);
+            let sharp = 2.0 * PI - (1.0 + 0.5f64.ln() / 20.0).acos();
+            for (name, angle) in [("plain", 2.0 * PI), ("flat", 0.7f64.asin()), ("sharp", sharp)] {
+                let times: Vec<f64> = run.events.iter().filter(|e| e.name == name).map(|e| e.state.time).collect();
+                assert_eq!(times.len(), turns as usize, "{name}, {}", method.name());
+                for (k, time) in times.iter().enumerate() {
+                    let exact = (angle - 0.1 + 2.0 * PI * k as f64) / w;
+                    assert!((time - exact).abs() < 1e-11 * (1.0 + exact), "{name}: {time} for {exact}");
+                }
+            }
+        }
+    }
+}
+
+mechanism! {
+    /// A ball thrown down from the floor itself.
+    Thrown;
+    coordinates { y [m]; }
+    bodies { ball: mass 1 [kg] at [0, y]; }
+    constraints { floor: y = 0 initially released; }
+    initial { y = 0; dot(y) = -1; }
+    events { hit: y = 0 falling { impact floor restitution 0.5; stop; } }
+}
+
+/// The state after an impact is a row, also where it happens at the start and ends the run.
+#[test]
+fn what_an_event_at_the_start_does_is_a_row() {
+    let run = run_with(Thrown::default(), &Settings::equal_steps(Method::Rk4, 1.0, 10)).unwrap();
+    assert_eq!(run.events.len(), 1);
+    assert_eq!(run.trajectory.failure, None);
+    let speeds: Vec<f64> = run.trajectory.samples.iter().map(|sample| sample.state.speeds[0]).collect();
+    assert_eq!(speeds, [-1.0, 0.5]);
+}
+
+mechanism! {
+    /// A flywheel whose acceleration depends on nothing.
+    Flywheel;
+    parameters { T [N*m] = 0.5; C [kg*m^2] = 0.02; }
+    bodies { wheel: mass 2 [kg], inertia [0.01 [kg*m^2], 0.01 [kg*m^2], C]; }
+    joints { shaft: revolute ground at [0, 0, 0] axis [0, 0, 1] to wheel at [0, 0, 0] axis [0, 0, 1]; }
+    loads { torque T on shaft; gravity [0, 0, -9.81 [m/s^2]]; }
+    kernels { dynamics_jacobian; }
+}
+
+/// phi = T/C t^2/2, also by the method that asks how accelerations change.
+#[test]
+fn what_nothing_changes_has_no_derivative() {
+    let run = run_with(Flywheel::default(), &Settings::adaptive(Method::Radau5, 1.0, 1e-10)).unwrap();
+    let last = run.trajectory.samples.last().unwrap();
+    assert!((last.state.positions[0] - 12.5).abs() < 1e-8, "{:?}", last.state.positions);
+}
