@@ -84,3 +84,35 @@ fn contradicting_speeds_name_the_constraint() {
     let failure = assemble(&linkage, &start).unwrap_err();
     assert!(matches!(failure.what, What::SpeedsContradict { constraint: "closure_y", .. }), "{failure}");
 }
+
+mechanism! {
+    /// A four-bar whose coupler's constraint is in square metres, with a gear whose constraint has no unit.
+    Geared;
+    coordinates { a [rad]; c [rad]; w [rad]; }
+    parameters { s [m] = 1; J [kg*m^2] = 1; }
+    let P = s*[cos(a), sin(a)];
+    let R = [3.5*s, 0] + 2*s*[cos(c), sin(c)];
+    bodies { crank: inertia J, angle a; rocker: inertia J, angle c; wheel: inertia J, angle w; }
+    constraints { coupler: inner(P - R, P - R) = 9*s^2; gear: w = 2*a; }
+    initial { a = 0.8; dot(a) = 2; guess c = 1.5; guess w = 1.6; }
+}
+
+/// Angles do not depend on size or inertia, also where the rows of C_q differ by a factor of 1e13.
+#[test]
+fn starts_do_not_depend_on_the_size_of_a_row() {
+    let state = |s: f64, inertia: f64| {
+        let geared: Geared = Geared { s, J: inertia, ..Geared::default() };
+        assemble(&geared, &declared_start(&geared)).unwrap()
+    };
+    let known = state(1.0, 1.0);
+    // c' = 2 (P - R).P' / ((P - R).R' of c' = 1).
+    let ([a, c], d) = ([0.8f64, known.positions[1]], 3.5);
+    let gap = [a.cos() - d - 2.0 * c.cos(), a.sin() - 2.0 * c.sin()];
+    let rate = 2.0 * (gap[1] * a.cos() - gap[0] * a.sin()) / (2.0 * (gap[1] * c.cos() - gap[0] * c.sin()));
+    for (s, inertia) in [(1.0, 1.0), (1e-3, 1e-9), (1e-6, 1e-22), (3e-7, 1e-25)] {
+        let found = state(s, inertia);
+        // Positions are met to 1e-12 of the terms.
+        assert!((found.speeds[1] - rate).abs() < 1e-10, "{s}: {} for {rate}", found.speeds[1]);
+        assert!((found.positions[1] - c).abs() < 1e-10, "{s}: {}", found.positions[1]);
+    }
+}

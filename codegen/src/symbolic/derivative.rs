@@ -151,7 +151,7 @@ impl Differential {
 fn root_in(graph: &Graph, expr: Expr) -> Option<(Expr, i64)> {
     let Node::Power { base, exponent } = graph.node(expr) else { return None };
     let (one, degree) = graph.as_number(*exponent)?.to_fraction()?;
-    (one == 1).then(|| (*base, i64::try_from(degree).unwrap_or(i64::MAX)))
+    (one == 1).then_some((*base, degree))
 }
 
 /// The derivative of a function at its argument; `value` is the function there.

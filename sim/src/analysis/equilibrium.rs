@@ -70,6 +70,7 @@ pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equi
             Ended::Moving(last) => return Err(nowhere(any, &stuck, &last)),
         },
     };
+    found.check_inertia(any)?;
     let multipliers = any.accelerate(At::moving(0.0, &found.q, &[]))?;
     let state =
         State { positions: array(mechanism.n(), &found.q), speeds: M::Q::repeat(mechanism.n(), 0.0), ..assembled };

@@ -71,7 +71,7 @@ const MOST_HALVINGS: usize = 8;
 const MOST_IN_A_PART: usize = 64;
 /// The largest change of positions in a part of a step, beside those that count as 1: steps of a motion that is simple may go
 /// through many turns.
-const MOST_CHANGE: f64 = 0.5;
+const MOST_CHANGE: f64 = 1.0;
 /// The largest number of parts.
 const MOST_PARTS: f64 = 1e6;
 /// How close to zero, relative to its largest value, a condition has to turn to touch it.

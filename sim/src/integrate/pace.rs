@@ -294,7 +294,7 @@ impl Adaptive {
             refused => {
                 self.h = (time - now) * self.controller.rejected(refused.as_ref().ok().copied());
                 if refused.as_ref().is_ok_and(|error| *error == f64::INFINITY) && self.headway.is_short(self.h) {
-                    return Err(taken_back(motion, from, self.h));
+                    return Err(explained(motion, &from.state, taken_back(motion, from, self.h)));
                 }
                 if self.h < f64::EPSILON * (16.0 * now.abs()).max(self.first) {
                     return Err(too_small(motion, &from.state, self.h, refused.err()));

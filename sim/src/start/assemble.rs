@@ -1,6 +1,7 @@
 //! A start on the constraints, from given values and guesses.
 
 use crate::model::{AnyMechanism, Linear};
+use crate::motion::lengths::measure;
 use crate::motion::typed::Any;
 use crate::numerics::arrays::array;
 use crate::start::dyads::{Branches, Closed, close_loops, nearest};
@@ -103,12 +104,14 @@ fn assemble_positions(mechanism: &dyn AnyMechanism, start: &Given) -> Result<Vec
 
 fn correct_positions(mechanism: &dyn AnyMechanism, start: &Given, mut q: Vec<f64>) -> Result<Vec<f64>, Failure> {
     let mut linear = mechanism.constraint_linearization(0.0, &q);
+    let terms = measure(mechanism, 0.0, &q).1;
     for _ in 0..MOST_STEPS {
         if mechanism.is_met(0.0, &q) {
             return Ok(polish(mechanism, start, q));
         }
         let by_positions = mechanism.between_positions(linear.jacobian);
-        let Some(step) = least_norm_solution(by_positions, start.position_given, &linear.values) else { break };
+        let (by_positions, open) = of_one_size((by_positions, linear.values.clone()), &terms);
+        let Some(step) = least_norm_solution(by_positions, start.position_given, &open) else { break };
         let current = linear.values.norm();
         let mut scale = 1.0;
         let accepted = loop {
@@ -159,18 +162,19 @@ fn assemble_speeds(mechanism: &dyn AnyMechanism, start: &Given, q: &[f64]) -> Re
     let given = start.speeds.iter().zip(start.speed_given);
     let mut speeds = DVector::from_iterator(q.len(), given.map(|(speed, given)| if *given { *speed } else { 0.0 }));
     let mut open = &jacobian * &speeds + &time_derivative;
-    let mut contradicted = 0;
+    let (mut contradicted, terms) = (0, measure(mechanism, 0.0, q).1);
     // Once is enough, unless lengths are far from 1 m and the decomposition of J loses digits.
     for _ in 0..MOST_REFINEMENTS {
-        let Some(step) = least_norm_solution(jacobian.clone(), start.speed_given, &open) else {
+        let (rows, left) = of_one_size((jacobian.clone(), open), &terms);
+        let Some(step) = least_norm_solution(rows, start.speed_given, &left) else {
             let quantity = "a derivative of the constraints".into();
             return Err(mechanism.failure(What::NotFinite { quantity }, 0.0, q));
         };
         speeds -= step;
         open = &jacobian * &speeds + &time_derivative;
-        let terms = |i: usize| jacobian.row(i).iter().zip(&speeds).map(|(c, v)| (c * v).abs()).sum::<f64>();
+        let moved = |i: usize| jacobian.row(i).iter().zip(&speeds).map(|(c, v)| (c * v).abs()).sum::<f64>();
         // Least squares leave a residual of a few roundings of the terms; a contradiction leaves a fraction of them.
-        match (0..open.len()).find(|i| !(open[*i].abs() <= 1e-9 * terms(*i) + 1e-12)) {
+        match (0..open.len()).find(|i| !(open[*i].abs() <= 1e-9 * moved(*i) + 1e-12)) {
             None => return Ok(speeds.as_slice().to_vec()),
             Some(row) => contradicted = row,
         }
@@ -198,4 +202,23 @@ pub(super) fn least_norm_solution(
     // Rounding must not move given values.
     (0..given.len()).filter(|j| given[*j]).for_each(|j| solution[j] = 0.0);
     Some(solution)
+}
+
+/// Rows whose terms are this much smaller than those of others are brought to one size with them.
+const UNEQUAL: f64 = 1e-6;
+
+/// C_q and the residual with rows of one size, where the terms of constraints are of very different size: singular values of
+/// small rows would be taken for zeros.
+fn of_one_size(
+    (mut jacobian, mut residual): (DMatrix<f64>, DVector<f64>),
+    terms: &[f64],
+) -> (DMatrix<f64>, DVector<f64>) {
+    let [least, most] = [f64::min, f64::max].map(|of| terms.iter().copied().reduce(of).unwrap_or(1.0));
+    if least < UNEQUAL * most {
+        for (i, size) in terms.iter().enumerate() {
+            jacobian.row_mut(i).unscale_mut(*size);
+            residual[i] /= size;
+        }
+    }
+    (jacobian, residual)
 }

@@ -3,6 +3,7 @@
 use crate::model::{At, Differentiable};
 use crate::motion::typed::Any;
 use crate::state::failure::{Failure, What};
+use codegen::model::Unit;
 use sim_kernel::{Description, Dual, Mechanism, Quantity};
 
 /// A quantity y(q, t) that a drive moves or holds.
@@ -38,11 +39,13 @@ impl Driven {
     }
 
     /// The unit of its driving force: N*m for an angle, N for a length, J per its unit for anything else.
-    pub fn force_unit(self, description: &'static Description) -> &'static str {
-        match self.quantity(description).unit {
-            unit if is_angle(unit) => "N*m",
-            unit if is_one_of(unit, "m", &["inch", "ft"]) => "N",
-            _ => "J",
+    pub fn force_unit(self, description: &'static Description) -> String {
+        let unit = self.quantity(description).unit;
+        match Unit::parse(unit).map(|unit| unit.si_text()).as_deref() {
+            _ if is_angle(unit) => "N*m".to_owned(),
+            Ok("m") => "N".to_owned(),
+            Ok("1") | Err(_) => "J".to_owned(),
+            Ok(other) => format!("J/({other})"),
         }
     }
 
@@ -104,14 +107,9 @@ impl Driven {
     }
 }
 
-/// Whether a unit is one of angles.
+/// Whether a unit is one of angles: degrees, turns, or radians with or without a prefix.
 pub(super) fn is_angle(unit: &str) -> bool {
-    is_one_of(unit, "rad", &["deg", "rev"])
-}
-
-/// Whether a unit is a base unit, with or without a prefix, or one of others.
-fn is_one_of(unit: &str, base: &str, others: &[&str]) -> bool {
-    others.contains(&unit) || unit.strip_suffix(base).is_some_and(|prefix| prefix.chars().count() <= 1)
+    ["deg", "rev"].contains(&unit) || unit.strip_suffix("rad").is_some_and(|prefix| prefix.chars().count() <= 1)
 }
 
 /// Whether an output has a rate and does not change with speeds.

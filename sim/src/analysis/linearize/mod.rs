@@ -8,6 +8,7 @@ mod statics;
 mod steady;
 
 use crate::model::{At, Control, Differentiable};
+use crate::motion::lengths::measure;
 use crate::motion::typed::Any;
 use crate::state::failure::{Failure, What};
 use crate::state::trajectory::State;
@@ -55,6 +56,9 @@ pub struct Linearization<M: Mechanism> {
     /// The modes: one for each pair of conjugate eigenvalues and each real one, slowest first.
     pub modes: Vec<Mode>,
 }
+
+/// A speed whose energy, by a change that counts as 1, is this small beside that of another moves nothing.
+const LEAST_INERTIA: f64 = 1e-18;
 
 /// Linearises the equations of motion about a state on the constraints.
 ///
@@ -110,6 +114,7 @@ fn linearize_any(mechanism: &dyn Differentiable, at: At<f64>, inputs: &[Control]
     }
     let derivatives = Derivatives::at(mechanism, at, inputs)?;
     let reduction = Reduction::at(mechanism, at)?;
+    check_inertia(mechanism, at, &reduction, &measure(mechanism, at.time, at.positions).0)?;
     let columns = columns(&derivatives, &reduction)?;
     let forced = (0..inputs.len()).map(|k| derivatives.forced(k)).collect::<Result<Vec<Change>, Failure>>()?;
     let slopes = |change: &Change, input: Option<Control>| output_slopes(&derivatives, change, input);
@@ -129,6 +134,27 @@ fn linearize_any(mechanism: &dyn Differentiable, at: At<f64>, inputs: &[Control]
         a,
         eigenvalues,
         reduction,
+    })
+}
+
+/// Refuses a position where a speed moves next to nothing, such as the angle about a pole: how accelerations change is rounding
+/// there.
+fn check_inertia(
+    mechanism: &dyn Differentiable,
+    at: At<f64>,
+    reduction: &Reduction,
+    sizes: &[f64],
+) -> Result<(), Failure> {
+    let by_speeds = reduction.by_speeds();
+    let mass = by_speeds.transpose() * mechanism.mass_matrix(at.time, at.positions) * by_speeds;
+    let independent = reduction.independent_speeds();
+    let inertias = || independent.iter().enumerate().map(|(k, j)| mass[(k, k)] * sizes[*j] * sizes[*j]);
+    let most = inertias().fold(0.0, f64::max);
+    let least = inertias().position(|inertia| inertia < LEAST_INERTIA * most);
+    least.map_or(Ok(()), |k| {
+        let unknown =
+            format!("the acceleration of `{}`", mechanism.description().coordinates[independent[k]].position.name);
+        Err(mechanism.failure(What::Singular { unknown }, at.time, at.positions))
     })
 }
 

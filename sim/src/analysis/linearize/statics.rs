@@ -128,6 +128,14 @@ impl Statics {
         self.are_at_rest(self.accelerations.as_slice())
     }
 
+    /// Refuses a position where a speed moves next to nothing, in the scales of the start.
+    ///
+    /// # Errors
+    /// [`What::Singular`] there.
+    pub(crate) fn check_inertia(&self, mechanism: &dyn Differentiable) -> Result<(), Failure> {
+        super::check_inertia(mechanism, At::moving(0.0, &self.q, &[]), &self.reduction, &self.sizes)
+    }
+
     /// Whether that is so at another time too, without speeds.
     pub(crate) fn stays_at_rest(&self, mechanism: &dyn Differentiable, time: f64) -> bool {
         mechanism.accelerate(At::moving(time, &self.q, &[])).is_ok_and(|solved| self.are_at_rest(solved.as_slice()))

@@ -275,7 +275,7 @@ fn summary(found: &Found) -> Value {
     let multipliers =
         multipliers.filter_map(|(c, found)| Some((c.name.to_owned(), range(found.as_ref()?, c.factor, c.unit))));
     let drives = found.drives().filter_map(|(driven, found)| {
-        let unit = driven.force_unit(description);
+        let unit = &driven.force_unit(description);
         Some((driven.quantity(description).name.to_owned(), range(found.as_ref()?, 1.0, unit)))
     });
     json!({
@@ -344,7 +344,7 @@ fn report(found: &Found) -> String {
         text += &format!("{name:<22} {numbers}  {unit}\n");
     };
     for (driven, range) in found.drives() {
-        row(&format!("drive_{}", driven.quantity(description).name), range, 1.0, driven.force_unit(description));
+        row(&format!("drive_{}", driven.quantity(description).name), range, 1.0, &driven.force_unit(description));
     }
     row("transmission_index", &extremes.transmission, 1.0, "1");
     for (c, range) in description.constraints.iter().zip(&extremes.multipliers) {

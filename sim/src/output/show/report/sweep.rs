@@ -150,7 +150,7 @@ impl Swept<'_> {
         let (description, extremes) = (self.description, self.extremes);
         let drives = self.drives.iter().zip(&extremes.forces).map(|(driven, range)| {
             let name = format!("drive_{}", driven.quantity(description).name);
-            self.range(&name, range, 1.0, driven.force_unit(description))
+            self.range(&name, range, 1.0, &driven.force_unit(description))
         });
         let transmission = std::iter::once(self.range("transmission_index", &extremes.transmission, 1.0, "1"));
         let multipliers = description.constraints.iter().zip(&extremes.multipliers);
