@@ -101,7 +101,7 @@ mechanism! {
 #[test]
 fn starts_do_not_depend_on_the_size_of_a_row() {
     let state = |s: f64, inertia: f64| {
-        let geared: Geared = Geared { s, J: inertia, ..Geared::default() };
+        let geared: Geared = Geared { s, J: inertia };
         assemble(&geared, &declared_start(&geared)).unwrap()
     };
     let known = state(1.0, 1.0);
