@@ -204,3 +204,82 @@ fn a_contact_by_hertz_has_a_derivative_where_it_opens() {
     let expected = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, -9.81, 0.0]);
     assert!((&found.a - &expected).amax() < 1e-12, "{}", found.a);
 }
+
+mechanism! {
+    /// A double pendulum in air and in water: the drag on each bob grows with the square of its speed.
+    Dragged;
+    coordinates { a [rad]; b [rad]; }
+    parameters { m [kg] = 1; l [m] = 0.5; c [N*s^2/m^2] = 3; }
+    let P = [l*sin(a), -l*cos(a)];
+    let Q = P + [l*sin(b), -l*cos(b)];
+    bodies { p: mass m at P; q: mass m at Q; }
+    loads {
+        gravity [0, -9.81 [m/s^2]];
+        force -c*norm(dot(P))*dot(P) at P;
+        force -dot(Q)*c*norm(dot(Q)) at Q;
+    }
+}
+
+mechanism! {
+    /// The same with the generated derivatives.
+    DraggedByKernel;
+    coordinates { a [rad]; b [rad]; }
+    parameters { m [kg] = 1; l [m] = 0.5; c [N*s^2/m^2] = 3; }
+    let P = [l*sin(a), -l*cos(a)];
+    let Q = P + [l*sin(b), -l*cos(b)];
+    bodies { p: mass m at P; q: mass m at Q; }
+    loads {
+        gravity [0, -9.81 [m/s^2]];
+        force -c*norm(dot(P))*dot(P) at P;
+        force -dot(Q)*c*norm(dot(Q)) at Q;
+    }
+    kernels { dynamics_jacobian; }
+}
+
+/// At rest such a drag has the derivative 0: the modes are those of a vacuum, with frequencies g/l (2 -+ sqrt 2).
+#[test]
+fn a_drag_by_the_square_of_the_speed_does_not_damp_small_motions() {
+    fn check<M: Compiled>(mechanism: M) {
+        let state = equilibrium(&mechanism, &declared_start(&mechanism)).unwrap().state;
+        let found = linearize(&mechanism, &state, &[]).unwrap();
+        let mut frequencies: Vec<f64> = found.eigenvalues.iter().map(|value| value.im).collect();
+        frequencies.sort_by(f64::total_cmp);
+        let [slow, fast] = [-1.0, 1.0].map(|sign: f64| (9.81 / 0.5 * (2.0 + sign * 2f64.sqrt())).sqrt());
+        for (found, exact) in frequencies.iter().zip([-fast, -slow, slow, fast]) {
+            // Eigenvalues below 10, of a few operations.
+            assert!((found - exact).abs() < 1e-12, "{frequencies:?}");
+        }
+        assert!(found.eigenvalues.iter().all(|value| value.re.abs() < 1e-12), "{:?}", found.eigenvalues);
+    }
+    check(Dragged::default());
+    check(DraggedByKernel::default());
+}
+
+mechanism! {
+    /// A ball on a spring in space, slowed by the square of its speed, whichever way that is written.
+    Slowed;
+    parameters { m [kg] = 2; k [N/m] = 50; c [N*s^2/m^2] = 3; }
+    coordinates { x [m]; y [m]; z [m]; }
+    let P = [x, y, z];
+    let v = dot(P);
+    bodies { ball: mass m at P; }
+    loads {
+        force -k*P at P;
+        force -c/m*v*norm(v)*1 [kg] at P;
+        force [-c*norm(v)*v.x, -c*v.y*norm(v), c*-v.z*norm(v)] at P;
+    }
+    outputs { slowing [N] = norm(v)*v.x*c; speed [m/s] = norm(v); }
+}
+
+/// All modes have the frequency sqrt(k/m); the force has the derivative 0, and the speed has none.
+#[test]
+fn a_force_that_vanishes_with_a_speed_has_a_derivative_where_the_speed_has_none() {
+    let ball = Slowed::default();
+    let state = assemble(&ball, &declared_start(&ball)).unwrap();
+    let found = linearize(&ball, &state, &[]).unwrap();
+    for value in &found.eigenvalues {
+        assert!((value.im.abs() - 5.0).abs() < 1e-12 && value.re == 0.0, "{value}");
+    }
+    assert!(found.c.row(0).iter().all(|entry| *entry == 0.0), "{}", found.c);
+    assert!(found.c.row(1).iter().any(|entry| entry.is_nan()), "{}", found.c);
+}

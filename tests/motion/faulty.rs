@@ -75,6 +75,7 @@ impl<M: Compiled> Mechanism for Faulty<M> {
     type OutputRates = M::OutputRates;
     type Events = M::Events;
     type EventValues = M::EventValues;
+    type SwitchingFunctions = M::SwitchingFunctions;
     type Activities = M::Activities;
     type Drawing = M::Drawing;
     type QP = M::QP;
@@ -198,6 +199,9 @@ impl<M: Compiled> Mechanism for Faulty<M> {
     }
     fn event_values(&self, t: f64, q: &Self::Q, qd: &Self::Q) -> Self::EventValues {
         self.kernels().event_values(t, q, qd)
+    }
+    fn switching_functions(&self, t: f64) -> Self::SwitchingFunctions {
+        self.kernels().switching_functions(t)
     }
     fn drawing(&self, t: f64, q: &Self::Q) -> Self::Drawing {
         self.kernels().drawing(t, q)

@@ -43,6 +43,51 @@ fn a_short_blow_is_not_stepped_over() {
 }
 
 mechanism! {
+    /// The same mass, pushed in turn by forces that are written in other ways, each for a moment.
+    Pushed;
+    coordinates { x [m]; }
+    parameters { m [kg] = 1; k [N/m] = 400; F [N] = 100; begin [s] = 1; length [s] = 0.01; slow = 2; }
+    tables { hat = linear { -1, 0; 0, 1; 1, 0; } }
+    bodies { b: mass m at [x, 0]; }
+    loads {
+        spring k, rest 0 on x;
+        force if t < begin then 0 else (if t >= begin + length then 0 else F) on x;
+        force F*hat((t - 2*begin)/length) on x;
+        force F*hat((3*begin - t)/length) on x;
+        force F*max(0, 1 - abs(t - 4*begin)/length) on x;
+        force if slow*(t/begin)^2 - 24.99*slow > 0 then (if t < 5*begin then F else 0) else 0 on x;
+    }
+}
+
+/// x by Duhamel's integral: a jump of the force is the rate of a ramp of it.
+#[test]
+fn short_forces_are_not_stepped_over() {
+    let step = |time: f64| if time > 0.0 { (1.0 - (20.0 * time).cos()) / 400.0 } else { 0.0 };
+    let hat = |time: f64, l: f64| [-l, 0.0, l].map(|at| ramp(time - at, 400.0, 20.0));
+    let hats = |time: f64| {
+        let [rise, fall, end] = hat(time, 0.01);
+        (rise - 2.0 * fall + end) / 0.01
+    };
+    for method in [Method::Dopri5, Method::Dop853, Method::Radau5] {
+        for rows in [1, 7, 1000] {
+            let settings = Settings { rows: Rows::Even(rows), ..Settings::adaptive(method, 6.0, 1e-10) };
+            let run = run_with(Pushed::default(), &settings).unwrap();
+            assert_eq!(run.trajectory.failure, None);
+            for sample in &run.trajectory.samples {
+                let t = sample.state.time;
+                let jumps = step(t - 1.0) - step(t - 1.01) + step(t - 24.99f64.sqrt()) - step(t - 5.0);
+                let exact = 100.0 * (jumps + hats(t - 2.0) + hats(t - 3.0) + hats(t - 4.0));
+                // As above.
+                assert!((sample.state.positions[0] - exact).abs() < 1e-7, "{}, {t}: {exact}", method.name());
+            }
+            // A jump that is met by chance is refused until steps are as short as the tolerance.
+            let most = if method == Method::Radau5 { 40 } else { 20 };
+            assert!(run.steps.rejected < most, "{}: {} refused", method.name(), run.steps.rejected);
+        }
+    }
+}
+
+mechanism! {
     /// A wheel that turns evenly.
     Wheel;
     coordinates { phi [rad]; }

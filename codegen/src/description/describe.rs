@@ -1,12 +1,13 @@
 //! From equations and programs to the description.
 
 use super::events::events;
-use super::{Conditional, Coordinate, Description, Figure, Quantity, Shape, Start, Timetable, kebab_case};
+use super::{Conditional, Coordinate, Description, Figure, NamedTable, Quantity, Shape, Start, Switching, kebab_case};
 use crate::dsl::{Mark, Source};
 use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::KernelId;
 use crate::model::{self, Dimension, Level, Model, Unit};
 use crate::program::Program;
+use crate::symbolic::TableId;
 
 /// The description of a mechanism.
 pub fn describe(equations: &EquationsOfMotion, program: &Program, source: &Source) -> Description {
@@ -36,19 +37,14 @@ pub fn describe(equations: &EquationsOfMotion, program: &Program, source: &Sourc
         dimension: model.dimension,
         drawing: model.drawing.iter().map(shape).collect(),
         run: model.run.clone(),
-        timetables: timetables(equations),
+        switching: switching(equations),
     }
 }
 
-/// The tables that are looked up at t somewhere.
-fn timetables(equations: &EquationsOfMotion) -> Vec<Timetable> {
-    let EquationsOfMotion { graph, model, .. } = equations;
-    let time = graph.existing(model.time);
-    let is_of_time = |table: &usize| {
-        graph.look_ups().iter().any(|(look_up, id, _)| id.index() == *table && graph.operands(*look_up).next() == time)
-    };
-    let named = |index: usize| Timetable { index, name: graph.tables()[index].name.clone() };
-    (0..graph.tables().len()).filter(is_of_time).map(named).collect()
+fn switching(EquationsOfMotion { graph, switching, .. }: &EquationsOfMotion) -> Vec<Switching> {
+    let named = |id: TableId| NamedTable { index: id.index(), name: graph.table(id).name.clone() };
+    let all = switching.iter();
+    all.map(|each| Switching { table: each.table.map(named), is_affine: each.is_affine }).collect()
 }
 
 impl Quantity {

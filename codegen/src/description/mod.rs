@@ -61,12 +61,20 @@ pub struct Description {
     pub drawing: Vec<Shape>,
     /// How it is run where nothing else is said.
     pub run: Vec<RunDefault>,
-    /// The tables whose argument is t.
-    pub timetables: Vec<Timetable>,
+    /// The functions of time alone where expressions change their form, in the order of their kernel.
+    pub switching: Vec<Switching>,
 }
 
-/// A table whose argument is t.
-pub struct Timetable {
+/// A function of time alone.
+pub struct Switching {
+    /// The table whose rows count; if there is none, its zeros do.
+    pub table: Option<NamedTable>,
+    /// Whether it changes at a constant rate.
+    pub is_affine: bool,
+}
+
+/// A table.
+pub struct NamedTable {
     /// Its index among all tables.
     pub index: usize,
     /// Its name.

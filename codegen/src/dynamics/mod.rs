@@ -43,6 +43,7 @@ mod separation;
 mod shortened;
 mod shorthands;
 mod speeds;
+mod switching;
 mod tmt;
 mod turns;
 mod variables;
@@ -65,6 +66,7 @@ pub use open_tree::OpenTree;
 pub use outputs::Outputs;
 pub use separation::Separation;
 pub use speeds::SpeedEquations;
+pub use switching::Switching;
 pub use tmt::{Tmt, TmtRow};
 pub use turns::{ConstraintForm, ConstraintRows, RowTurn};
 pub use variables::{Differentiated, Variables};
@@ -104,6 +106,8 @@ pub struct EquationsOfMotion {
     pub outputs: Outputs,
     /// Conditions of events and what their actions need.
     pub events: Events,
+    /// Functions of time alone where expressions change their form.
+    pub switching: Vec<Switching>,
     /// Inverse dynamics, if requested and without intermediates.
     pub inverse: Option<Inverse>,
     /// The links that move freely.
@@ -134,6 +138,7 @@ fn derive_as(
     links: fn(&mut Graph, &Model, &Variables, &mut Derivatives, &[FreeBase]) -> Option<Links>,
 ) -> EquationsOfMotion {
     let Resolved { model, mut graph, displaced } = resolved;
+    let switching = switching::switching_functions(&graph, &model);
     let rows = load_rows(&mut graph, &model);
     let speeds = speeds::derive(&mut graph, &model, &rows);
     let formulation = formulation(&mut graph, &model, rows);
@@ -179,6 +184,7 @@ fn derive_as(
         energy,
         outputs,
         events,
+        switching,
         inverse,
         free_bases,
         separations,

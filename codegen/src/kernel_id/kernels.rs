@@ -1,7 +1,7 @@
 //! The table: an entry for each kernel.
 
 use super::signature::{Arguments, Associated, Record, Signature, Type};
-use Arguments::{Accelerations, GeneralizedSpeeds, Multipliers, Parameters, Positions, Speeds};
+use Arguments::{Accelerations, GeneralizedSpeeds, Multipliers, Parameters, Positions, Speeds, Time};
 use Type::Scalar;
 
 /// `Kernel = signature, documentation;` for each: an enum, and what its kernels are.
@@ -148,6 +148,10 @@ kernels! {
     EventValues = mechanism("event_values", Speeds, named(Associated::EventValues)).provided(),
         "What the actions of events set, and the coefficients of restitution of impacts, {len}, in SI units, in the order of \
          declaration.";
+
+    SwitchingFunctions = mechanism("switching_functions", Time, named(Associated::SwitchingFunctions)).provided(),
+        "Functions of time alone, {len}, in SI units: where one is zero, or at a row of its table, expressions change their \
+         form.";
 
     Drawing = mechanism("drawing", Positions, named(Associated::Drawing)),
         "The numbers of each shape of the drawing, in metres and radians.";

@@ -55,6 +55,8 @@ pub enum Receiver {
 pub enum Arguments {
     /// Only the parameters.
     Parameters,
+    /// t.
+    Time,
     /// t, q.
     Positions,
     /// t, q, q'.
@@ -90,6 +92,7 @@ impl Arguments {
         use Argument::{Accelerations, GeneralizedSpeeds, Multipliers, Positions, Speeds, Time};
         match self {
             Arguments::Parameters => &[],
+            Arguments::Time => &[Time],
             Arguments::Positions => &[Time, Positions],
             Arguments::Speeds => &[Time, Positions, Speeds],
             Arguments::Accelerations => &[Time, Positions, Speeds, Accelerations],
@@ -188,6 +191,8 @@ associated_types! {
     Events of Mechanism,
     /// What the actions of events need.
     EventValues of Mechanism,
+    /// Functions of time alone where expressions change their form.
+    SwitchingFunctions of Mechanism,
     /// Constraints that events switch.
     Activities of Mechanism,
     /// Numbers of the drawing.

@@ -4,7 +4,8 @@ use super::interpreter::Interpreter;
 use super::space::triple;
 use super::value::{Shape, Value};
 use crate::dsl::{Expression, Operator};
-use crate::symbolic::{Expr, Graph};
+use crate::symbolic::{Expr, Graph, Node};
+use rustc_hash::FxHashMap;
 
 impl Interpreter {
     /// Of two operands.
@@ -69,8 +70,23 @@ impl Interpreter {
                 );
             }
         };
-        let product = other.map(|x| self.graph.mul(scalar, x));
+        let product = other.map(|x| {
+            let product = self.graph.mul(scalar, x);
+            vanishing(&mut self.graph, &self.lengths, product)
+        });
         Some(Value { dimension, ..product })
+    }
+
+    /// The length of a vector.
+    pub(super) fn norm(&mut self, a: &Value) -> Expr {
+        let square = self.inner(a, a);
+        let length = self.graph.sqrt(square);
+        let components = match &a.shape {
+            Shape::Spatial(vector) => self.in_common(vector, vector).1.to_vec(),
+            _ => self.components(a),
+        };
+        self.lengths.insert(length, components);
+        length
     }
 
     fn divide(&mut self, right: &Expression, a: Value, b: Value) -> Option<Value> {
@@ -112,4 +128,12 @@ impl Interpreter {
         let products: Vec<Expr> = a.iter().zip(&b).map(|(x, y)| self.graph.mul(*x, *y)).collect();
         self.graph.sum(&products)
     }
+}
+
+/// A product with a derivative where a vector is 0 of which it contains the length and a component.
+fn vanishing(graph: &mut Graph, lengths: &FxHashMap<Expr, Vec<Expr>>, product: Expr) -> Expr {
+    let Node::Product { factors, .. } = graph.node(product) else { return product };
+    let known = factors.iter().filter_map(|(length, _)| Some((*length, lengths.get(length)?)));
+    let pairs: Vec<_> = known.flat_map(|(length, components)| components.iter().map(move |x| (length, *x))).collect();
+    pairs.into_iter().find_map(|(length, x)| graph.vanishing(product, length, x)).unwrap_or(product)
 }

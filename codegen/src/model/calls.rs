@@ -41,8 +41,7 @@ impl Interpreter {
             "norm" => {
                 let [a] = self.arguments(region, &text, arguments, ["a"])?;
                 let a = self.vector_value(a)?;
-                let square = self.inner(&a, &a);
-                Some(Value::scalar(self.graph.sqrt(square), a.dimension))
+                Some(Value::scalar(self.norm(&a), a.dimension))
             }
             "inner" => {
                 let [a, b] = self.arguments(region, &text, arguments, ["a", "b"])?;

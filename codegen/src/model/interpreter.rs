@@ -9,6 +9,7 @@ use super::{Dependence, Dependences};
 use crate::dsl::{Declaration, Region};
 use crate::mistakes::Mistakes;
 use crate::symbolic::{Differential, Expr, Graph, Symbol, evaluate};
+use rustc_hash::FxHashMap;
 
 /// Turns expressions into values. `None` means a mistake that has been recorded.
 pub(super) struct Interpreter {
@@ -25,6 +26,8 @@ pub(super) struct Interpreter {
     pub(super) local: Vec<(&'static str, Value)>,
     /// The multipliers of each constraint; absent until constraints are resolved.
     pub(super) reactions: Option<Names<Value>>,
+    /// The lengths of vectors that have been asked for, with their components.
+    pub(super) lengths: FxHashMap<Expr, Vec<Expr>>,
     /// Names of the outputs, which are not values.
     pub(super) outputs: Vec<String>,
     pub(super) time: Expr,
@@ -55,6 +58,7 @@ impl Interpreter {
             misnamed: vec![],
             local: vec![],
             reactions: None,
+            lengths: FxHashMap::default(),
             outputs: outputs.map(|output| plain(&output.name)).collect(),
             motion: Differential::along([]),
             mistakes: Mistakes::default(),

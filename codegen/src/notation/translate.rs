@@ -36,6 +36,9 @@ impl Translation<'_> {
             Node::Power { base, exponent } => self.power(*base, *exponent),
             Node::Call(function, argument) => Formula::Call(*function, self.formula(*argument).into()),
             Node::Choice(difference, above, otherwise) => {
+                if let Some(product) = self.graph.vanishing_product(expr) {
+                    return self.definition(product);
+                }
                 let [difference, above, otherwise] =
                     [difference, above, otherwise].map(|part| self.formula(*part).into());
                 Formula::Choice(difference, above, otherwise)

@@ -31,6 +31,7 @@ pub fn plan(equations: &mut EquationsOfMotion) -> Program {
     kernels.extend(generalized_speeds_kernel(&planner));
     kernels.extend(speed_mass_matrix(&planner));
     kernels.extend(event_values_kernel(&planner));
+    kernels.extend(switching_functions_kernel(&planner));
     kernels.extend(input_values_kernel(&planner));
     Program { kernels, sparsity }
 }
@@ -82,6 +83,13 @@ fn event_values_kernel(planner: &Planner) -> Option<Kernel> {
     let values = &planner.equations.events.settings;
     let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(values));
     (!values.is_empty()).then(|| planner.kernel(KernelId::EventValues, kernel))
+}
+
+/// The functions of time alone where expressions change their form, if any.
+fn switching_functions_kernel(planner: &Planner) -> Option<Kernel> {
+    let values: Vec<Expr> = planner.equations.switching.iter().map(|switching| switching.value).collect();
+    let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(&values));
+    (!values.is_empty()).then(|| planner.kernel(KernelId::SwitchingFunctions, kernel))
 }
 
 /// The values of inputs, if there are any.

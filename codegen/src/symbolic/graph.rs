@@ -30,7 +30,8 @@ impl Graph {
         &self.nodes[expr.index()]
     }
 
-    pub(super) fn nodes(&self) -> impl Iterator<Item = &Node> {
+    /// The nodes of all expressions, operands first.
+    pub fn nodes(&self) -> impl Iterator<Item = &Node> {
         self.nodes.iter()
     }
 

@@ -66,6 +66,7 @@ mod power;
 mod product;
 mod pythagoras;
 mod recognise;
+mod rest;
 mod rounding;
 mod substitute;
 mod sum;

@@ -54,9 +54,18 @@ pub struct Description {
     pub drawing: &'static [Shape],
     /// How it is run where nothing else is said, from its block `run`.
     pub run: &'static [RunDefault],
-    /// The tables whose argument is t. At their rows what acts on the mechanism changes its form: there the steps end that a
-    /// method chooses.
-    pub timetables: &'static [&'static Table],
+    /// The functions of time alone, in the order of [`crate::Mechanism::switching_functions`], where what acts on the mechanism
+    /// changes its form: there the steps end that a method chooses.
+    pub switching: &'static [Switching],
+}
+
+/// A function of time alone: the condition of an `if`, or the argument of a table.
+#[derive(Clone, Copy, Debug)]
+pub struct Switching {
+    /// The table whose rows count; if there is none, the function's zeros do.
+    pub table: Option<&'static Table>,
+    /// Whether it changes at a constant rate.
+    pub is_affine: bool,
 }
 
 /// A setting of a run, as a program takes it on its command line.

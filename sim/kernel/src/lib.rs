@@ -20,7 +20,7 @@ mod wave;
 
 pub use array::{Array, Element, FixedArray};
 pub use columns::{ColumnsStep, solve_columns};
-pub use description::{Coordinate, Description, Figure, Quantity, RunDefault, Shape, SparseRow, Start};
+pub use description::{Coordinate, Description, Figure, Quantity, RunDefault, Shape, SparseRow, Start, Switching};
 pub use dual::Dual;
 pub use input::Input;
 pub use lanes::{LaneMask, Lanes};

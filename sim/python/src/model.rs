@@ -106,6 +106,7 @@ fn levels<'a, 'py, const L: usize>(given: [&'a Bound<'py, PyAny>; L]) -> [Option
 }
 
 kernels! {
+    switching_functions = SwitchingFunctions();
     mass_matrix = MassMatrix(q);
     speed_mass_matrix = SpeedMassMatrix(q);
     constraints = Constraints(q);

@@ -94,6 +94,10 @@ impl<M: Mechanism> Block<'_, M> {
         let from = sample::<M>(plain.mechanism(), &starts);
         let time = Lanes::from_fn(|lane| targets[lanes[lane]].map_or(f64::NAN, |target| target.time));
         let tolerance = targets[lanes[0]].and_then(|target| target.tolerance);
+        let is_alike = |target: &Target| target.tolerance.is_some() == tolerance.is_some();
+        if !targets.iter().flatten().all(is_alike) {
+            return None;
+        }
         Vectors::widest().run(Attempts::<M> { plain, method, from: &from, time, tolerance }).ok()
     }
 }

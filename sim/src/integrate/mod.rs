@@ -17,6 +17,7 @@ mod plain;
 mod radau;
 mod step;
 mod stepper;
+mod switching;
 mod tableau;
 
 pub(crate) use beside::first_sample;

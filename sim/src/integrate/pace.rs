@@ -7,6 +7,7 @@ use super::control::{Controller, initial_step};
 use super::crossing::{Crossing, Way};
 use super::headway::Headway;
 use super::method::Advance;
+use super::switching::{Stop, next_stop};
 use super::{Course, Steps};
 use crate::motion::Motion;
 use crate::state::failure::{Failure, What};
@@ -204,13 +205,6 @@ fn first_step(course: &Course, count: usize, now: f64) -> usize {
     (passed as usize).max(1)
 }
 
-/// The first row after now of the tables that are functions of time. A step over it might see nothing of what begins and
-/// ends there.
-fn next_row<M: Mechanism>(motion: &Motion<M>, now: f64) -> f64 {
-    let tables = motion.mechanism().description().timetables;
-    tables.iter().map(|table| table.next_row(now + shortest(now))).fold(f64::INFINITY, f64::min)
-}
-
 /// A step that still changes a time.
 fn shortest(now: f64) -> f64 {
     16.0 * f64::EPSILON * now.abs()
@@ -252,8 +246,12 @@ impl Adaptive {
         }
         // The last step is not followed by a tiny one.
         let h = self.h.max(shortest(now));
-        let stop = next_row(motion, now).min(course.end);
-        let wanted = if now + 1.01 * h >= stop { stop } else { now + h };
+        let stop = next_stop(motion, now, course.end.min(now + 1.01 * h));
+        let wanted = match stop {
+            Some(Stop::Before(time) | Stop::Across(time)) => time,
+            None if now + 1.01 * h >= course.end => course.end,
+            None => now + h,
+        };
         let way = match crossing.may_be_ahead(motion) {
             true => crossing.lead(motion, [from, to], [wanted - now, course.end], &tolerance, steps)?,
             false => Way::On,
@@ -268,7 +266,9 @@ impl Adaptive {
             Way::On => wanted,
         };
         // These steps may be so long that they pass positions that nothing predicts.
-        *target = Target { time, wanted, tolerance: Some(tolerance), notes: true };
+        // The time of a jump is known to rounding, and no shorter step would be better.
+        let is_across = matches!(stop, Some(Stop::Across(_))) && time == wanted;
+        *target = Target { time, wanted, tolerance: (!is_across).then_some(tolerance), notes: true };
         Ok(Aim::Attempt)
     }
 

@@ -6,7 +6,7 @@
 use codegen::description as made;
 use codegen::{Derived, symbolic};
 use sim_kernel::event::{Assignment, Conditional, Direction, Event, Hit, Step, Switch, Target};
-use sim_kernel::{Coordinate, Description, Figure, Quantity, RunDefault, Shape, SparseRow, Start, Table};
+use sim_kernel::{Coordinate, Description, Figure, Quantity, RunDefault, Shape, SparseRow, Start, Switching, Table};
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
@@ -66,7 +66,10 @@ fn description(of: &made::Description, tables: &'static [Table]) -> Description 
         dimension: of.dimension,
         drawing: each(&of.drawing, |shape| self::shape(*shape)),
         run: each(&of.run, |default| RunDefault { option: default.option, value: text(&default.value) }),
-        timetables: each(&of.timetables, |timetable| &tables[timetable.index]),
+        switching: each(&of.switching, |switching| Switching {
+            table: switching.table.as_ref().map(|table| &tables[table.index]),
+            is_affine: switching.is_affine,
+        }),
     }
 }
 

@@ -477,6 +477,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
     type OutputRates = [S; 3];
     type Events = [S; 2];
     type EventValues = [S; 1];
+    type SwitchingFunctions = [S; 0];
     type Activities = [S; 1];
     type Drawing = [S; 7];
     type QP = [[S; 6]; 2];
@@ -839,7 +840,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for BouncingBall<S> {
         dimension: 2,
         drawing: &[sim_kernel::Shape::Curve(2), sim_kernel::Shape::Circle],
         run: &[],
-        timetables: &[],
+        switching: &[],
     };
     fn defaults() -> Self {
         Self {

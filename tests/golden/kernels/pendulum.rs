@@ -421,6 +421,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
     type OutputRates = [S; 3];
     type Events = [S; 2];
     type EventValues = [S; 0];
+    type SwitchingFunctions = [S; 0];
     type Activities = [S; 0];
     type Drawing = [S; 9];
     type QP = [[S; 4]; 1];
@@ -706,7 +707,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Pendulum<S> {
             sim_kernel::Shape::Circle,
         ],
         run: &[],
-        timetables: &[],
+        switching: &[],
     };
     fn defaults() -> Self {
         Self {

@@ -1080,6 +1080,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
     type OutputRates = [S; 7];
     type Events = [S; 1];
     type EventValues = [S; 0];
+    type SwitchingFunctions = [S; 0];
     type Activities = [S; 0];
     type Drawing = [S; 24];
     type QP = [[S; 17]; 3];
@@ -1626,7 +1627,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for QuickReturn<S> {
             sim_kernel::Shape::Points(2),
         ],
         run: &[],
-        timetables: &[],
+        switching: &[],
     };
     fn defaults() -> Self {
         Self {

@@ -616,6 +616,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
     type OutputRates = [S; 1];
     type Events = [S; 1];
     type EventValues = [S; 0];
+    type SwitchingFunctions = [S; 0];
     type Activities = [S; 0];
     type Drawing = [S; 8];
     type QP = [[S; 5]; 3];
@@ -946,7 +947,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Skate<S> {
         dimension: 2,
         drawing: &[sim_kernel::Shape::Line(2), sim_kernel::Shape::Points(2)],
         run: &[],
-        timetables: &[],
+        switching: &[],
     };
     fn defaults() -> Self {
         Self {

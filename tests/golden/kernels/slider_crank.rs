@@ -777,6 +777,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
     type OutputRates = [S; 4];
     type Events = [S; 2];
     type EventValues = [S; 0];
+    type SwitchingFunctions = [S; 0];
     type Activities = [S; 0];
     type Drawing = [S; 11];
     type QP = [[S; 8]; 2];
@@ -1162,7 +1163,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for SliderCrank<S> {
             sim_kernel::Shape::Slider,
         ],
         run: &[],
-        timetables: &[],
+        switching: &[],
     };
     fn defaults() -> Self {
         Self {

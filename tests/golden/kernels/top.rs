@@ -692,6 +692,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Top<S> {
     type OutputRates = [S; 4];
     type Events = [S; 1];
     type EventValues = [S; 0];
+    type SwitchingFunctions = [S; 0];
     type Activities = [S; 0];
     type Drawing = [S; 22];
     type QP = [[S; 8]; 3];
@@ -1070,7 +1071,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Top<S> {
             sim_kernel::Shape::Line(2),
         ],
         run: &[],
-        timetables: &[],
+        switching: &[],
     };
     fn defaults() -> Self {
         Self {

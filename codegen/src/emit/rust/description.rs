@@ -3,7 +3,8 @@
 use super::size;
 use super::table_constant::constant;
 use crate::description::{
-    Conditional, Coordinate, Description, Event, Figure, Quantity, RunDefault, Shape, SparseRow, Step, Target,
+    Conditional, Coordinate, Description, Event, Figure, Quantity, RunDefault, Shape, SparseRow, Step, Switching,
+    Target,
 };
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -31,7 +32,7 @@ pub(super) fn description(description: &Description, path: &TokenStream) -> Toke
     let figures = description.figures.iter().map(|each| figure(each, path));
     let drawing = description.drawing.iter().map(|each| shape(*each, path));
     let run = description.run.iter().map(|each| run_default(each, path));
-    let timetables = description.timetables.iter().map(|table| constant(&table.name));
+    let switching = description.switching.iter().map(|each| switching(each, path));
     let dimension = size(description.dimension);
     quote! {
         #path::Description {
@@ -58,9 +59,21 @@ pub(super) fn description(description: &Description, path: &TokenStream) -> Toke
             dimension: #dimension,
             drawing: &[#(#drawing),*],
             run: &[#(#run),*],
-            timetables: &[#(&Self::#timetables),*],
+            switching: &[#(#switching),*],
         }
     }
+}
+
+fn switching(each: &Switching, path: &TokenStream) -> TokenStream {
+    let table = match &each.table {
+        Some(table) => {
+            let constant = constant(&table.name);
+            quote! { ::core::option::Option::Some(&Self::#constant) }
+        }
+        None => quote! { ::core::option::Option::None },
+    };
+    let is_affine = each.is_affine;
+    quote! { #path::Switching { table: #table, is_affine: #is_affine } }
 }
 
 /// A coordinate with its speed and acceleration, and how it starts.

@@ -25,6 +25,7 @@ pub trait Compiled<S: Scalar = f64>:
         OutputRates: FixedArray<S>,
         Events: FixedArray<S>,
         EventValues: FixedArray<S>,
+        SwitchingFunctions: FixedArray<S>,
         Activities: FixedArray<S>,
         Drawing: FixedArray<S>,
         QP: FixedArray<Self::Parameters>,

@@ -51,6 +51,8 @@ pub trait Mechanism<S: Scalar = f64>: Clone + Debug {
     type Events: Array<S>;
     /// The values that the actions of events need.
     type EventValues: Array<S>;
+    /// Functions of time alone where expressions change their form.
+    type SwitchingFunctions: Array<S>;
     /// Constraints that events switch.
     type Activities: Array<S>;
     /// Numbers of the drawing.
@@ -208,6 +210,11 @@ pub trait Mechanism<S: Scalar = f64>: Clone + Debug {
     fn event_values(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::EventValues {
         let _ = (t, q, qd);
         Self::EventValues::repeat(0, S::from_f64(0.0))
+    }
+    /// The functions of time alone that [`Description::switching`] lists, in SI units.
+    fn switching_functions(&self, t: S) -> Self::SwitchingFunctions {
+        let _ = t;
+        Self::SwitchingFunctions::repeat(0, S::from_f64(0.0))
     }
     /// The numbers of each shape of the drawing, in order.
     fn drawing(&self, t: S, q: &Self::Q) -> Self::Drawing;

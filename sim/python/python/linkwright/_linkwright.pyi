@@ -128,6 +128,8 @@ class Model:
         """Generalised speeds of q', (n,)."""
     def velocities(self, t: _Times, q: ArrayLike, qd: ArrayLike) -> _Array:
         """q' of generalised speeds, (n,)."""
+    def switching_functions(self, t: _Times) -> _Array:
+        """Functions of time alone where expressions change their form."""
     def event_values(self, t: _Times, q: ArrayLike, qd: ArrayLike) -> _Array:
         """The values that actions of events need."""
     def inverse_dynamics(self, t: _Times, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike) -> _Array:

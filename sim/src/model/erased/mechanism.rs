@@ -162,6 +162,7 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
     type OutputRates = List<S>;
     type Events = Vector<K, S>;
     type EventValues = List<S>;
+    type SwitchingFunctions = List<S>;
     type Activities = List<S>;
     type Drawing = List<S>;
     type QP = List<List<S>>;
@@ -362,6 +363,9 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
     }
     fn event_values(&self, t: S, q: &Self::Q, qd: &Self::Q) -> List<S> {
         self.found(Kernel::EventValues, &Place::moving(t, q, qd))
+    }
+    fn switching_functions(&self, t: S) -> List<S> {
+        self.list(Kernel::SwitchingFunctions, &Place::at(t), self.description().switching.len())
     }
     fn drawing(&self, t: S, q: &Self::Q) -> List<S> {
         self.found(Kernel::Drawing, &Place::of(t, q))

@@ -76,6 +76,8 @@ kernels! {
     Events = "events",
     /// A row of the values that actions need.
     EventValues = "event_values",
+    /// A row of the functions of time alone where expressions change their form.
+    SwitchingFunctions = "switching_functions",
     /// A row of the numbers of the drawing.
     Drawing = "drawing",
 }

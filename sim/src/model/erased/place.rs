@@ -13,6 +13,11 @@ pub(super) struct Place<'a, K: Storage, S: Scalar> {
 }
 
 impl<'a, K: Storage, S: Scalar> Place<'a, K, S> {
+    /// A time alone.
+    pub(super) fn at(time: S) -> Self {
+        Place { time, arrays: [None; 4] }
+    }
+
     /// Without speeds, accelerations and multipliers.
     pub(super) fn of(time: S, q: &'a K::Array<S>) -> Self {
         Place { time, arrays: [Some(q), None, None, None] }

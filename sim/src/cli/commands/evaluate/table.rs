@@ -74,9 +74,10 @@ fn by_state(columns: &[Vec<f64>], rows: usize) -> Vec<f64> {
     (0..rows).flat_map(|row| columns.iter().map(move |column| column[row])).collect()
 }
 
-/// How much a kernel needs of a state: 1 positions, 2 speeds too, 3 accelerations too, 4 multipliers too.
+/// How much a kernel needs of a state: 0 the time alone, 1 positions, 2 speeds too, 3 accelerations too, 4 multipliers too.
 fn needs(kernel: Kernel) -> usize {
     match kernel {
+        Kernel::SwitchingFunctions => 0,
         Kernel::MassMatrix
         | Kernel::SpeedMassMatrix
         | Kernel::Constraints
