@@ -187,6 +187,27 @@ fn an_output_is_driven_to_its_dead_points() {
     assert!(matches!(failure.what, What::LimitPosition { driven: "x", .. }), "{failure}");
 }
 
+/// A sweep that ends exactly in a special position names it, and what grows without bound towards it has no greatest value.
+#[test]
+fn a_special_position_at_the_end_is_named() {
+    let linkage = FourBar { a: 0.2, b: 0.6, c: 0.2, d: 0.6, ..FourBar::default() };
+    let start = Start { positions: [0.5, 0.0, 0.5], ..declared_start(&linkage) };
+    for to in [0.0, PI, 0.5 - 2.0 * PI, -PI] {
+        let found = kinematics(linkage, &start, &sweep::<FourBar>("theta2", [0.5, to], 10.0, 100)).unwrap();
+        let last = found.branches.last().unwrap().value;
+        let is_flat = to.sin().abs() < 1e-9;
+        assert_eq!((last - to).abs() < 1e-9, is_flat, "{to}: {last}");
+        assert!(found.extremes.multipliers.iter().any(Option::is_none), "{to}");
+        assert_eq!(found.trajectory.samples.len(), 101);
+    }
+    for to in [(0.3f64.powi(2) - 0.0009).sqrt(), (0.6f64.powi(2) - 0.0009).sqrt()] {
+        let found = driven(SliderCrank::default(), "x", [0.5, to], 0.1, 300);
+        assert!((found.limit.unwrap().value - to).abs() < 1e-14, "{to}");
+        // The speed of the crank.
+        assert_eq!(found.extremes.outputs[0], None, "{to}");
+    }
+}
+
 /// A parallelogram linkage can fold where it is flat: there another branch crosses. It goes straight on.
 #[test]
 fn a_parallelogram_goes_straight_through_its_change_points() {

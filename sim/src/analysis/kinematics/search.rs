@@ -28,6 +28,8 @@ const BETTER: f64 = 1e-11;
 /// next.
 const TOWARDS: [f64; 3] = [1e-2, 1e-3, 1e-4];
 const GROWS: f64 = 2.5;
+/// A singular place this close to the end of an interval, in half steps, is in it.
+const BESIDE: f64 = 1e-4;
 /// The number of positions kept for testing whether outputs are functions of positions.
 const MOST_PLACES: usize = 8;
 
@@ -243,7 +245,8 @@ impl<'s> Search<'s> {
         if open.is_empty() {
             return Ok(());
         }
-        let singular = piece.crossings.iter().copied().chain(piece.limit).filter(|x| (from..=to).contains(x));
+        let within = from - BESIDE..=to + BESIDE;
+        let singular = piece.crossings.iter().copied().chain(piece.limit).filter(|x| within.contains(x));
         for (singular, side) in singular.flat_map(|x| [(x, -1.0), (x, 1.0)]) {
             let places = TOWARDS.map(|distance| singular + side * distance);
             if places.iter().any(|x| !(-1.0..=1.0).contains(x)) || piece.limit.is_some_and(|limit| places[0] > limit) {

@@ -15,6 +15,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// The driven quantity has arrived when less than this fraction of the way is missing.
 const THERE: f64 = 1e-14;
 
+/// A special position this close to an end of the sweep, as a fraction of the way, is in it.
+const AT_END: f64 = 1e-9;
+
 /// The specification of a sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sweep {
@@ -166,14 +169,15 @@ impl<'s> Followed<'s> {
             looked?;
             let crossings = piece.crossings.iter().map(|x| path.at(&piece, *x));
             let branch = |(positions, p)| SpecialPosition { value: path.system.laws[0].at(p), positions };
-            self.branches.extend(crossings.filter(|(_, p)| (0.0..=end).contains(p)).map(branch));
-            if let Some(x) = piece.limit
-                && self.motion.len() <= self.sweep.steps
-            {
-                let (q, p) = path.at(&piece, x);
+            let within = -AT_END * end..=(1.0 + AT_END) * end;
+            self.branches.extend(crossings.filter(|(_, p)| within.contains(p)).map(branch));
+            if let Some((q, p)) = piece.limit.map(|x| path.at(&piece, x)) {
                 let (position, failure) = limit(path.system, &q, p);
-                self.limit = Some(position);
-                return Err(failure);
+                let is_passed = self.motion.len() > self.sweep.steps;
+                self.limit = (!is_passed || within.contains(&p)).then_some(position);
+                if !is_passed {
+                    return Err(failure);
+                }
             }
             if path.reached(&piece) >= end || self.motion.len() > self.sweep.steps {
                 return Ok(());

@@ -20,6 +20,8 @@ const AROUND: f64 = 0.8;
 const MOST_LAYINGS: usize = 4;
 /// The amplification of rounding from which another branch may cross nearby.
 const NEAR: f64 = 1e3;
+/// The part of the tangent along p below which a limit position may be nearby.
+const TURNING: f64 = 1e-3;
 
 impl Path<'_> {
     /// The next step, of at most `length` in regular places; if another branch crosses, it does so in the middle.
@@ -29,8 +31,10 @@ impl Path<'_> {
     pub(super) fn next(&self, from: &Point, length: &mut f64) -> Result<Piece, Failure> {
         let (longest, to_the_end) = (length.min(LONGEST_STEP), self.to_the_end(from));
         let mut piece = self.followed(from, longest.min(to_the_end))?;
-        // The motion beside a crossing is known from both sides of it, beyond the end too.
-        if to_the_end < longest && piece.crossings.is_empty() && piece.to.condition >= NEAR {
+        // The motion beside a crossing is known from both sides of it, beyond the end too; and a limit position at the end is seen
+        // from there.
+        let is_nearby = piece.to.condition >= NEAR || piece.to.tangent[from.z.len() - 1] < TURNING;
+        if to_the_end < longest && piece.crossings.is_empty() && is_nearby {
             piece = self.followed(from, longest).unwrap_or(piece);
         }
         *length = 1.5 * piece.length;
