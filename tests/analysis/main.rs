@@ -10,6 +10,7 @@ mod inverse;
 mod limits;
 mod linear;
 mod peaks;
+mod pulses;
 mod sections;
 mod steady;
 mod straight;

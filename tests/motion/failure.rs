@@ -118,7 +118,7 @@ mechanism! {
     parameters { J [kg*m^2] = 1; }
     bodies { wheel: inertia J, angle phi; }
     initial { dot(phi) = 1; }
-    events { rattle: sin(1e6*phi) = 0; }
+    events { rattle: sin(1e9*phi) = 0; }
 }
 
 /// An adaptive method comes as near to where a load leaves its domain as its steps can shrink, and then says where.

@@ -18,6 +18,7 @@ mod impacts;
 mod inputs;
 mod joints;
 mod linkages;
+mod marks;
 mod nonholonomic;
 mod order;
 mod owner;

@@ -8,13 +8,19 @@ use crate::state::trajectory::{Sample, State};
 use sim_kernel::event::Event;
 use sim_kernel::{Array, Mechanism};
 
+/// An interval this much shorter than another has rates of its own.
+const SHORTER: f64 = 1e-3;
+
 /// The conditions at one time.
 #[derive(Clone, Debug)]
 pub(super) struct Point<M: Mechanism> {
     pub(super) time: f64,
     pub(super) values: M::Events,
-    /// The rates of the values in time.
+    /// The rates of the values in time, and their rates.
     pub(super) rates: M::Events,
+    pub(super) seconds: M::Events,
+    /// The interval that they are differences for, in seconds.
+    interval: f64,
 }
 
 /// The value of a condition at a time inside a step.
@@ -57,26 +63,40 @@ pub(crate) fn moved<M: Mechanism>(sample: &Sample<M>, d: f64) -> State<M> {
 impl<M: Mechanism> Point<M> {
     /// None known yet.
     pub(super) fn blank(none: &M::Events) -> Point<M> {
-        Point { time: 0.0, values: none.clone(), rates: none.clone() }
+        Point { time: 0.0, values: none.clone(), rates: none.clone(), seconds: none.clone(), interval: 0.0 }
     }
 
     /// All of it as bytes, or from them.
     pub(super) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
         bytes.number(&mut self.time)?;
         bytes.numbers(self.values.as_mut())?;
-        bytes.numbers(self.rates.as_mut())
+        bytes.numbers(self.rates.as_mut())?;
+        bytes.numbers(self.seconds.as_mut())?;
+        bytes.number(&mut self.interval)
     }
 
-    /// Values, and rates by central differences along the motion, over 1e-4 of the interval to be searched.
+    /// Values, and their first and second rates by central differences along the motion, over 1e-4 of the interval to be
+    /// searched.
     pub(super) fn of(motion: &Motion<M>, sample: &Sample<M>, interval: f64) -> Result<Point<M>, Failure> {
         let (state, d) = (&sample.state, 1e-4 * interval);
         let (ahead, behind) = (conditions(motion, &moved(sample, d))?, conditions(motion, &moved(sample, -d))?);
         let (qdd, lambda) = (&sample.accelerations, &sample.multipliers);
+        let values = motion.mechanism().events(state.time, &state.positions, &state.speeds, qdd, lambda);
         Ok(Point {
             time: state.time,
-            values: motion.mechanism().events(state.time, &state.positions, &state.speeds, qdd, lambda),
             rates: ahead.like(|i| (ahead[i] - behind[i]) / (2.0 * d)),
+            seconds: ahead.like(|i| (ahead[i] - 2.0 * values[i] + behind[i]) / (d * d)),
+            values,
+            interval,
         })
+    }
+
+    /// The same as the start of a step: differences over a much shorter one before it would be rounding.
+    pub(super) fn starting(self, step: &Step<M>) -> Result<Point<M>, Failure> {
+        match self.interval < SHORTER * step.length() {
+            true => Ok(Point { values: self.values, ..Point::of(step.motion, step.from, step.length())? }),
+            false => Ok(self),
+        }
     }
 }
 

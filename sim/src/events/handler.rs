@@ -20,6 +20,9 @@ const MOST_AT_ONCE: usize = 32;
 /// The instant, as a fraction of the whole time.
 const INSTANT: f64 = 1e-9;
 
+/// The speed at which a condition turns back, relative to that at which it came, that is not rounding.
+const TURNED: f64 = 1e-3;
+
 /// Finds the events of a motion and carries out their actions.
 #[derive(Clone, Debug)]
 pub(crate) struct EventHandler<M: Mechanism> {
@@ -48,6 +51,27 @@ pub(crate) struct EventHandler<M: Mechanism> {
 #[inline(always)]
 fn any_acts(events: &[Event]) -> bool {
     events.iter().any(|event| !event.steps.is_empty())
+}
+
+/// Whether a condition that crosses zero by the speeds of one state turns back by those of another, at the same time and place.
+fn is_turned_back<M: Mechanism>(mechanism: &M, states: [&State<M>; 2], event: usize, crossing: Crossing) -> bool {
+    let described = &mechanism.description().events[event];
+    let through = match crossing {
+        Crossing::Rising => 1.0,
+        Crossing::Falling => -1.0,
+        Crossing::Touching => return false,
+    };
+    let (zero, none) = (states[0].positions.like(|_| 0.0), M::L::repeat(mechanism.m(), 0.0));
+    let change = |state: &State<M>| {
+        let d = 100.0 * tolerance(state.time);
+        let at = |d: f64| {
+            let q = state.positions.like(|j| state.positions[j] + d * state.speeds[j]);
+            mechanism.events(state.time + d, &q, &state.speeds, &zero, &none)[event]
+        };
+        through * (at(d) - at(-d))
+    };
+    let [before, after] = states.map(change);
+    !described.on_forces && before > 0.0 && after < -TURNED * before
 }
 
 /// Whether an event switches a constraint on that is released, or off that holds.
@@ -243,9 +267,11 @@ impl<M: Mechanism> EventHandler<M> {
     fn happen_at_start(&mut self, mechanism: &M, event: usize, sample: &Sample<M>) -> Result<(), Failure> {
         let described = &mechanism.description().events[event];
         let (name, state) = (described.name, sample.state.clone());
-        // Contacts may be closed and opened again within an instant, until those are found that push: `note_time` sees the end.
+        // Contacts may be closed and opened again within an instant, until those are found that push, and blows may go to and fro
+        // in a row of balls: `note_time` sees the end.
         let changes_contacts = [true, false].into_iter().any(|on| switches(mechanism, described, on));
-        if state.time - self.last[event] < self.instant() && !changes_contacts {
+        let is_last = self.search.found.last().is_none_or(|last| last.event == event);
+        if state.time - self.last[event] < self.instant() && !changes_contacts && is_last {
             let what = What::Accumulating { event: name, count: self.counts[event] + 1 };
             return Err(Failure::at(mechanism, what, state.time, &state.positions));
         }
@@ -271,15 +297,21 @@ impl<M: Mechanism> EventHandler<M> {
         Some(at)
     }
 
-    /// Carries out the actions of the occurrences from here on, in order.
+    /// Carries out the actions of the occurrences from here on, in order. One whose condition those before it turn back does not
+    /// happen.
     fn act_from(&mut self, mechanism: &M, at: usize) -> Result<(), Failure> {
         let mut mechanism = mechanism.clone();
-        let mut state = self.search.found[at].state.clone();
-        let mut changes = false;
-        for index in at..self.search.found.len() {
-            let (event, name) = (self.search.found[index].event, self.search.found[index].name);
+        let begin = self.search.found[at].state.clone();
+        let (mut state, mut changes, mut index) = (begin.clone(), false, at);
+        while index < self.search.found.len() {
+            let Occurrence { event, name, crossing, .. } = self.search.found[index];
             let described = &mechanism.description().events[event];
             if described.steps.is_empty() {
+                index += 1;
+                continue;
+            }
+            if changes && is_turned_back(&mechanism, [&begin, &state], event, crossing) {
+                self.search.found.remove(index);
                 continue;
             }
             self.counts[event] += 1;
@@ -291,6 +323,7 @@ impl<M: Mechanism> EventHandler<M> {
             self.energy_taken += change.energy_taken;
             changes |= described.steps.iter().any(|step| !matches!(step, event::Step::Stop(_)));
             self.search.found[index].change = Some(change);
+            index += 1;
         }
         // An event that stops the run at a later occurrence changes nothing, but the phase has ended there.
         self.next_phase = (changes || !self.has_ended).then_some((mechanism, state));

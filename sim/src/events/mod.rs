@@ -8,6 +8,7 @@ mod act;
 mod conditions;
 mod handler;
 mod onset;
+mod waves;
 
 pub use act::{Change, act};
 pub(crate) use conditions::{conditions, tolerance};
@@ -24,6 +25,7 @@ use conditions::{Point, crosses, ends, is_root, may_reach_zero, turns_back, valu
 use onset::Onset;
 use sim_kernel::event::Direction;
 use sim_kernel::{Array, Mechanism};
+use waves::{DIVIDED_AGAIN, MOST_PARTS, parts, point};
 
 /// The direction in which a condition, left - right, passes zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,11 +71,6 @@ impl<M: Mechanism> Occurrence<M> {
 const MOST_HALVINGS: usize = 8;
 /// The number of occurrences in one part of a step that counts as chatter.
 const MOST_IN_A_PART: usize = 64;
-/// The largest change of positions in a part of a step, beside those that count as 1: steps of a motion that is simple may go
-/// through many turns.
-const MOST_CHANGE: f64 = 1.0;
-/// The largest number of parts.
-const MOST_PARTS: f64 = 1e6;
 /// How close to zero, relative to its largest value, a condition has to turn to touch it.
 const TOUCH: f64 = 1e-9;
 
@@ -167,17 +164,37 @@ impl<M: Mechanism> EventSearch<M> {
             return Ok(());
         }
         let (motion, begin) = (step.motion, step.from.state.time);
-        let parts = parts(step);
-        let length = step.length() / parts;
         let mut from = match self.last.take() {
-            Some(last) => last,
-            None => self.first_point(Point::of(motion, step.from, length)?),
+            Some(last) => last.starting(step)?,
+            None => {
+                self.note_sizes(step);
+                self.first_point(Point::of(motion, step.from, step.length())?)
+            }
         };
-        for part in 1..parts as usize {
-            let middle = step.sample(begin + part as f64 * length)?;
-            from = self.search_part(step, &from, Point::of(motion, &middle, length)?)?;
+        let to = Point::of(motion, step.to, step.length())?;
+        let most = parts(step).max(self.waves(&from, &to).0);
+        let length = step.length() / most;
+        for part in 1..=most as usize {
+            let is_last = part == most as usize;
+            let next = if is_last { to.clone() } else { point(step, begin + part as f64 * length, length)? };
+            let (again, event) = self.waves(&from, &next);
+            if again <= DIVIDED_AGAIN {
+                from = self.search_part(step, &from, next)?;
+                continue;
+            }
+            if again * most > MOST_PARTS {
+                let (name, count) = (motion.mechanism().description().events[event].name, again * most);
+                let what = What::Chattering { event: name, count: count as usize };
+                return Err(Failure::at(motion.mechanism(), what, step.from.state.time, &step.from.state.positions));
+            }
+            for k in 1..again as usize {
+                let time = from.time + (next.time - from.time) / (again - k as f64 + 1.0);
+                let middle = point(step, time, length / again)?;
+                from = self.search_part(step, &from, middle)?;
+            }
+            from = self.search_part(step, &from, next)?;
         }
-        self.last = Some(self.search_part(step, &from, Point::of(motion, step.to, length)?)?);
+        self.last = Some(from);
         Ok(())
     }
 
@@ -319,14 +336,6 @@ impl<M: Mechanism> EventSearch<M> {
             self.found.push(Occurrence { event, name: described.name, crossing, state, change: None });
         }
     }
-}
-
-/// Into how many parts of equal time a step is searched.
-fn parts<M: Mechanism>(step: &Step<M>) -> f64 {
-    let (from, to) = (&step.from.state.positions, &step.to.state.positions);
-    let change = step.motion.size(&from.like(|i| to[i] - from[i]));
-    let parts = (change / MOST_CHANGE).ceil();
-    if parts >= 1.0 { parts.min(MOST_PARTS) } else { 1.0 }
 }
 
 /// The value of a condition where a search starts: a condition that holds there is being left, not crossed.

@@ -102,7 +102,11 @@ impl<M: Mechanism> Onset<M> {
 
 /// The size of the terms of each condition: the sum of |its derivative by a coordinate times the coordinate|, or times the
 /// change that counts as 1, where that is more.
-fn terms<M: Mechanism>(motion: &Motion<M>, state: &State<M>, values: &M::Events) -> Result<M::Events, Failure> {
+pub(super) fn terms<M: Mechanism>(
+    motion: &Motion<M>,
+    state: &State<M>,
+    values: &M::Events,
+) -> Result<M::Events, Failure> {
     let mut terms = values.like(|i| values[i].abs());
     for j in 0..motion.mechanism().n() {
         let size = state.positions[j].abs().max(motion.measures().coordinates()[j]);

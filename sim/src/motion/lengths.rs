@@ -35,17 +35,26 @@ fn of_coordinates(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Vec<f64
     coordinates.iter().map(|coordinate| if coordinate.position.is_length { length } else { 1.0 }).collect()
 }
 
+/// A start is rounding, and not the mechanism's own length, if it is this small relative to a length of another kind.
+const NEAREST: f64 = 1e-12;
+const NEAREST_OF_ROTORS: f64 = 1e-9;
+
 /// A lever arm is ignored if it is this small relative to the root of moments of inertia over masses.
 const SHORTEST: f64 = 0.01;
 
 /// The mechanism's own length, in metres: it scales with the mechanism.
 ///
 /// It is the distance that points move per change of angles: from the constraints, the median over rows with both
-/// lengths and angles; otherwise from the inertia; otherwise the largest length in the start or the parameters;
-/// otherwise 1 m.
+/// lengths and angles; otherwise from the inertia, if nothing starts nearer to the origin than that: a light part beside a heavy
+/// rotor. Without angles it is the largest length in the start, or the median one among the parameters, whichever is less: the
+/// radius of the earth says little of a pendulum. Otherwise it is 1 m.
 pub(crate) fn own_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> f64 {
     let coordinates = mechanism.description().coordinates;
     let is_length: Vec<bool> = coordinates.iter().map(|coordinate| coordinate.position.is_length).collect();
+    let start = || {
+        let lengths = q.iter().zip(&is_length).filter(|(_, is_length)| **is_length);
+        lengths.fold(0.0, |largest: f64, (q, _)| largest.max(q.abs()))
+    };
     let sources: [&dyn Fn() -> f64; 3] = [
         &|| {
             // An arm that is short relative to the inertia belongs to a dead point.
@@ -54,16 +63,28 @@ pub(crate) fn own_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> 
             arms.retain(|arm| !(*arm < shortest && shortest.is_finite()));
             median(arms)
         },
-        &|| gyration(&mechanism.mass_matrix(time, q), &is_length),
-        &|| {
-            let description = mechanism.description();
-            let starts = q.iter().zip(&is_length).filter(|(_, is_length)| **is_length).map(|(q, _)| q.abs());
-            let parameters = description.parameters.iter().zip(mechanism.parameters());
-            let lengths = parameters.filter(|(parameter, _)| parameter.is_length).map(|(_, value)| value.abs());
-            starts.chain(lengths).fold(0.0, f64::max)
-        },
+        &|| lesser(gyration(&mechanism.mass_matrix(time, q), &is_length), start(), NEAREST_OF_ROTORS),
+        &|| lesser(of_parameters(mechanism), start(), NEAREST),
     ];
     sources.iter().map(|length| length()).find(|length| *length > 0.0 && length.is_finite()).unwrap_or(1.0)
+}
+
+/// A length, or that of the start if it is less without being rounding; the one that is known if the other is not.
+fn lesser(length: f64, start: f64, nearest: f64) -> f64 {
+    match length > 0.0 && length.is_finite() {
+        true if start > nearest * length => length.min(start),
+        true => length,
+        false => start,
+    }
+}
+
+/// The lower median of the lengths among the parameters; 0 for none.
+fn of_parameters(mechanism: &dyn AnyMechanism) -> f64 {
+    let parameters = mechanism.description().parameters.iter().zip(mechanism.parameters());
+    let lengths = parameters.filter(|(parameter, _)| parameter.is_length).map(|(_, value)| value.abs());
+    let mut lengths: Vec<f64> = lengths.filter(|length| *length > 0.0).collect();
+    lengths.sort_unstable_by(f64::total_cmp);
+    lengths.get(lengths.len().saturating_sub(1) / 2).copied().unwrap_or(0.0)
 }
 
 /// For each row with both kinds of coordinates, the length of its angular part relative to that of its linear part.

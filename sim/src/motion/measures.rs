@@ -55,6 +55,11 @@ impl<M: Mechanism> Measures<M> {
         }
     }
 
+    /// The same with coordinates measured as in others, of the same motion before a change.
+    pub(crate) fn measuring_as(self, before: &Measures<M>) -> Measures<M> {
+        Measures { coordinates: before.coordinates.clone(), ..self }
+    }
+
     /// All of it as bytes, or from them.
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
         bytes.numbers(self.coordinates.as_mut())?;

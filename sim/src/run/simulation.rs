@@ -307,7 +307,9 @@ impl<M: Mechanism> Simulation<M> {
     pub(super) fn go_over(&mut self, mechanism: M, state: State<M>) -> Result<(), Failure> {
         self.state = state.clone();
         let found = mobility(&mechanism, state.time, &state.positions);
-        self.measures = Measures::with_mobility(&mechanism, state.time, &state.positions, &found);
+        let measures = Measures::with_mobility(&mechanism, state.time, &state.positions, &found);
+        // A ball that has come to the floor is no smaller for that.
+        self.measures = measures.measuring_as(&self.measures);
         self.start_anew(mechanism);
         found.check_regular(self.mechanism(), state.time, &state.positions)
     }

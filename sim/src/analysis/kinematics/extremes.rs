@@ -47,7 +47,7 @@ pub(super) fn extremes(swept: &Swept, sweep: &Sweep) -> Extremes {
     let turn = sweep.is_turn(description) && swept.failure.is_none();
     let time_ratio = |i: usize| outputs[i].filter(|_| positions[i] && turn).and_then(|range| divide(&range));
     let largest = swept.found.largest_columns();
-    let scaled = |extreme: Extreme| Extreme { value: (extreme.value.ln() - largest).exp(), ..extreme };
+    let scaled = |extreme: Extreme| Extreme { value: (extreme.value.max(0.0).ln() - largest).exp(), ..extreme };
     let transmission = |range: Range| Range { least: scaled(range.least), greatest: scaled(range.greatest) };
     Extremes {
         multipliers: of(&layout.multipliers),

@@ -15,7 +15,12 @@ impl Search<'_> {
     pub(super) fn located(&self, k: usize, candidate: &Candidate, sign: f64) -> Option<Extreme> {
         let turn = || self.root_of_rate(k, candidate).or_else(|| self.turn_around(k, candidate));
         let x = if candidate.kind == Kind::Turn { turn()? } else { candidate.x };
-        let found = self.extreme_at(k, &candidate.piece, x)?;
+        let Some(found) = self.extreme_at(k, &candidate.piece, x) else {
+            // In a limit position there is no motion; what is bounded there is known from the way to it.
+            let (is_limit, p) = (candidate.piece.limit.is_some(), self.path.at(&candidate.piece, x).1);
+            return is_limit
+                .then(|| Extreme { value: candidate.value, at: self.path.system.laws[0].at(self.path.within(p)) });
+        };
         // A quantity worse than its polynomial has a corner there.
         let is_worse = sign * (found.value - candidate.value) > CORNER * candidate.value.abs();
         let better = (is_worse || candidate.kind == Kind::Rough).then(|| self.corner(k, candidate, sign)).flatten();

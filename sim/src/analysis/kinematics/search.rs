@@ -24,12 +24,18 @@ const NOISE: f64 = 16.0;
 const MOST_HALVINGS: usize = 8;
 /// The fraction of its range by which a value must be better than an earlier one.
 const BETTER: f64 = 1e-11;
+/// How far a polynomial may be off at the ends, in units of its error.
+const MISSED: f64 = 100.0;
 /// Distances from a singular place, in half steps, and the factor by which an unbounded quantity grows from each to the
 /// next.
 const TOWARDS: [f64; 3] = [1e-2, 1e-3, 1e-4];
 const GROWS: f64 = 2.5;
 /// A singular place this close to the end of an interval, in half steps, is in it.
 const BESIDE: f64 = 1e-4;
+/// The fraction of its range by which what is recorded must be beyond what was found, and the interval in which it is then
+/// searched, in half steps.
+const WITNESSED: f64 = 1e-8;
+const WITNESS_REACH: f64 = 0.01;
 /// The number of positions kept for testing whether outputs are functions of positions.
 const MOST_PLACES: usize = 8;
 
@@ -170,6 +176,8 @@ impl<'s> Search<'s> {
         let place = |x: f64| from + (to - from) * (1.0 + x) / 2.0;
         let at = |node: f64| self.values_at(piece, place(node));
         let rows: Vec<Vec<f64>> = nodes().into_iter().map(at).collect::<Result<_, _>>()?;
+        // In a limit position itself there is no motion.
+        let ends = [-1.0, 1.0].map(|end| at(end).ok());
         let (mut open, reach) = (Pending::new(), (to - from) / 2.0);
         for (k, lacked) in pending {
             let values: [f64; NODES] = std::array::from_fn(|node| rows[node][k]);
@@ -178,7 +186,8 @@ impl<'s> Search<'s> {
                 continue;
             }
             let series = Series::through(values);
-            if self.is_resolved(k, &series, &values, lacked, (piece, &rows)) {
+            let at_ends = ends.each_ref().map(|end| end.as_ref().map(|values| values[k]));
+            if self.is_resolved(k, &series, (&values, at_ends), lacked, (piece, &rows)) {
                 let turns = series.turns().into_iter().map(|x| (x, Kind::Turn));
                 // Beside an end that was made by halving there may be a corner.
                 let end = |x: f64| (x, if within.contains(&place(x)) { Kind::End } else { Kind::Rough });
@@ -186,7 +195,8 @@ impl<'s> Search<'s> {
                     self.offer(k, (piece, within), (series.at(x), place(x), reach, kind));
                 }
             } else if halvings == MOST_HALVINGS {
-                for (node, value) in nodes().into_iter().zip(values) {
+                let known_ends = [-1.0, 1.0].into_iter().zip(at_ends).filter_map(|(end, value)| Some((end, value?)));
+                for (node, value) in nodes().into_iter().zip(values).chain(known_ends) {
                     self.offer(k, (piece, within), (value, place(node), reach, Kind::Rough));
                 }
             } else {
@@ -207,7 +217,7 @@ impl<'s> Search<'s> {
         &mut self,
         k: usize,
         series: &Series,
-        values: &[f64; NODES],
+        (values, at_ends): (&[f64; NODES], [Option<f64>; 2]),
         lacked: f64,
         (piece, rows): (&Piece, &[Vec<f64>]),
     ) -> bool {
@@ -220,11 +230,19 @@ impl<'s> Search<'s> {
             });
         let (range, largest) = (greatest - least, least.abs().max(greatest.abs()));
         let rounding = ROUNDING * (100.0 + piece.condition());
-        if series.tail() <= (RESOLVED * range + rounding * largest).max(2.0 * self.tracked[k].noise) {
-            return true;
-        }
+        let bound = (RESOLVED * range + rounding * largest).max(2.0 * self.tracked[k].noise);
         let group = rows.iter().flat_map(|row| &row[self.group(k)]).fold(0.0f64, |most, value| most.max(value.abs()));
         let noise = NOISE * ROUNDING * (100.0 + piece.condition().powi(2)) * group;
+        // A corner between the last node and an end leaves no trace in the coefficients.
+        let most_off = MISSED * bound.max(series.tail()).max(noise);
+        let is_off =
+            |(end, value): (f64, Option<f64>)| value.is_some_and(|value| (series.at(end) - value).abs() > most_off);
+        if [-1.0, 1.0].into_iter().zip(at_ends).any(is_off) {
+            return false;
+        }
+        if series.tail() <= bound {
+            return true;
+        }
         if lacked.is_finite() && series.tail() > SHRINKS * lacked && series.tail() <= noise {
             self.tracked[k].noise = series.tail();
             return true;
@@ -259,6 +277,18 @@ impl<'s> Search<'s> {
         }
         open.retain(|(k, _)| !self.tracked[*k].has_no_bound);
         Ok(())
+    }
+
+    /// Keeps what is recorded at a place of a step where it is beyond all that was found: in a pulse between the nodes.
+    pub(super) fn witness(&mut self, piece: &Rc<Piece>, within: [f64; 2], x: f64, motion: &AnyPrescribed) {
+        let values = self.values(motion);
+        for (k, value) in values.into_iter().enumerate().filter(|(_, value)| value.is_finite()) {
+            let (Some(least), Some(greatest)) = (&self.tracked[k].least, &self.tracked[k].greatest) else { continue };
+            let slack = WITNESSED * (greatest.value - least.value).max(value.abs());
+            if value < least.value - slack || value > greatest.value + slack {
+                self.offer(k, (piece, within), (value, x, WITNESS_REACH, Kind::Rough));
+            }
+        }
     }
 
     /// Keeps a value if it is better than the best so far; among equals, the first.

@@ -162,11 +162,14 @@ impl<'s> Followed<'s> {
             let piece = Rc::new(path.next(&from, &mut length)?);
             // The curve may begin before the sweep does.
             let is_within = path.reached(&piece) > 0.0 || piece.limit.is_some();
-            let looked =
-                if is_within { search.look(&piece, [0.0, end].map(|p| path.locate(&piece, p))) } else { Ok(()) };
+            let part = [0.0, end].map(|p| path.locate(&piece, p));
+            let looked = if is_within { search.look(&piece, part) } else { Ok(()) };
             // These may be millions, and the record may be interrupted.
-            self.record(&piece)?;
-            looked?;
+            self.record(&piece, part, search)?;
+            // A limit position is told of itself.
+            let is_limit =
+                |failure: &Failure| matches!(failure.what, What::DriveSingular { .. }) && piece.limit.is_some();
+            looked.or_else(|failure| if is_limit(&failure) { Ok(()) } else { Err(failure) })?;
             let crossings = piece.crossings.iter().map(|x| path.at(&piece, *x));
             let branch = |(positions, p)| SpecialPosition { value: path.system.laws[0].at(p), positions };
             let within = -AT_END * end..=(1.0 + AT_END) * end;
@@ -196,13 +199,17 @@ impl<'s> Followed<'s> {
     }
 
     /// The rows in a step.
-    fn record(&mut self, piece: &Piece) -> Result<(), Failure> {
+    fn record(&mut self, piece: &Rc<Piece>, part: [f64; 2], search: &mut Search<'s>) -> Result<(), Failure> {
         let reached = piece.limit.map_or_else(|| self.path.reached(piece), |x| self.path.at(piece, x).1);
         while self.motion.len() <= self.sweep.steps && self.sweep.parameter(self.motion.len()) <= reached {
             let p = self.sweep.parameter(self.motion.len());
-            self.check_interrupt(|| (self.path.at(piece, self.path.locate(piece, p)).0, p))?;
-            match self.path.motion(piece, self.path.locate(piece, p), p) {
-                Ok(motion) => self.motion.push(motion),
+            let x = self.path.locate(piece, p);
+            self.check_interrupt(|| (self.path.at(piece, x).0, p))?;
+            match self.path.motion(piece, x, p) {
+                Ok(motion) => {
+                    search.witness(piece, part, x, &motion);
+                    self.motion.push(motion);
+                }
                 // In a limit position itself, which is reported.
                 Err(Failure { what: What::DriveSingular { .. }, .. }) if piece.limit.is_some() => break,
                 Err(failure) => return Err(failure),

@@ -38,7 +38,18 @@ impl Path<'_> {
             piece = self.followed(from, longest).unwrap_or(piece);
         }
         *length = 1.5 * piece.length;
-        Ok(self.with_limit(piece))
+        Ok(self.with_limit_inside(self.with_limit(piece)))
+    }
+
+    /// A step whose limit position, if there is one, is not just after its beginning: what grows without bound towards it is seen
+    /// from some way off.
+    fn with_limit_inside(&self, piece: Piece) -> Piece {
+        if !piece.limit.is_some_and(|x| x < 0.0) || !piece.crossings.is_empty() {
+            return piece;
+        }
+        let base = self.behind(&piece.from, piece.length / 2.0);
+        let placed = base.and_then(|base| self.step(&base, piece.length, ACROSS)).map(|placed| self.with_limit(placed));
+        placed.filter(|placed| placed.limit.is_some()).unwrap_or(piece)
     }
 
     /// A step of at most this length, or one over a crossing.
@@ -120,7 +131,11 @@ impl Path<'_> {
     /// A step with the limit position in it, if there is one.
     fn with_limit(&self, mut piece: Piece) -> Piece {
         let n = piece.from.z.len() - 1;
-        piece.limit = piece.curve[n].turns().first().map(|turn| self.limit(&piece, *turn));
+        let [before, after] = [&piece.from, &piece.to].map(|end| end.tangent[n]);
+        // A turn at an end may be missed between the last node and that end.
+        let at_an_end = (!(after > 0.0)).then_some(if before < after.abs() { -1.0 } else { 1.0 });
+        let turn = piece.curve[n].turns().first().copied().or(at_an_end);
+        piece.limit = turn.map(|turn| self.limit(&piece, turn));
         piece
     }
 

@@ -1,0 +1,64 @@
+//! Into how many parts a step is divided to be searched: conditions that go to and fro need some for each time.
+
+use super::EventSearch;
+use super::conditions::{Point, conditions};
+use super::onset::terms;
+use crate::integrate::Step;
+use crate::state::failure::Failure;
+use sim_kernel::{Array, Mechanism};
+
+/// The largest change of an angle, or of the phase of a condition that goes to and fro, in a part of a step: steps of a motion
+/// that is simple may go through many turns.
+const MOST_CHANGE: f64 = 1.0;
+/// The largest number of parts, and of those by the rates of a condition, which are differences.
+pub(super) const MOST_PARTS: f64 = 1e6;
+const MOST_PARTS_OF_A_WAVE: f64 = 1e4;
+/// The number of further parts of a part from which it is divided again.
+pub(super) const DIVIDED_AGAIN: f64 = 3.0;
+/// The least size of a condition, relative to its terms, that goes to and fro: of rounding nothing is asked.
+const LEAST_WAVE: f64 = 1e-6;
+
+impl<M: Mechanism> EventSearch<M> {
+    /// Notes how large conditions are by their terms.
+    pub(super) fn note_sizes(&mut self, step: &Step<M>) {
+        let state = &step.from.state;
+        let sizes = conditions(step.motion, state).and_then(|values| terms(step.motion, state, &values));
+        if let Ok(sizes) = sizes {
+            self.largest = self.largest.like(|i| self.largest[i].max(LEAST_WAVE * sizes[i]));
+        }
+    }
+
+    /// The number of parts of an interval for the condition that changes fastest, and which that is. One that goes to and fro as
+    /// A sin(w t) has everywhere between 0.78 w and w as the larger of |rate|/A and the root of |second rate|/A. So both ends say
+    /// how fast it is; one may lie at a corner, where the second rate means nothing.
+    pub(super) fn waves(&self, from: &Point<M>, to: &Point<M>) -> (f64, usize) {
+        let h = to.time - from.time;
+        let of = |event: usize| {
+            let size = self.largest[event].max(from.values[event].abs()).max(to.values[event].abs());
+            let fastest = |point: &Point<M>| {
+                let [rate, second] = [point.rates[event], point.seconds[event]].map(|rate| rate.abs() / size);
+                rate.max(second.sqrt())
+            };
+            ((h * (fastest(from) * fastest(to)).sqrt() / MOST_CHANGE).ceil(), event)
+        };
+        let all = (0..self.begin.len()).map(of).filter(|(parts, _)| parts.is_finite());
+        let (most, event) = all.fold((1.0, 0), |most, of| if of.0 > most.0 { of } else { most });
+        (most.min(MOST_PARTS_OF_A_WAVE), event)
+    }
+}
+
+/// The conditions at a time inside a step, for a search over such an interval.
+pub(super) fn point<M: Mechanism>(step: &mut Step<M>, time: f64, interval: f64) -> Result<Point<M>, Failure> {
+    let sample = step.sample(time)?;
+    Point::of(step.motion, &sample, interval)
+}
+
+/// Into how many parts of equal time a step is searched at least, for its changes of angles.
+pub(super) fn parts<M: Mechanism>(step: &Step<M>) -> f64 {
+    let (from, to) = (&step.from.state.positions, &step.to.state.positions);
+    let coordinates = step.motion.mechanism().description().coordinates.iter().enumerate();
+    let angles = coordinates.filter(|(_, coordinate)| !coordinate.position.is_length);
+    let change = angles.fold(0.0, |most: f64, (j, _)| most.max((to[j] - from[j]).abs()));
+    let parts = (change / MOST_CHANGE).ceil();
+    if parts >= 1.0 { parts.min(MOST_PARTS) } else { 1.0 }
+}

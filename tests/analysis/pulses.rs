@@ -1,0 +1,90 @@
+//! What happens in a small part of a sweep: pulses, and the last of the way to a dead point.
+
+use crate::sweeps::sweep;
+use models::FourBar;
+use sim::{Start, declared_start, kinematics, mechanism};
+use std::f64::consts::{PI, TAU};
+
+mechanism! {
+    /// A rotor with a steep pulse beside a wave that is small.
+    Pulse;
+    coordinates { th [rad]; }
+    parameters { phase = 2.8; steep = 10; }
+    bodies { rotor: inertia 0.1 [kg*m^2], angle th; }
+    initial { th = 0; dot(th) = 60 [rpm]; }
+    outputs { o = sin(th) + 1000*max(0, 1 - steep*abs(sin(th/2 + phase))); }
+}
+
+/// Corners lie anywhere between the nodes of a polynomial, beyond the last one too.
+#[test]
+fn no_pulse_hides_a_wave() {
+    for k in 0..120 {
+        let (phase, steep) = (PI * f64::from(k) / 120.0 + 0.01, [10.0, 40.0][k as usize % 2]);
+        let rotor = Pulse { phase, steep };
+        let found =
+            kinematics(rotor, &declared_start(&rotor), &sweep::<Pulse>("th", [0.0, TAU], TAU, 7)).unwrap().extremes;
+        let range = found.outputs[0].unwrap();
+        let wave = |th: f64| th.sin() + 1000.0 * (1.0 - steep * (th / 2.0 + phase).sin().abs()).max(0.0);
+        let all = (0..=20_000).map(|i| wave(TAU * f64::from(i) / 20_000.0));
+        let [least, greatest] = all.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], o| [a.min(o), b.max(o)]);
+        // The extremes between these places are beyond them, by at most half a step up the pulse.
+        let step = 1000.0 * steep * TAU / 40_000.0 / 2.0;
+        assert!(range.least.value <= least + 1e-9 && range.least.value > least - 2e-4, "{phase}: {range:?}, {least}");
+        let beyond = range.greatest.value - greatest;
+        assert!((-1e-9..step + 1e-9).contains(&beyond), "{phase}: {range:?}, {greatest}");
+    }
+}
+
+mechanism! {
+    /// A rotor with a load that lasts 0.4 degrees of a turn.
+    Spike;
+    coordinates { th [rad]; }
+    tables { f [N*m] over [deg] = linear, periodic { 0, 0; 123.3, 0; 123.5, 5; 123.7, 0; 360, 0; } }
+    bodies { rotor: inertia 0.1 [kg*m^2], angle th; }
+    loads { torque -f(th) on rotor; }
+    initial { th = 0; dot(th) = 60 [rpm]; }
+}
+
+/// What is recorded is no greater than the greatest value.
+#[test]
+fn what_a_row_shows_is_found() {
+    let rotor = Spike::default();
+    let found = kinematics(rotor, &declared_start(&rotor), &sweep::<Spike>("th", [0.0, TAU], TAU, 720)).unwrap();
+    let greatest = found.extremes.forces[0].unwrap().greatest;
+    assert!((greatest.value - 5.0).abs() < 1e-9 && (greatest.at.to_degrees() - 123.5).abs() < 1e-9, "{greatest:?}");
+}
+
+/// Cranks that cannot turn fully stop where coupler and rocker are in line, cos theta2 = (a^2 + d^2 - (b +- c)^2) / (2 a d), wherever
+/// the steps end; the rocker's angle has a greatest and a least value up to there, whether the mechanism rests or moves.
+#[test]
+fn every_dead_point_is_found() {
+    let mut count = 0;
+    for k in 0..240 {
+        let part = |i: u32| (f64::from(k) * [0.618, 0.414, 0.732, 0.236][i as usize]).fract();
+        let [a, b, c, d] = [0, 1, 2, 3].map(|i| 0.1 + 0.1 * part(i));
+        let cosine = |sum: f64| (a * a + d * d - sum * sum) / (2.0 * a * d);
+        let ends = [cosine(b + c), cosine(b - c)];
+        // From the middle of the range of theta2, where it has one on this side of the ground link.
+        let [outer, inner] = [ends[0].max(-1.0).acos(), ends[1].min(1.0).acos()];
+        if ends[0] <= -0.999 || outer - inner < 0.3 {
+            continue;
+        }
+        let theta = (outer + inner) / 2.0;
+        let linkage = FourBar { a, b, c, d, ..FourBar::default() };
+        let (x, y) = (d - a * theta.cos(), -a * theta.sin());
+        let (distance, direction) = (x.hypot(y), y.atan2(x));
+        let corner = ((b * b + distance * distance - c * c) / (2.0 * b * distance)).acos();
+        let coupler = direction + corner;
+        let rocker = (a * theta.sin() + b * coupler.sin()).atan2(a * theta.cos() + b * coupler.cos() - d);
+        let start = Start { positions: [theta, coupler, rocker], ..declared_start(&linkage) };
+        for speed in [0.0, 1.0] {
+            let sweep = sweep::<FourBar>("theta2", [theta, theta + 4.0], speed, 50);
+            let found = kinematics(linkage, &start, &sweep).unwrap();
+            let limit = found.limit.unwrap_or_else(|| panic!("{k}: {:?}", found.trajectory.failure));
+            assert!((limit.value - outer).abs() < 1e-9, "{k}: {} for {outer}", limit.value);
+            assert!(found.extremes.transmission.unwrap().least.value < 1e-6, "{k}");
+            count += 1;
+        }
+    }
+    assert!(count > 200, "{count}");
+}
