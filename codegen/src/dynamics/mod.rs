@@ -138,8 +138,7 @@ fn derive_as(
     links: fn(&mut Graph, &Model, &Variables, &mut Derivatives, &[FreeBase]) -> Option<Links>,
 ) -> EquationsOfMotion {
     let Resolved { model, mut graph, displaced } = resolved;
-    let switching = switching::switching_functions(&graph, &model);
-    let rows = load_rows(&mut graph, &model);
+    let (switching, rows) = (switching::switching_functions(&graph, &model), load_rows(&mut graph, &model));
     let speeds = speeds::derive(&mut graph, &model, &rows);
     let formulation = formulation(&mut graph, &model, rows);
     let variables = formulation.variables(&model);

@@ -21,7 +21,8 @@ pub(crate) fn by_inertia<M: Mechanism>(
     Ok(impulse(mechanism, time, q, jacobian, residual)?.0)
 }
 
-/// That change, and its impulse: x and y with [M C_q'; C_q 0] [x; y] = [0; r].
+/// That change, and its impulse: x and y with [M C_q'; C_q 0] [x; y] = [0; r]. If constraints depend on each other y is that of
+/// least norm, in SI units.
 pub(crate) fn impulse<M: Mechanism>(
     mechanism: &M,
     time: f64,
@@ -33,7 +34,12 @@ pub(crate) fn impulse<M: Mechanism>(
     let n = mechanism.n();
     let rhs = M::Z::with_len(mechanism.n() + mechanism.m(), |i| if i < n { 0.0 } else { residual[i - n] });
     let solution = solve_motion(mechanism, matrix, rhs, time, q)?;
-    Ok((q.like(|i| solution.solution[i]), residual.like(|i| solution.solution[n + i])))
+    let found = residual.like(|i| solution.solution[n + i]);
+    let impulses = match solution.undetermined().count() {
+        0 => found,
+        undetermined => least_norm(jacobian.clone(), &found, mechanism.m() - undetermined),
+    };
+    Ok((q.like(|i| solution.solution[i]), impulses))
 }
 
 /// [M C_q'; C_q 0].
