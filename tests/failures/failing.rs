@@ -53,7 +53,7 @@ mechanism! {
     parameters { J [kg*m^2] = 1; }
     bodies { wheel: inertia J, angle phi; }
     initial { dot(phi) = 1; }
-    events { rattle: (1 + sign(phi - 0.5))*sin(1e6*phi) + 1 - sign(phi - 0.5) = 0; }
+    events { rattle: (1 + sign(phi - 0.5))*sin(1e9*phi) + 1 - sign(phi - 0.5) = 0; }
 }
 
 mechanism! {
