@@ -64,8 +64,8 @@ impl<M: Mechanism> Measures<M> {
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
         bytes.numbers(self.coordinates.as_mut())?;
         bytes.numbers(self.constraints.as_mut())?;
-        let most = self.coordinates.len().max(self.constraints.len());
-        self.ranks.iter_mut().try_for_each(|rank| bytes.index(rank, most + 1))?;
+        let rows = self.constraints.len();
+        self.ranks.iter_mut().try_for_each(|rank| bytes.index(rank, rows + 1))?;
         bytes.flag(&mut self.is_redundant)
     }
 
