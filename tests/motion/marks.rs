@@ -212,6 +212,11 @@ fn great_lengths_elsewhere_do_not_spoil_small_motions() {
             }
         }
     }
+    // A start that is rounding is no length.
+    for (start, length) in [(0.0, 1.0), (1e-17, 1.0), (0.01, 0.01), (3.0, 1.0)] {
+        let far = Far { far: 1.0, ..Far::default() };
+        assert_eq!(sim::Measures::at(&far, 0.0, &[start, 0.0]).coordinates()[0], length);
+    }
     for inertia in [1e-3, 1.0, 1e3, 1e6] {
         let run = run_with(Beside { J: inertia, ..Beside::default() }, &Settings::adaptive(Method::Dop853, 5.0, 1e-10))
             .unwrap();

@@ -87,6 +87,15 @@ fn short_forces_are_not_stepped_over() {
     }
 }
 
+/// Where a jump is the end of a run, that ends there and not beyond.
+#[test]
+fn a_jump_at_the_end_is_not_crossed() {
+    for end in [1.0, 1.01, 2.0] {
+        let run = run_with(Pushed::default(), &Settings::adaptive(Method::Dop853, end, 1e-10)).unwrap();
+        assert_eq!(run.trajectory.samples.last().unwrap().state.time, end);
+    }
+}
+
 mechanism! {
     /// A wheel that turns evenly.
     Wheel;

@@ -163,39 +163,46 @@ impl<M: Mechanism> EventSearch<M> {
         if self.begin.is_empty() {
             return Ok(());
         }
-        let (motion, begin) = (step.motion, step.from.state.time);
-        let mut from = match self.last.take() {
+        let from = match self.last.take() {
             Some(last) => last.starting(step)?,
             None => {
                 self.note_sizes(step);
-                self.first_point(Point::of(motion, step.from, step.length())?)
+                self.first_point(Point::of(step.motion, step.from, step.length())?)
             }
         };
-        let to = Point::of(motion, step.to, step.length())?;
+        let to = Point::of(step.motion, step.to, step.length())?;
         let most = parts(step).max(self.waves(&from, &to).0);
-        let length = step.length() / most;
-        for part in 1..=most as usize {
-            let is_last = part == most as usize;
+        self.last = Some(self.search_parts(step, from, to, [most, most])?);
+        Ok(())
+    }
+
+    /// Searches an interval in so many parts, of about so many in the whole step, and those in which a condition turns out to be
+    /// faster in further ones; gives its end.
+    fn search_parts(
+        &mut self,
+        step: &mut Step<M>,
+        mut from: Point<M>,
+        to: Point<M>,
+        [parts, of_all]: [f64; 2],
+    ) -> Result<Point<M>, Failure> {
+        let (motion, begin, length) = (step.motion, from.time, (to.time - from.time) / parts);
+        for part in 1..=parts as usize {
+            let is_last = part == parts as usize;
             let next = if is_last { to.clone() } else { point(step, begin + part as f64 * length, length)? };
-            let (again, event) = self.waves(&from, &next);
-            if again <= DIVIDED_AGAIN {
+            let (further, event) = self.waves(&from, &next);
+            if further <= DIVIDED_AGAIN {
                 from = self.search_part(step, &from, next)?;
                 continue;
             }
-            if again * most > MOST_PARTS {
-                let (name, count) = (motion.mechanism().description().events[event].name, again * most);
-                let what = What::Chattering { event: name, count: count as usize };
-                return Err(Failure::at(motion.mechanism(), what, step.from.state.time, &step.from.state.positions));
+            let of_all = of_all * further;
+            if of_all > MOST_PARTS {
+                let name = motion.mechanism().description().events[event].name;
+                let (what, begins) = (What::Chattering { event: name, count: of_all as usize }, &step.from.state);
+                return Err(Failure::at(motion.mechanism(), what, begins.time, &begins.positions));
             }
-            for k in 1..again as usize {
-                let time = from.time + (next.time - from.time) / (again - k as f64 + 1.0);
-                let middle = point(step, time, length / again)?;
-                from = self.search_part(step, &from, middle)?;
-            }
-            from = self.search_part(step, &from, next)?;
+            from = self.search_parts(step, from, next, [further, of_all])?;
         }
-        self.last = Some(from);
-        Ok(())
+        Ok(from)
     }
 
     /// Searches a part of a step, whose end it gives.

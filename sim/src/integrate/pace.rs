@@ -248,7 +248,7 @@ impl Adaptive {
         let h = self.h.max(shortest(now));
         let stop = next_stop(motion, now, course.end.min(now + 1.01 * h));
         let wanted = match stop {
-            Some(Stop::Before(time) | Stop::Across(time)) => time,
+            Some(Stop::Before(time) | Stop::Across(time)) => time.min(course.end),
             None if now + 1.01 * h >= course.end => course.end,
             None => now + h,
         };

@@ -55,7 +55,7 @@ pub(crate) fn own_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> 
         let lengths = q.iter().zip(&is_length).filter(|(_, is_length)| **is_length);
         lengths.fold(0.0, |largest: f64, (q, _)| largest.max(q.abs()))
     };
-    let sources: [&dyn Fn() -> f64; 3] = [
+    let sources: [&dyn Fn() -> f64; 4] = [
         &|| {
             // An arm that is short relative to the inertia belongs to a dead point.
             let shortest = SHORTEST * gyration(&mechanism.mass_matrix(time, q), &is_length);
@@ -65,17 +65,14 @@ pub(crate) fn own_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> 
         },
         &|| lesser(gyration(&mechanism.mass_matrix(time, q), &is_length), start(), NEAREST_OF_ROTORS),
         &|| lesser(of_parameters(mechanism), start(), NEAREST),
+        &start,
     ];
     sources.iter().map(|length| length()).find(|length| *length > 0.0 && length.is_finite()).unwrap_or(1.0)
 }
 
-/// A length, or that of the start if it is less without being rounding; the one that is known if the other is not.
+/// A length, or that of the start if it is less without being rounding.
 fn lesser(length: f64, start: f64, nearest: f64) -> f64 {
-    match length > 0.0 && length.is_finite() {
-        true if start > nearest * length => length.min(start),
-        true => length,
-        false => start,
-    }
+    if start > nearest * length { length.min(start) } else { length }
 }
 
 /// The lower median of the lengths among the parameters; 0 for none.
