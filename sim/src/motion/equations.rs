@@ -4,7 +4,10 @@ use crate::motion::gimbal;
 use crate::motion::least_norm::least_norm;
 use crate::motion::measures::Measures;
 use crate::motion::reduction::Reduction;
-use crate::numerics::solve::{Solved, power_of_two, solve};
+use crate::numerics::{
+    power_of_two::power_of_two,
+    solve::{Solved, solve},
+};
 use crate::state::failure::{Failure, What, constraint_name};
 use crate::state::trajectory::State;
 use sim_kernel::{Array, Dynamics, Mechanism};
@@ -54,18 +57,20 @@ fn saddle<M: Mechanism>(mechanism: &M, mass: &M::QQ, jacobian: &M::LQ) -> M::ZZ 
     M::ZZ::with_len(size, |i| M::Z::with_len(size, |j| entry(i, j)))
 }
 
-/// The solution of a system of so many accelerations, then multipliers. Where something is undetermined, as the system is, it
-/// is balanced first: that of a mechanism of micrometres has entries of a square of its size beside their fourth powers, which
-/// no pivot tells from rounding unless the scales of both kinds of unknowns are known.
+/// The solution of a system of so many accelerations, then multipliers. Where something is undetermined that has an equation,
+/// as the system is, it is balanced first: that of a mechanism of micrometres has entries of a square of its size beside their
+/// fourth powers, which no pivot tells from rounding unless the scales of both kinds of unknowns are known.
 fn solve_balanced<A: Array<R>, R: Array<f64>>(matrix: A, rhs: R, n: usize) -> Solved<R> {
     let solved = solve(matrix.clone(), rhs.clone());
     let undetermined = solved.undetermined().count();
-    if undetermined == 0 {
+    // Those beyond the rank of reduced constraints.
+    let without_equation = || (n..rhs.len()).filter(|k| matrix[*k].iter().all(|entry| *entry == 0.0)).count();
+    if undetermined == 0 || undetermined == without_equation() {
         return solved;
     }
-    let mut scale = rhs.like(|i| if i < n { power_of_two(matrix[i][i].abs().sqrt()) } else { 1.0 });
+    let mut scale = rhs.like(|i| if i < n { 1.0 / power_of_two(matrix[i][i].abs().sqrt()) } else { 1.0 });
     for k in n..rhs.len() {
-        scale[k] = power_of_two((0..n).map(|j| (matrix[k][j] * scale[j]).abs()).fold(0.0, f64::max));
+        scale[k] = 1.0 / power_of_two((0..n).map(|j| (matrix[k][j] * scale[j]).abs()).fold(0.0, f64::max));
     }
     let balanced = matrix.like(|i| matrix[i].like(|j| matrix[i][j] * scale[i] * scale[j]));
     let mut again = solve(balanced, rhs.like(|i| rhs[i] * scale[i]));

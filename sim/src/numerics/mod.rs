@@ -6,6 +6,7 @@ pub(crate) mod insertion;
 pub(crate) mod lu;
 pub(crate) mod nearest;
 pub(crate) mod numbers;
+pub(crate) mod power_of_two;
 pub(crate) mod root;
 pub(crate) mod solve;
 pub(crate) mod vectors;

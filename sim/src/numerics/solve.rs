@@ -1,6 +1,7 @@
 //! Small dense linear systems of fixed size, without allocation.
 
 use super::numbers::{finite, sum};
+use super::power_of_two::power_of_two;
 use sim_kernel::{Array, Mask, Scalar};
 use std::marker::PhantomData;
 
@@ -90,22 +91,17 @@ fn equilibrate<A: Array<R>, R: Array<f64>>(matrix: &mut A, rhs: &mut R) -> R {
     let mut column_scale = rhs.like(|_| 1.0);
     for _ in 0..2 {
         for i in 0..n {
-            let scale = power_of_two((0..n).map(|j| matrix[i][j].abs()).fold(0.0, f64::max));
+            let scale = 1.0 / power_of_two((0..n).map(|j| matrix[i][j].abs()).fold(0.0, f64::max));
             (0..n).for_each(|j| matrix[i][j] *= scale);
             rhs[i] *= scale;
         }
         for j in 0..n {
-            let scale = power_of_two((0..n).map(|i| matrix[i][j].abs()).fold(0.0, f64::max));
+            let scale = 1.0 / power_of_two((0..n).map(|i| matrix[i][j].abs()).fold(0.0, f64::max));
             (0..n).for_each(|i| matrix[i][j] *= scale);
             column_scale[j] *= scale;
         }
     }
     column_scale
-}
-
-/// About 1 / size, exact to multiply with.
-pub(crate) fn power_of_two(size: f64) -> f64 {
-    if size > 0.0 && size.is_finite() { (-size.log2().round()).clamp(-1000.0, 1000.0).exp2() } else { 1.0 }
 }
 
 /// Row, column and size of the first of the largest entries from this row and column on.

@@ -4,7 +4,7 @@
 //! well-scaled matrices stay unchanged (James, Langou and Lowery, On matrix balancing and eigenvector computation,
 //! arXiv:1401.5766).
 
-use super::power_of_two;
+use crate::numerics::power_of_two::power_of_two;
 use nalgebra::DMatrix;
 use std::ops::Range;
 

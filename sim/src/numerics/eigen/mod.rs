@@ -13,6 +13,7 @@ mod hessenberg;
 mod qr;
 mod vectors;
 
+use super::power_of_two::power_of_two;
 use nalgebra::{Complex, DMatrix};
 
 /// The eigenvalues of a matrix, with an eigenvector of each.
@@ -92,9 +93,4 @@ pub fn eigen(a: &DMatrix<f64>) -> Result<Eigen, NoEigenvalues> {
         order.iter().zip(scaled).for_each(|(i, entry)| vectors[(*i, k)] = entry / length);
     }
     Ok(Eigen { values: found.into_iter().map(|(value, _)| value * unit).collect(), vectors })
-}
-
-/// The power of two nearest to a size; 1 for 0.
-fn power_of_two(size: f64) -> f64 {
-    if size > 0.0 { size.log2().round().clamp(-1000.0, 1000.0).exp2() } else { 1.0 }
 }
