@@ -48,7 +48,7 @@ pub use batch::{accelerate_each, accelerate_each_with, advance_each};
 pub use events::{Change, Crossing, EventSearch, Occurrence, act};
 pub use integrate::{
     Advance, Attempt, Course, DOP853, DOPRI5, Dop853, EULER, ErrorEstimate, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5,
-    Step, Steps, Tableau, Weight, integrate,
+    Step, Steps, SuddenChanges, Tableau, Weight, integrate,
 };
 #[cfg(feature = "analysis")]
 pub use interpreted::{DeclarationFile, LoadError, interpret, load};

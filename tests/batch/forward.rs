@@ -19,7 +19,7 @@ sim_kernel::mechanism! {
 }
 
 /// The direction of one parameter, and of these given values.
-fn direction<M: Mechanism>(mechanism: &M, parameter: Option<usize>, speed: Option<usize>) -> Direction<M> {
+pub(crate) fn direction<M: Mechanism>(mechanism: &M, parameter: Option<usize>, speed: Option<usize>) -> Direction<M> {
     let unit = |chosen: Option<usize>, i: usize| f64::from(u8::from(chosen == Some(i)));
     let start = declared_start(mechanism);
     Direction {
@@ -50,7 +50,13 @@ fn an_oscillator_has_the_derivatives_of_its_solution() {
 }
 
 /// Compares the derivative of a state with central differences of runs, whose starts are assembled anew.
-fn check<M: Mechanism>(mechanism: &M, parameter: Option<usize>, speed: Option<usize>, settings: &Settings, bound: f64) {
+pub(crate) fn check<M: Mechanism>(
+    mechanism: &M,
+    parameter: Option<usize>,
+    speed: Option<usize>,
+    settings: &Settings,
+    bound: f64,
+) {
     let direction = direction(mechanism, parameter, speed);
     let start = declared_start(mechanism);
     let mut motion = ForwardSensitivity::new(mechanism.clone(), &start, settings, &direction).unwrap();
@@ -125,7 +131,7 @@ fn erased_mechanisms_have_the_same_derivatives() {
 }
 
 /// Why a motion has no derivative step by step.
-fn refusal<M: Compiled>(settings: &Settings) -> &'static str {
+pub(crate) fn refusal<M: Compiled>(settings: &Settings) -> &'static str {
     let mechanism = M::defaults();
     let direction =
         Direction { parameters: M::Parameters::filled(1.0), positions: M::Q::filled(0.0), speeds: M::Q::filled(0.0) };

@@ -3,6 +3,7 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 mod forward;
+mod jumps;
 mod side_by_side;
 
 sim_kernel::mechanism! {

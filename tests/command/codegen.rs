@@ -188,6 +188,8 @@ fn mistakes_have_a_file_a_line_and_a_column() {
         ("fn main() {}", "<stdin>:1:1: no mechanism is declared here"),
         ("", "<stdin>:1:1: no mechanism is declared here"),
         ("mechanism! { pub M; }", "<stdin>:1:18: "),
+        ("/// A pendulum.\npub S; coordinates { x [m]; }", "<stdin>:2:5: `S` is the scalar type in generated code"),
+        ("S; coordinates { x [m]; }", "<stdin>:1:1: `S` is the scalar type in generated code"),
     ];
     for (text, expected) in rows {
         let outcome = codegen(&[], text);

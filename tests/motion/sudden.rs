@@ -168,3 +168,31 @@ fn what_nothing_changes_has_no_derivative() {
     let last = run.trajectory.samples.last().unwrap();
     assert!((last.state.positions[0] - 12.5).abs() < 1e-8, "{:?}", last.state.positions);
 }
+
+mechanism! {
+    /// A mass pushed for 4 ms, and struck for as long.
+    Knocked;
+    coordinates { x [m]; }
+    parameters { m [kg] = 1; F [N] = 100; begin [s] = 0.5031; }
+    tables { knock [N] over [s] = linear { 0, 0; 0.7012, 0; 0.7034, 50; 0.7056, 0; } }
+    bodies { b: mass m at [x, 0]; }
+    loads {
+        force if t < begin then 0 else (if t < begin + 4 [ms] then F else 0) on x;
+        force knock(t) on x;
+    }
+}
+
+/// Both lie within a step each of 10 ms; of those of 1 ms the push begins and ends in two, and none has two rows of the table.
+#[test]
+fn equal_steps_over_sudden_changes_are_counted() {
+    let changes = |settings: &Settings| {
+        let found = run_with(Knocked::default(), settings).unwrap().steps.sudden_changes;
+        found.map(|changes| (changes.steps, (changes.first * 1e4).round()))
+    };
+    for method in [Method::Rk4, Method::Radau5] {
+        assert_eq!(changes(&Settings::equal_steps(method, 1.0, 100)), Some((2, 5031.0)));
+        assert_eq!(changes(&Settings::equal_steps(method, 1.0, 1000)), Some((2, 5031.0)));
+        assert_eq!(changes(&Settings::equal_steps(method, 0.5, 50)), None);
+    }
+    assert_eq!(changes(&Settings::adaptive(Method::Dopri5, 1.0, 1e-8)), None);
+}

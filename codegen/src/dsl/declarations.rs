@@ -21,7 +21,10 @@ pub fn declarations(text: &str) -> Result<Vec<TokenStream>> {
     collect(tokens.clone(), &mut found);
     if found.is_empty() {
         let tokens = version::without(tokens)?;
-        if parse_head(tokens.clone()).is_err() {
+        if let Err(mistake) = parse_head(tokens.clone()) {
+            if names_something(tokens.clone()) {
+                return Err(mistake);
+            }
             let message = "no mechanism is declared here: there is no `mechanism! { .. }`, and the text is not a \
                            declaration, which starts with the mechanism's name: `pub QuickReturn;`";
             return Err(Error::new(tokens.into_iter().next().map_or_else(Span::call_site, |t| t.span()), message));
@@ -29,6 +32,18 @@ pub fn declarations(text: &str) -> Result<Vec<TokenStream>> {
         return Ok(vec![tokens]);
     }
     found.into_iter().map(version::without).collect()
+}
+
+/// Whether it starts as a declaration does, with a name and a semicolon.
+fn names_something(tokens: TokenStream) -> bool {
+    let is_documentation = |token: &TokenTree| match token {
+        TokenTree::Punct(mark) => mark.as_char() == '#',
+        other => matches!(other, TokenTree::Group(_)),
+    };
+    let is_pub = |token: &TokenTree| matches!(token, TokenTree::Ident(word) if word == "pub");
+    let mut head = tokens.into_iter().skip_while(|token| is_documentation(token) || is_pub(token));
+    let [name, mark] = [head.next(), head.next()];
+    matches!(name, Some(TokenTree::Ident(_))) && matches!(mark, Some(TokenTree::Punct(mark)) if mark.as_char() == ';')
 }
 
 /// Modules and functions are looked into as well.

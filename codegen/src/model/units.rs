@@ -12,6 +12,16 @@ pub struct Unit {
     dimension: Dimension,
     rational: Number,
     pi_power: i64,
+    counts: Counts,
+}
+
+/// What turns are counted in, where a unit tells: the dimensions of 1 Hz and 1 rad/s are the same.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Counts {
+    Angles,
+    Cycles,
+    /// Neither, or both.
+    Unknown,
 }
 
 /// One line of the table: name, exponents of m kg s A K, numerator and denominator of the size, power of pi in
@@ -71,12 +81,18 @@ const PREFIXES: [(&str, i64); 15] = [
 impl Unit {
     /// The pure number 1.
     pub fn none() -> Unit {
-        Unit { text: "1".into(), dimension: Dimension::none(), rational: Number::ONE, pi_power: 0 }
+        Unit {
+            text: "1".into(),
+            dimension: Dimension::none(),
+            rational: Number::ONE,
+            pi_power: 0,
+            counts: Counts::Unknown,
+        }
     }
 
     /// The coherent SI unit of a dimension.
     pub fn coherent(dimension: Dimension) -> Unit {
-        Unit { text: dimension.si_unit(), dimension, rational: Number::ONE, pi_power: 0 }
+        Unit { text: dimension.si_unit(), dimension, ..Unit::none() }
     }
 
     /// The meaning of a unit in brackets.
@@ -84,7 +100,8 @@ impl Unit {
     /// # Errors
     /// At a name that is no unit, with the nearest that is.
     pub fn resolve(unit: &dsl::Unit) -> syn::Result<Unit> {
-        let mut resolved = Unit { text: unit.text.clone(), ..Unit::none() };
+        let counts = Counts::of(unit.factors.iter().map(|(name, _)| name.to_string()));
+        let mut resolved = Unit { text: unit.text.clone(), counts, ..Unit::none() };
         for (name, exponent) in &unit.factors {
             let (dimension, rational, pi_power) = look_up(&name.to_string()).ok_or_else(|| unknown(name))?;
             let exponent = i64::from(*exponent);
@@ -107,6 +124,20 @@ impl Unit {
     /// The mistake, in one sentence.
     pub fn parse(text: &str) -> Result<Unit, String> {
         dsl::parse_unit(text).and_then(|unit| Unit::resolve(&unit)).map_err(|e| e.to_string())
+    }
+
+    /// Why a number in this unit is taken for another where that one is declared, though their dimensions agree.
+    pub fn mistaken_for(&self, declared: &Unit) -> Option<String> {
+        let (given, needed) = (self.text(), declared.text());
+        match (self.counts, declared.counts) {
+            (Counts::Cycles, Counts::Angles) => Some(format!(
+                "`{given}` counts cycles and `{needed}` angles; write `rev/s` for cycles in a second, or `rad/s`"
+            )),
+            (Counts::Angles, Counts::Cycles) => {
+                Some(format!("`{given}` measures an angle and `{needed}` counts cycles; write `Hz` or `1/s`"))
+            }
+            _ => None,
+        }
     }
 
     /// Whether it was written rather than left out.
@@ -155,6 +186,19 @@ impl Unit {
         };
         let per = Dimension::time().to_the(&(-i64::from(order)).into());
         Unit { text, dimension: self.dimension.times(&per), ..self.clone() }
+    }
+}
+
+impl Counts {
+    /// What a unit of these factors counts in.
+    fn of(factors: impl Iterator<Item = String> + Clone) -> Counts {
+        let has_angles = factors.clone().any(|name| ["rad", "mrad", "deg", "rev", "rpm"].contains(&name.as_str()));
+        let has_cycles = factors.clone().any(|name| name.ends_with("Hz"));
+        match (has_angles, has_cycles) {
+            (true, false) => Counts::Angles,
+            (false, true) => Counts::Cycles,
+            _ => Counts::Unknown,
+        }
     }
 }
 
@@ -230,6 +274,19 @@ mod tests {
             let unit = Unit::parse(text).unwrap();
             assert!((unit.factor() / factor - 1.0).abs() < 4.0 * f64::EPSILON, "{text}: {}", unit.factor());
             assert_eq!(unit.text(), text);
+        }
+    }
+
+    #[test]
+    fn cycles_are_not_taken_for_angles() {
+        let is_mistaken = |given: &str, declared: &str| {
+            Unit::parse(given).unwrap().mistaken_for(&Unit::parse(declared).unwrap()).is_some()
+        };
+        for (cycles, angles) in [("Hz", "rad/s"), ("kHz", "rpm"), ("Hz", "deg/s"), ("mHz", "rev/s")] {
+            assert!(is_mistaken(cycles, angles) && is_mistaken(angles, cycles));
+        }
+        for (given, declared) in [("rpm", "rad/s"), ("1/s", "rad/s"), ("Hz", "1/s"), ("1/s", "Hz"), ("kHz", "Hz")] {
+            assert!(!is_mistaken(given, declared));
         }
     }
 

@@ -3,15 +3,18 @@
 //! Each step that a simulation takes is repeated on dual numbers: the same stages and the same projection, between the same
 //! times. So the derivative is that of the computed motion, to rounding, with its steps held (internal differentiation;
 //! Bock, Numerical treatment of inverse problems in chemical reaction kinetics, 1981). Decisions have no derivative:
-//! which steps are taken follows from values alone.
+//! which steps are taken follows from values alone. Where they end beside a jump of what acts on the mechanism, as adaptive
+//! steps do, what the move of the jump adds is known ([`jumps`]).
 
+use super::jumps;
 use crate::integrate::{ExplicitRungeKutta, attempt_plainly, tableau};
+use crate::motion::field::Field;
 use crate::motion::plain::Plain;
 use crate::run::Simulation;
 use crate::start::assemble::Start;
 use crate::start::derivative::{Direction, along};
 use crate::state::failure::{Failure, What};
-use crate::state::settings::{Settings, Stabilisation};
+use crate::state::settings::{Settings, Stabilisation, Stepping};
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Dual, Mechanism};
 
@@ -44,6 +47,7 @@ pub struct ForwardSensitivity<M: Mechanism> {
     plain: Plain<Lifted<M>, Dual>,
     method: ExplicitRungeKutta<Lifted<M>, Dual>,
     sample: Sample<Lifted<M>, Dual>,
+    stepping: Stepping,
 }
 
 impl<M: Mechanism> ForwardSensitivity<M> {
@@ -80,7 +84,7 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         let begun = along((mechanism, &lifted), start, &state, direction)?;
         let plain = Plain::new(lifted, measures);
         let sample = plain.sample(begun)?;
-        Ok(ForwardSensitivity { simulation, plain, method, sample })
+        Ok(ForwardSensitivity { simulation, plain, method, sample, stepping: settings.stepping })
     }
 
     /// The motion itself.
@@ -102,7 +106,7 @@ impl<M: Mechanism> ForwardSensitivity<M> {
     ///
     /// # Errors
     /// As [`Simulation::advance_to`]; [`What::NotFinite`] where the state has no derivative; [`What::NotDifferentiable`] where the motion passes a singular position, or an event changes
-    /// it.
+    /// it, and where an equal step leads over a jump whose time moves.
     pub fn advance_to(&mut self, time: f64) -> Result<(), Failure> {
         while self.simulation.aim(time)?.is_some() {
             self.check_followed()?;
@@ -120,7 +124,12 @@ impl<M: Mechanism> ForwardSensitivity<M> {
     /// Repeats a step to this time on dual numbers.
     fn follow(&mut self, time: f64) -> Result<(), Failure> {
         let (plain, method) = (&self.plain, &mut self.method);
-        self.sample = attempt_plainly(plain, method, &self.sample, Dual::constant(time), None)?.to;
+        let ahead = attempt_plainly(plain, method, &self.sample, Dual::constant(time), None)?.to;
+        let moved = self.moved_jump(time)?;
+        self.sample = match moved == 0.0 {
+            true => ahead,
+            false => self.plain.sample(jumps::behind(&self.sample, &ahead, moved))?,
+        };
         // The same to rounding.
         let state = self.simulation.state();
         set_values(&mut self.sample.state.positions, &state.positions);
@@ -134,6 +143,20 @@ impl<M: Mechanism> ForwardSensitivity<M> {
                 let what = What::NotFinite { quantity: "a derivative of the state".to_owned() };
                 Err(Failure::at(self.simulation.mechanism(), what, state.time, &state.positions))
             }
+        }
+    }
+
+    /// How far a jump within a step to this time moves, in seconds.
+    fn moved_jump(&self, time: f64) -> Result<f64, Failure> {
+        let here = self.simulation.state();
+        let fail =
+            |why| Failure::at(self.simulation.mechanism(), What::NotDifferentiable { why }, time, &here.positions);
+        let moved = jumps::moved(self.plain.mechanism(), [self.sample.state.time.value, time]).map_err(fail)?;
+        match self.stepping {
+            Stepping::Equal(_) if moved != 0.0 => {
+                Err(fail("an equal step leads over a sudden change whose time moves; choose a tolerance instead"))
+            }
+            _ => Ok(moved),
         }
     }
 

@@ -34,7 +34,10 @@ pub(super) fn parse_quantity(what: &str, text: &str, default_unit: &str) -> Resu
             declared.dimension().si_unit()
         )));
     }
-    finite(value * given.factor())
+    match given.mistaken_for(&declared) {
+        Some(why) => Err(fail(why)),
+        None => finite(value * given.factor()),
+    }
 }
 
 /// What would be right for units that are multiplied by spaces or dots, as in `N m`.
@@ -98,6 +101,7 @@ mod tests {
     fn mistakes_say_what_is_needed() {
         assert_eq!(value("180kg", "m").unwrap_err(), "O2A: `kg` is a unit of dimension kg, but m is needed, as in `m`");
         assert_eq!(value("1 mmm", "m").unwrap_err(), "O2A: `mmm` is not a known unit (did you mean `mm`?)");
+        assert!(value("50Hz", "rad/s").unwrap_err().contains("`Hz` counts cycles and `rad/s` angles; write `rev/s`"));
         for bad in ["5 N m", "5 N·m", "5N⋅m"] {
             assert!(value(bad, "N*m").unwrap_err().ends_with("is not a unit; write `N*m`"), "{bad}");
         }

@@ -31,6 +31,7 @@ pub(crate) use plain::{Reached, attempt_plainly};
 pub use radau::Radau5;
 pub use step::Step;
 pub(crate) use stepper::Stepper;
+pub use switching::SuddenChanges;
 pub use tableau::{DOPRI5, EULER, ErrorEstimate, HEUN, RK3, RK4, Tableau, Weight};
 
 use crate::motion::Motion;
@@ -51,6 +52,8 @@ pub struct Steps {
     pub rejected: u64,
     /// The singular positions that they passed, in order.
     pub singularities: Vec<Singularity>,
+    /// Equal ones that led over sudden changes of what acts on the mechanism, if any did.
+    pub sudden_changes: Option<SuddenChanges>,
 }
 
 impl Steps {
@@ -58,6 +61,7 @@ impl Steps {
     pub(crate) fn transfer<M: Mechanism>(&mut self, mechanism: &M, bytes: &mut Bytes) -> Result<(), Damaged> {
         bytes.tally(&mut self.accepted)?;
         bytes.tally(&mut self.rejected)?;
+        SuddenChanges::transfer(&mut self.sudden_changes, bytes)?;
         transfer_singularities(mechanism, &mut self.singularities, bytes)
     }
 }

@@ -7,7 +7,7 @@ use super::control::{Controller, initial_step};
 use super::crossing::{Crossing, Way};
 use super::headway::Headway;
 use super::method::Advance;
-use super::switching::{Stop, next_stop};
+use super::switching::{Stop, next_stop, note_change};
 use super::{Course, Steps};
 use crate::motion::Motion;
 use crate::state::failure::{Failure, What};
@@ -195,6 +195,7 @@ fn aim_equally<M: Mechanism>(
         Way::UpTo(time) => goal.min(time),
         Way::On => goal,
     };
+    note_change(motion, [from.state.time, time], &mut steps.sudden_changes);
     *target = Target { time, wanted: goal, tolerance: None, notes: is_near };
     Ok(Aim::Attempt)
 }

@@ -3,9 +3,10 @@
 //!
 //! An adaptive step over a force that begins and ends within it might see nothing of it, and one over a jump is refused
 //! many times. So steps end before such a time, and a step as short as rounding allows leads over it. A table is
-//! continuous: its row itself is the end of a step.
+//! continuous: its row itself is the end of a step. Equal steps stay equal; those that lead over such times are counted.
 
 use crate::motion::Motion;
+use crate::state::saved::{Bytes, Damaged};
 use sim_kernel::{Mechanism, Switching};
 
 /// Parts of a step in each of which a function of time is taken to change its sign at most once. One whose rate is
@@ -39,6 +40,17 @@ pub(super) fn next_stop<M: Mechanism>(motion: &Motion<M>, now: f64, until: f64) 
 
 #[cold]
 fn first_stop<M: Mechanism>(motion: &Motion<M>, functions: &[Switching], now: f64, until: f64) -> Option<Stop> {
+    let (time, is_row) = first_change(motion, functions, now, until)?;
+    Some(stop(now, time, is_row, tick(now, until)))
+}
+
+/// The time of the first change of form after now, and whether it is the row of a table.
+fn first_change<M: Mechanism>(
+    motion: &Motion<M>,
+    functions: &[Switching],
+    now: f64,
+    until: f64,
+) -> Option<(f64, bool)> {
     let tick = tick(now, until);
     let (begin, values) = (now + tick, |time: f64| motion.mechanism().switching_functions(time));
     let parts = if functions.iter().all(|function| function.is_affine) { 1 } else { PARTS };
@@ -50,8 +62,8 @@ fn first_stop<M: Mechanism>(motion: &Motion<M>, functions: &[Switching], now: f6
             let change = Change { function, ends: [from, to], values: [before[k], after[k]] };
             change.time(|time| values(time)[k], tick).map(|time| (time, function.table.is_some()))
         });
-        if let Some((time, is_row)) = changes.min_by(|a, b| a.0.total_cmp(&b.0)) {
-            return Some(stop(now, time, is_row, tick));
+        if let Some(first) = changes.min_by(|a, b| a.0.total_cmp(&b.0)) {
+            return Some(first);
         }
         (from, before) = (to, after);
     }
@@ -100,5 +112,58 @@ impl Change<'_> {
             (from, to) = if is_before { (middle, to) } else { (from, middle) };
         }
         Some(to)
+    }
+}
+
+/// Equal steps that led over sudden changes of what acts on the mechanism: they are less accurate, and do not see what begins
+/// and ends within them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SuddenChanges {
+    /// The number of these steps.
+    pub steps: u64,
+    /// The time of the first change, in seconds.
+    pub first: f64,
+    /// The end of the last of these steps.
+    until: f64,
+}
+
+impl SuddenChanges {
+    pub(super) fn transfer(list: &mut Option<SuddenChanges>, bytes: &mut Bytes) -> Result<(), Damaged> {
+        let none = || SuddenChanges { steps: 0, first: 0.0, until: 0.0 };
+        bytes.option(list, none, |bytes, SuddenChanges { steps, first, until }| {
+            bytes.tally(steps)?;
+            bytes.number(first)?;
+            bytes.number(until)
+        })
+    }
+}
+
+/// Counts an equal step from now until a time, if it leads over a sudden change.
+#[inline]
+pub(super) fn note_change<M: Mechanism>(
+    motion: &Motion<M>,
+    [now, until]: [f64; 2],
+    changes: &mut Option<SuddenChanges>,
+) {
+    let functions = motion.mechanism().description().switching;
+    if functions.is_empty() {
+        return;
+    }
+    let Some(first) = sudden_change(motion, functions, now, until) else { return };
+    let changes = changes.get_or_insert(SuddenChanges { steps: 0, first, until: f64::NEG_INFINITY });
+    // An event within a step ends it, and another begins.
+    if changes.until < until {
+        *changes = SuddenChanges { steps: changes.steps + 1, until, ..*changes };
+    }
+}
+
+/// The time of the first change within a step that may not see it. Tables are continuous: of these what lies between two rows
+/// may not be seen.
+#[cold]
+fn sudden_change<M: Mechanism>(motion: &Motion<M>, functions: &[Switching], now: f64, until: f64) -> Option<f64> {
+    let (time, is_row) = first_change(motion, functions, now, until)?;
+    match is_row {
+        true => first_change(motion, functions, time, until).map(|_| time),
+        false => Some(time),
     }
 }

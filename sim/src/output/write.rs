@@ -86,6 +86,7 @@ pub(crate) fn summary_of(run: &Outcome, table: &Table) -> Value {
         .iter()
         .map(|passed| json!({ "constraint": passed.constraint, "time": passed.time, "sine": passed.sine }))
         .collect();
+    let sudden_changes = run.steps.sudden_changes.map(|all| json!({ "steps": all.steps, "first": all.first }));
     let dead_points: Vec<Value> = run.dead_points.iter().map(|(of, time)| json!({ "of": of, "time": time })).collect();
     let undefined =
         table.undefined_outputs().into_iter().map(|(name, time)| (name.to_owned(), json!({ "from": time })));
@@ -103,6 +104,7 @@ pub(crate) fn summary_of(run: &Outcome, table: &Table) -> Value {
         "redundant_constraints": run.mobility.dependent,
         "undetermined_reactions": (!run.mobility.dependent.is_empty()).then_some("least norm in SI units"),
         "singularities": singularities,
+        "sudden_changes_within_equal_steps": sudden_changes,
         "undefined_outputs": undefined.collect::<Map<String, Value>>(),
         "period": run.period,
         "events": events,

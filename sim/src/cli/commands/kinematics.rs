@@ -15,6 +15,7 @@ use crate::{
     kinematics_until,
 };
 use serde_json::{Map, Value, json};
+use sim_kernel::event::Step;
 use sim_kernel::{Array, Description, Mechanism, Quantity};
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -90,11 +91,14 @@ fn find(description: &Description, name: &str) -> Result<Driven, Stop> {
     Driven::find(description, name).ok_or_else(|| unknown("coordinate or output", name, known))
 }
 
-/// The first coordinate that the declaration gives a value, not a guess.
+/// The only coordinate, or the first that the declaration gives a value, not a guess.
 fn default_drive(description: &Description) -> Result<Driven, Stop> {
     let mut coordinates = description.coordinates.iter();
-    let given = coordinates.position(|c| c.start == sim_kernel::Start::Given).map(Driven::Coordinate);
-    given.ok_or_else(|| Stop::Usage("say what is driven, as in `--drive alpha`".into()))
+    let chosen = match coordinates.len() {
+        1 => Some(0),
+        _ => coordinates.position(|c| c.start == sim_kernel::Start::Given),
+    };
+    chosen.map(Driven::Coordinate).ok_or_else(|| Stop::Usage("say what is driven, as in `--drive alpha`".into()))
 }
 
 fn hold(description: &'static Description, now: &dyn Fn(Driven) -> f64, text: &str) -> Result<(Driven, f64), Stop> {
@@ -293,6 +297,7 @@ fn summary(found: &Found) -> Value {
         "outputs": outputs.collect::<Map<_, _>>(),
         "multipliers": multipliers.collect::<Map<_, _>>(),
         "without_bounds": without_bounds(found),
+        "events_without_effect": idle_events(description),
     })
 }
 
@@ -326,12 +331,7 @@ fn report(found: &Found) -> String {
         },
         found.values.len()
     );
-    for position in found.branches {
-        text += &format!("{:<12} another branch of the motion crosses at {}\n", "branches", value(position.value));
-    }
-    if let Some(position) = found.limit {
-        text += &format!("{:<12} {} goes no further than {}\n", "limit", driven.name, value(position.value));
-    }
+    text += &passed(found);
     text += &format!("{:<22} {:>14} {:>14} {:>14} {:>14}  unit\n", "", "least", "at", "greatest", "at");
     let mut row = |name: &str, range: &Option<Range>, factor: f64, unit: &str| {
         let Some(Range { least, greatest }) = range else {
@@ -359,6 +359,30 @@ fn report(found: &Found) -> String {
         text += &format!("{:<12} {}: {:.9} ({working} to {returning})\n", "time ratio", o.name, ratio.ratio);
     }
     text
+}
+
+/// What the sweep comes upon, to be read.
+fn passed(found: &Found) -> String {
+    let driven = found.driven();
+    let value = |si: f64| format!("{:.6} {}", si / driven.factor, driven.unit);
+    let mut text = String::new();
+    for position in found.branches {
+        text += &format!("{:<12} another branch of the motion crosses at {}\n", "branches", value(position.value));
+    }
+    if let Some(position) = found.limit {
+        text += &format!("{:<12} {} goes no further than {}\n", "limit", driven.name, value(position.value));
+    }
+    let events = idle_events(found.description);
+    if !events.is_empty() {
+        text += &format!("{:<12} a sweep takes none of the actions of {}; a run does\n", "events", events.join(", "));
+    }
+    text
+}
+
+/// The events whose actions would change the mechanism in a run.
+fn idle_events(description: &Description) -> Vec<&'static str> {
+    let changes = |step: &Step| !matches!(step, Step::Stop(_));
+    description.events.iter().filter(|event| event.steps.iter().any(changes)).map(|event| event.name).collect()
 }
 
 /// A speed, to be read.

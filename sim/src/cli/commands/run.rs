@@ -12,7 +12,7 @@ use crate::output::happening::impulses;
 use crate::output::outcome::{Outcome, Recorded, Until};
 use crate::output::show::{self, About};
 use crate::output::write::summary_of;
-use crate::{Settings, Start, Stepping, Table, What, assemble, mobility, run_while, write_json};
+use crate::{Settings, Start, Stepping, SuddenChanges, Table, What, assemble, mobility, run_while, write_json};
 use serde_json::{Value, json};
 use sim_kernel::{Description, Input, Mechanism, Quantity};
 use std::path::PathBuf;
@@ -237,7 +237,18 @@ fn happened(run: &Outcome) -> Vec<Line> {
         let crossed = "passed straight through: another branch of the motion begins there, and reactions are unbounded";
         rows.push(("singular", format!("`{}` at {:.9} s, {crossed}", passed.constraint, passed.time)));
     }
+    rows.extend(over_sudden_changes(run).map(|line| ("warning", line)));
     rows
+}
+
+/// What equal steps over sudden changes may have missed.
+fn over_sudden_changes(run: &Outcome) -> Option<String> {
+    let SuddenChanges { steps, first, .. } = run.steps.sudden_changes?;
+    let led = if steps == 1 { "an equal step leads".to_owned() } else { format!("{steps} equal steps lead") };
+    Some(format!(
+        "{led} over sudden changes of what acts on the mechanism, the first at {first:.9} s: they are less accurate, and do not \
+         see what begins and ends within them; steps with a tolerance (`--rtol`) end at such times"
+    ))
 }
 
 /// The accuracy of the numbers.

@@ -112,6 +112,9 @@ fn in_si(column: &StoredColumn, declared: &str, factor: f64) -> Result<Vec<f64>,
         if given.dimension() != declared.dimension() {
             return Err(fail(format!("`{unit}` is no unit of this quantity, which is in `{}`", declared.text())));
         }
+        if let Some(why) = given.mistaken_for(&declared) {
+            return Err(fail(why));
+        }
         given.factor()
     } else {
         factor

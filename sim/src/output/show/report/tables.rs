@@ -1,6 +1,7 @@
 //! Tables of a report: parameters, start, method and accuracy, events, constraints.
 
 use super::html::{escaped, number, table, unit};
+use crate::SuddenChanges;
 use crate::output::happening::{does, impulses};
 use crate::output::outcome::{Happening, Outcome};
 use serde_json::Value;
@@ -123,6 +124,12 @@ fn accuracy(run: &Outcome, summary: &Value) -> String {
         let (name, time) = (escaped(passed.constraint), number(passed.time, 9));
         rows.push(format!(
             "<tr><th>singular position</th><td colspan=\"2\">{name} depends on other constraints at t = {time} s; passed straight through</td></tr>"
+        ));
+    }
+    if let Some(SuddenChanges { steps, first, .. }) = run.steps.sudden_changes {
+        rows.push(format!(
+            "<tr><th>sudden changes</th><td colspan=\"2\">within {steps} of the equal steps, the first at t = {} s; what begins and ends within a step is not seen</td></tr>",
+            number(first, 9)
         ));
     }
     let undefined = summary["undefined_outputs"].as_object().into_iter().flatten();
