@@ -88,3 +88,34 @@ fn every_dead_point_is_found() {
     }
     assert!(count > 200, "{count}");
 }
+
+mechanism! {
+    /// A rotor with quantities that have poles, with an angle that wraps, and with narrow peaks.
+    Poles;
+    coordinates { th [rad]; }
+    parameters { shift [rad] = 0; }
+    bodies { rotor: inertia 0.1 [kg*m^2], angle th; }
+    initial { th = 0; dot(th) = 60 [rpm]; }
+    let x = th + shift;
+    outputs { tangent = tan(x); square = 1/sin(x/2)^2; wrapped [rad] = atan2(sin(x), cos(x)); peaks = 1/(sin(x)^2 + 1e-6); }
+}
+
+/// What has a pole has no greatest value, wherever the pole lies between the nodes; what is only narrow has.
+#[test]
+fn poles_have_no_bound() {
+    for k in 0..60 {
+        let rotor = Poles { shift: 0.01 + PI * f64::from(k) / 30.0 };
+        let found =
+            kinematics(rotor, &declared_start(&rotor), &sweep::<Poles>("th", [0.0, TAU], TAU, 7)).unwrap().extremes;
+        let [tangent, square, wrapped, peaks] = found.outputs[..] else { panic!("{found:?}") };
+        assert!(tangent.is_none() && square.is_none(), "{k}: {tangent:?} {square:?}");
+        let (wrapped, peaks) = (wrapped.unwrap(), peaks.unwrap());
+        // The last place before the jump that comparison tells from it.
+        assert!(
+            (wrapped.least.value + PI).abs() < 1e-8 && (wrapped.greatest.value - PI).abs() < 1e-8,
+            "{k}: {wrapped:?}"
+        );
+        assert_eq!(found.time_ratios[2], None);
+        assert!((peaks.greatest.value / 1e6 - 1.0).abs() < 1e-9 && peaks.least.value < 1.0, "{k}: {peaks:?}");
+    }
+}

@@ -54,8 +54,8 @@ impl<M: Mechanism> ForwardSensitivity<M> {
     /// A motion that has not begun yet, with the derivative of its start.
     ///
     /// # Errors
-    /// As [`Simulation::new`]; [`What::Unusable`] directions; [`What::NotDifferentiable`] if the method is implicit, constraints are redundant or not kept by
-    /// projection, or generalised speeds are declared.
+    /// As [`Simulation::new`]; [`What::Unusable`] directions; [`What::NotDifferentiable`] if the method is implicit,
+    /// constraints are redundant or not kept by projection, or generalised speeds are declared.
     pub fn new(
         mechanism: M,
         start: &Start<M>,
@@ -105,8 +105,9 @@ impl<M: Mechanism> ForwardSensitivity<M> {
     /// Advances to a time, at which a step ends, or to the end of the motion if that is earlier.
     ///
     /// # Errors
-    /// As [`Simulation::advance_to`]; [`What::NotFinite`] where the state has no derivative; [`What::NotDifferentiable`] where the motion passes a singular position, or an event changes
-    /// it, and where an equal step leads over a jump whose time moves.
+    /// As [`Simulation::advance_to`]; [`What::NotFinite`] where the state has no derivative; [`What::NotDifferentiable`] where
+    /// the motion passes a singular position, or an event changes it, and where an equal step leads over a jump whose time
+    /// moves.
     pub fn advance_to(&mut self, time: f64) -> Result<(), Failure> {
         while self.simulation.aim(time)?.is_some() {
             self.check_followed()?;

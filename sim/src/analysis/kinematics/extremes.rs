@@ -17,7 +17,7 @@ pub struct TimeRatio {
 }
 
 /// The extremes of all quantities along a sweep; `None` for those that are not finite everywhere, or that grow without
-/// bound towards a limit position or a crossing.
+/// bound towards a pole, a limit position or a crossing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Extremes {
     /// Of each output.
@@ -74,10 +74,17 @@ fn positions(swept: &Swept) -> Vec<bool> {
     (0..mechanism.description().outputs.len()).map(is).collect()
 }
 
+/// A smaller part of a turn than this, in radians, is that between both sides of a jump, as of an angle that wraps.
+const LEAST_PART: f64 = 1e-6;
+
 /// The parts of a turn from the least value to the greatest and back.
 fn divide(range: &Range) -> Option<TimeRatio> {
     let one = (range.greatest.at - range.least.at).abs();
     let other = std::f64::consts::TAU - one;
     let (working, returning) = (one.max(other), one.min(other));
-    (range.stroke() > 0.0 && returning > 0.0).then(|| TimeRatio { ratio: working / returning, working, returning })
+    (range.stroke() > 0.0 && returning > LEAST_PART).then(|| TimeRatio {
+        ratio: working / returning,
+        working,
+        returning,
+    })
 }

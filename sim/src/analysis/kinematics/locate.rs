@@ -9,9 +9,14 @@ use crate::state::failure::Failure;
 
 /// The relative amount by which a value may be worse than its polynomial.
 const CORNER: f64 = 1e-12;
+/// Distances from a pole, in parts of the interval around it; the factor by which a quantity grows from each to the next, and
+/// from the first to the place that is found by comparison, which is as close as comparison comes.
+const TOWARDS: [f64; 3] = [1e-1, 1e-2, 1e-3];
+const GROWS: f64 = 2.5;
+const UNBOUNDED: f64 = 1e6;
 
 impl Search<'_> {
-    /// A candidate at its place, the least of `sign` times the quantity.
+    /// A candidate at its place, the least of `sign` times the quantity; nothing at a pole.
     pub(super) fn located(&self, k: usize, candidate: &Candidate, sign: f64) -> Option<Extreme> {
         let turn = || self.root_of_rate(k, candidate).or_else(|| self.turn_around(k, candidate));
         let x = if candidate.kind == Kind::Turn { turn()? } else { candidate.x };
@@ -23,8 +28,23 @@ impl Search<'_> {
         };
         // A quantity worse than its polynomial has a corner there.
         let is_worse = sign * (found.value - candidate.value) > CORNER * candidate.value.abs();
-        let better = (is_worse || candidate.kind == Kind::Rough).then(|| self.corner(k, candidate, sign)).flatten();
-        Some(better.filter(|better| sign * better.value < sign * found.value).unwrap_or(found))
+        if !is_worse && candidate.kind != Kind::Rough {
+            return Some(found);
+        }
+        let better = self.corner(k, candidate, sign).filter(|(_, better)| sign * better.value < sign * found.value);
+        let (x, found) = better.unwrap_or((x, found));
+        (!self.is_pole(k, candidate, (x, found.value))).then_some(found)
+    }
+
+    /// Whether a quantity grows without bound towards a place at which it has this value, as tan(x) does towards a right angle.
+    fn is_pole(&self, k: usize, candidate: &Candidate, (x, value): (f64, f64)) -> bool {
+        let size = |place: f64| Some(self.values_at(&candidate.piece, place).ok()?[k].abs());
+        let grows = |side: f64| {
+            let [far, nearer, near] = TOWARDS.map(|distance| size(x + side * distance * candidate.reach));
+            let (far, nearer, near) = (far?, nearer?, near?);
+            Some(far > 0.0 && nearer > GROWS * far && near > GROWS * nearer && value.abs() > UNBOUNDED * far)
+        };
+        [-1.0, 1.0].into_iter().filter_map(grows).any(|grows| grows)
     }
 
     fn extreme_at(&self, k: usize, piece: &Piece, x: f64) -> Option<Extreme> {
@@ -33,13 +53,14 @@ impl Search<'_> {
         value.is_finite().then(|| Extreme { value, at: self.path.system.laws[0].at(p) })
     }
 
-    /// The extreme near a candidate by comparison alone.
-    fn corner(&self, k: usize, candidate: &Candidate, sign: f64) -> Option<Extreme> {
+    /// The extreme near a candidate by comparison alone, with its place.
+    fn corner(&self, k: usize, candidate: &Candidate, sign: f64) -> Option<(f64, Extreme)> {
         let Candidate { piece, within, x, reach, .. } = candidate;
         let [from, to] = [(x - 0.3 * reach).max(within[0]), (x + 0.3 * reach).min(within[1])];
         let place = |s: f64| from + s * (to - from);
         let found = find_minimum(&mut |s| Ok::<f64, Failure>(sign * self.values_at(piece, place(s))?[k]));
-        self.extreme_at(k, piece, place(found.ok()?.0))
+        let x = place(found.ok()?.0);
+        Some((x, self.extreme_at(k, piece, x)?))
     }
 
     /// The zero of the rate of an output that has one, next to a candidate.

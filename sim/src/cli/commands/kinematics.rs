@@ -335,7 +335,8 @@ fn report(found: &Found) -> String {
     text += &format!("{:<22} {:>14} {:>14} {:>14} {:>14}  unit\n", "", "least", "at", "greatest", "at");
     let mut row = |name: &str, range: &Option<Range>, factor: f64, unit: &str| {
         let Some(Range { least, greatest }) = range else {
-            text += &format!("{name:<22} not finite everywhere, or unbounded near a dead point or crossing\n");
+            text +=
+                &format!("{name:<22} not finite everywhere, or without bound, as at a pole or beside a dead point\n");
             return;
         };
         let numbers =
