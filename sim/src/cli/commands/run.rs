@@ -244,10 +244,10 @@ fn happened(run: &Outcome) -> Vec<Line> {
 /// What equal steps over sudden changes may have missed.
 fn over_sudden_changes(run: &Outcome) -> Option<String> {
     let SuddenChanges { steps, first, .. } = run.steps.sudden_changes?;
-    let led = if steps == 1 { "an equal step leads".to_owned() } else { format!("{steps} equal steps lead") };
+    let led = if steps == 1 { "one equal step leads".to_owned() } else { format!("{steps} equal steps lead") };
     Some(format!(
-        "{led} over sudden changes of what acts on the mechanism, the first at {first:.9} s: they are less accurate, and do not \
-         see what begins and ends within them; steps with a tolerance (`--rtol`) end at such times"
+        "{led} over a sudden change of what acts on the mechanism, the first at {first:.9} s: such a step is less accurate, and does \
+         not see what begins and ends within it; steps with a tolerance (`--rtol`) end at such times"
     ))
 }
 
