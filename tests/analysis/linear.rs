@@ -265,3 +265,59 @@ fn a_force_that_vanishes_with_a_speed_has_a_derivative_where_the_speed_has_none(
     assert!(found.c.row(0).iter().all(|entry| *entry == 0.0), "{}", found.c);
     assert!(found.c.row(1).iter().any(|entry| entry.is_nan()), "{}", found.c);
 }
+
+mechanism! {
+    /// A pendulum in Cartesian coordinates, of whose start the height is given: at the lowest point it tells nothing.
+    ByHeight;
+    coordinates { x [m]; y [m]; }
+    parameters { l [m] = 1; m [kg] = 1; g [m/s^2] = 9.81; }
+    bodies { bob: mass m at [x, y]; }
+    loads { gravity [0, -g]; }
+    constraints { rod: x^2 + y^2 = l^2; }
+    initial { y = -0.8; guess x = 0.6; }
+}
+
+mechanism! {
+    /// A mass in a bowl z = (x^2 + y^2)/(2 b), of whose start the height is given.
+    Bowl;
+    coordinates { x [m]; y [m]; z [m]; }
+    parameters { b [m] = 0.8; m [kg] = 1; g [m/s^2] = 9.81; }
+    bodies { ball: mass m at [x, y, z]; }
+    loads { gravity [0, 0, -g]; }
+    constraints { bowl: z = (x^2 + y^2)/(2*b); }
+    initial { z = 0.3; guess x = 0.5; guess y = 0.2; }
+}
+
+mechanism! {
+    /// A free body held by springs that turn it back with a moment k sin(angle) about each axis.
+    TurnedBack;
+    parameters { k [N*m] = 40; C [kg*m^2] = 4e-3; c [N/m] = 1000; m [kg] = 1; }
+    bodies { body: free, mass m, inertia [C, C, C]; }
+    let u = attitude(body)*[1, 0, 0];
+    let v = attitude(body)*[0, 1, 0];
+    let w = attitude(body)*[0, 0, 1];
+    loads { potential k*(3 - u.x - v.y - w.z)/2 + c/2*(body_x^2 + body_y^2 + body_z^2); }
+    initial { body_q1 = 0.1; body_q2 = -0.05; body_q3 = 0.2; }
+}
+
+/// A coordinate that turns back at the equilibrium does not tell where the others are: what follows from it as if it did has
+/// frequencies that are too large by the root of 2. The frequencies sqrt(g/l), sqrt(g/b) twice, and sqrt(k/C) three times.
+#[test]
+fn what_turns_back_is_not_independent() {
+    fn check<M: Compiled>(expected: &[f64], bound: f64) {
+        let mechanism = M::defaults();
+        let found = equilibrium(&mechanism, &declared_start(&mechanism)).unwrap();
+        assert!(found.is_steady);
+        let mut rates: Vec<f64> = found.eigenvalues.iter().map(|value| value.im).filter(|rate| *rate > 0.0).collect();
+        rates.sort_by(f64::total_cmp);
+        assert_eq!(rates.len(), expected.len(), "{rates:?}");
+        for (rate, expected) in rates.iter().zip(expected) {
+            assert!((rate / expected - 1.0).abs() < bound, "{rates:?} for {expected}");
+        }
+    }
+    // Newton's method ends within 1e-8 of the equilibrium, where frequencies differ in second order.
+    check::<ByHeight>(&[9.81f64.sqrt()], 1e-12);
+    check::<Bowl>(&[(9.81f64 / 0.8).sqrt(); 2], 1e-12);
+    let (slide, turn) = (1000f64.sqrt(), 1e4f64.sqrt());
+    check::<TurnedBack>(&[slide, slide, slide, turn, turn, turn], 1e-9);
+}

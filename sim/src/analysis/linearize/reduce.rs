@@ -40,10 +40,10 @@ impl Reduction {
         let of_speeds = mechanism.constraint_jacobian(at.time, at.positions);
         let of_positions = mechanism.between_positions(of_speeds.clone());
         let wanted = wanted(mechanism.description());
-        let moves = Split::new(&of_positions, n - freedoms.configuration_freedom, &wanted);
-        let rates = Split::new(&of_speeds, n - freedoms.degrees_of_freedom, &wanted);
-        let found = Reduction::of(mechanism, at, moves, rates);
         let sizes = measure(mechanism, at.time, at.positions).0;
+        let moves = Split::new(&of_positions, n - freedoms.configuration_freedom, &wanted, &sizes);
+        let rates = Split::new(&of_speeds, n - freedoms.degrees_of_freedom, &wanted, &sizes);
+        let found = Reduction::of(mechanism, at, moves, rates);
         for direction in found.by_positions.column_iter() {
             let size = direction.iter().zip(&sizes).fold(0.0, |size: f64, (part, of)| size.max((part / of).abs()));
             match found.singular_along(mechanism, at.time, at.positions, &(direction / size), BESIDE) {

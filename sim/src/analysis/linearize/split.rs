@@ -3,9 +3,12 @@
 use nalgebra::DMatrix;
 use std::ops::Range;
 
-/// Columns of coordinates preferred as dependent are chosen as long as their pivots are this large, in a matrix whose
-/// rows and columns are brought to largest entries near 1.
+/// Columns of coordinates preferred as dependent are chosen as long as their pivots are this large, beside the largest entry
+/// of the row: a coordinate that is at its turning point does not tell where the others are. Columns are in the scales of the
+/// coordinates, rows brought to largest entries near 1.
 const REGULAR: f64 = 1e-3;
+/// A row in which all is smaller is the rounding of those before it.
+const LEAST: f64 = 1e-9;
 
 /// The preference for a coordinate to be independent.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -29,20 +32,22 @@ pub(super) struct Split {
 
 impl Split {
     /// The number of dependent columns is the rank of the Jacobian. They are chosen by elimination with complete
-    /// pivoting, first among those not preferred as independent.
-    pub(super) fn new(jacobian: &DMatrix<f64>, rank: usize, wanted: &[Wanted]) -> Split {
+    /// pivoting, first among those not preferred as independent, in these scales of the coordinates.
+    pub(super) fn new(jacobian: &DMatrix<f64>, rank: usize, wanted: &[Wanted], sizes: &[f64]) -> Split {
         let n = jacobian.ncols();
-        let mut matrix = equilibrated(jacobian);
+        let mut matrix = scaled(jacobian, sizes);
         let mut pivots: Vec<(usize, usize)> = Vec::new();
-        let classes = [Wanted::Dependent, Wanted::Independent, Wanted::First].map(|class| (class, REGULAR));
-        for (class, least) in classes.into_iter().chain([(Wanted::First, 0.0)]) {
+        let classes = [Wanted::Dependent, Wanted::Independent, Wanted::First].map(|class| (class, REGULAR, LEAST));
+        for (class, regular, least) in classes.into_iter().chain([(Wanted::First, 0.0, 0.0)]) {
             while pivots.len() < rank {
-                let is_free = |at: &(usize, usize)| {
-                    wanted[at.1] <= class && pivots.iter().all(|taken| taken.0 != at.0 && taken.1 != at.1)
-                };
-                let entries = (0..matrix.nrows()).flat_map(|i| (0..n).map(move |j| (i, j))).filter(is_free);
-                let largest = entries.max_by(|a, b| matrix[*a].abs().total_cmp(&matrix[*b].abs()));
-                let Some(pivot) = largest.filter(|at| matrix[*at].abs() > least) else { break };
+                let is_free = |at: &(usize, usize)| pivots.iter().all(|taken| taken.0 != at.0 && taken.1 != at.1);
+                let size = |at: &(usize, usize)| matrix[*at].abs();
+                let row = |i: usize| (0..n).map(move |j| (i, j)).filter(is_free);
+                let largest_in_row = |i: usize| row(i).map(|at| size(&at)).fold(0.0, f64::max);
+                let is_regular =
+                    |at: &(usize, usize)| wanted[at.1] <= class && size(at) > least.max(regular * largest_in_row(at.0));
+                let entries = (0..matrix.nrows()).flat_map(row).filter(is_regular);
+                let Some(pivot) = entries.max_by(|a, b| size(a).total_cmp(&size(b))) else { break };
                 eliminate(&mut matrix, pivot, 0..n);
                 pivots.push(pivot);
             }
@@ -106,20 +111,13 @@ fn eliminate(matrix: &mut DMatrix<f64>, (row, column): (usize, usize), columns: 
     }
 }
 
-/// Rows and columns brought to largest entries near 1, so that units do not decide.
-fn equilibrated(jacobian: &DMatrix<f64>) -> DMatrix<f64> {
+/// Columns in these scales, and rows brought to largest entries near 1, so that units do not decide.
+fn scaled(jacobian: &DMatrix<f64>, sizes: &[f64]) -> DMatrix<f64> {
     let mut matrix = jacobian.clone();
-    let largest =
-        |entries: &mut dyn Iterator<Item = &f64>| entries.fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
-    for _ in 0..2 {
-        for mut row in matrix.row_iter_mut() {
-            let size = largest(&mut row.iter());
-            row.iter_mut().filter(|_| size > 0.0).for_each(|entry| *entry /= size);
-        }
-        for mut column in matrix.column_iter_mut() {
-            let size = largest(&mut column.iter());
-            column.iter_mut().filter(|_| size > 0.0).for_each(|entry| *entry /= size);
-        }
+    matrix.column_iter_mut().zip(sizes).for_each(|(mut column, size)| column *= *size);
+    for mut row in matrix.row_iter_mut() {
+        let largest = row.amax();
+        row.iter_mut().filter(|_| largest > 0.0).for_each(|entry| *entry /= largest);
     }
     matrix
 }
