@@ -321,3 +321,23 @@ fn what_turns_back_is_not_independent() {
     let (slide, turn) = (1000f64.sqrt(), 1e4f64.sqrt());
     check::<TurnedBack>(&[slide, slide, slide, turn, turn, turn], 1e-9);
 }
+
+mechanism! {
+    /// A mass on a spring under a force that comes and goes: at rest at t = 0 alone.
+    Forced;
+    coordinates { x [m]; }
+    parameters { m [kg] = 1; k [N/m] = 100; F [N] = 2; w [rad/s] = 3; }
+    bodies { b: mass m at [x, 0]; }
+    loads { spring k, rest 0 on x; force F*cos(w*t) on x; }
+}
+
+#[test]
+fn what_rests_for_an_instant_is_not_steady() {
+    let forced = Forced::default();
+    let state = equilibrium(&forced, &declared_start(&forced)).unwrap().state;
+    assert!((state.positions[0] - 0.02).abs() < 1e-12);
+    assert!(!linearize(&forced, &state, &[]).unwrap().is_steady);
+    let free = Forced { F: 0.0, ..forced };
+    let state = equilibrium(&free, &declared_start(&free)).unwrap().state;
+    assert!(linearize(&free, &state, &[]).unwrap().is_steady);
+}

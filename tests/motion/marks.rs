@@ -1,6 +1,6 @@
 //! Conditions that are met many times within a step, or at once.
 
-use sim::{Method, Settings, mechanism};
+use sim::{Method, Settings, What, mechanism};
 use tests::any_model::run_with;
 
 const METHODS: [Method; 3] = [Method::Dopri5, Method::Dop853, Method::Radau5];
@@ -252,4 +252,24 @@ fn impulses_of_redundant_supports_are_those_of_least_norm() {
     for (found, exact) in impulses.as_ref().iter().zip(exact) {
         assert!((found.abs() - exact.abs()).abs() < 1e-9, "{impulses:?}");
     }
+}
+
+mechanism! {
+    /// A mass pulled against dry friction, whose direction turns with the motion, as one may write it.
+    Chattering;
+    coordinates { x [m]; }
+    parameters { m [kg] = 1; F [N] = 1; R [N] = 3; d = 1; }
+    bodies { b: mass m at [x, 0]; }
+    loads { force F + d*R on x; }
+    initial { x = 0; dot(x) = -2; }
+    events { up: dot(x) = 0 rising { set d = -1; } down: dot(x) = 0 falling { set d = 1; } }
+}
+
+/// At rest each direction of the friction starts a motion against which the other stands: no motion follows, and none is told.
+#[test]
+fn events_that_turn_each_other_back_for_ever_are_refused() {
+    let failure = run_with(Chattering::default(), &Settings::new(3.0)).unwrap().trajectory.failure.unwrap();
+    assert!(matches!(failure.what, What::Accumulating { .. }), "{failure}");
+    // -2 + (1 + 3) t = 0.
+    assert!((failure.time - 0.5).abs() < 1e-9, "{failure}");
 }

@@ -20,6 +20,7 @@ mod arguments;
 mod chosen;
 mod commands;
 mod entry;
+mod events;
 mod files;
 mod given;
 mod own;

@@ -35,6 +35,8 @@ pub(crate) struct EventHandler<M: Mechanism> {
     counts: Vec<usize>,
     /// The last time of each of them.
     last: Vec<f64>,
+    /// When, after that, its condition last turned back at a start.
+    turned: Vec<f64>,
     /// When the last of all happened.
     acted: VecDeque<f64>,
     /// The kinetic energy that events have taken, in joules.
@@ -84,6 +86,21 @@ fn switches<M: Mechanism>(mechanism: &M, event: &Event, on: bool) -> bool {
     switches.any(|switch| switch.active == on && (activities[switch.conditional] == 1.0) != on)
 }
 
+/// The sign of the rate with which a condition crosses zero in an event's direction, if it has one.
+fn through(described: &Event) -> Option<f64> {
+    match described.direction {
+        Direction::Rising => Some(1.0),
+        Direction::Falling => Some(-1.0),
+        Direction::Both => None,
+    }
+}
+
+/// Whether a condition holds at a start and leaves against the direction in which its event counts.
+fn turns_back<M: Mechanism>(mechanism: &M, onset: &Onset<M>, index: usize) -> bool {
+    let through = through(&mechanism.description().events[index]);
+    through.is_some_and(|through| onset.holds(index) && onset.sign(index) == -through)
+}
+
 impl<M: Mechanism> EventHandler<M> {
     /// For a motion that begins then.
     pub(crate) fn new(mechanism: &M, settings: &Settings, begin: f64) -> EventHandler<M> {
@@ -95,6 +112,7 @@ impl<M: Mechanism> EventHandler<M> {
             end: settings.end,
             counts: vec![0; events],
             last: vec![f64::NEG_INFINITY; events],
+            turned: vec![f64::NEG_INFINITY; events],
             acted: VecDeque::new(),
             energy_taken: 0.0,
             acting: None,
@@ -108,6 +126,7 @@ impl<M: Mechanism> EventHandler<M> {
         self.search.transfer(bytes, blank)?;
         self.counts.iter_mut().try_for_each(|count| bytes.count(count))?;
         bytes.numbers(&mut self.last)?;
+        bytes.numbers(&mut self.turned)?;
         let mut acted: Vec<f64> = self.acted.drain(..).collect();
         bytes.list(&mut acted, || 0.0, Bytes::number)?;
         self.acted = acted.into();
@@ -190,6 +209,9 @@ impl<M: Mechanism> EventHandler<M> {
     ) -> Result<(), Failure> {
         let at = self.search.found.len();
         for event in (0..self.counts.len()).filter(|event| counts(*event)) {
+            if onset.as_ref().is_some_and(|onset| turns_back(motion.mechanism(), onset, event)) {
+                self.turned[event] = sample.state.time;
+            }
             if onset.as_ref().is_some_and(|onset| self.is_due(motion.mechanism(), onset, event, sample.state.time)) {
                 self.happen_at_start(motion.mechanism(), event, sample)?;
             }
@@ -238,16 +260,12 @@ impl<M: Mechanism> EventHandler<M> {
 
     /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and
     /// continues through zero. If the event has just happened, this requires that it was an impact, which should have
-    /// turned it back, that the constraint it switched on is released again, or that the condition returns to zero within an
-    /// instant. One that releases a constraint because of a force happens also if its condition is beyond zero: a contact
+    /// turned it back, that the constraint it switched on is released again, that the condition had turned back since, or that it
+    /// returns to zero within an instant. One that releases a constraint because of a force happens also if its condition is beyond zero: a contact
     /// that a blow has closed does not pull.
     fn is_due(&self, mechanism: &M, onset: &Onset<M>, index: usize, time: f64) -> bool {
         let described = &mechanism.description().events[index];
-        let through = match described.direction {
-            Direction::Rising => 1.0,
-            Direction::Falling => -1.0,
-            Direction::Both => return false,
-        };
+        let Some(through) = through(described) else { return false };
         if described.on_forces && switches(mechanism, described, false) && onset.is_beyond(index, through) {
             return true;
         }
@@ -256,7 +274,7 @@ impl<M: Mechanism> EventHandler<M> {
         let goes_on = match just_happened {
             true if sign == through => {
                 let hits = described.steps.iter().any(|step| matches!(step, event::Step::Impact(_)));
-                hits || switches(mechanism, described, true)
+                hits || switches(mechanism, described, true) || time - self.turned[index] < self.instant()
             }
             true => sign == -through && onset.returns_after(index) < self.instant(),
             false => sign == through,
@@ -315,7 +333,7 @@ impl<M: Mechanism> EventHandler<M> {
                 continue;
             }
             self.counts[event] += 1;
-            self.last[event] = state.time;
+            (self.last[event], self.turned[event]) = (state.time, f64::NEG_INFINITY);
             self.note_time(&mechanism, &state, name, self.counts[event])?;
             let change = act(&mechanism, &state, described, self.counts[event])?;
             (mechanism, state) = (change.mechanism.clone(), change.state.clone());

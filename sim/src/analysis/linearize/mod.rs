@@ -37,7 +37,7 @@ pub struct Linearization<M: Mechanism> {
     pub independent_speeds: Vec<usize>,
     /// The coordinates that make A change along the motion; none if the motion is steady. A steady motion moves along
     /// coordinates that nothing depends on, A is constant, and its eigenvalues are those of all small motions about it.
-    /// Rest is steady, unless A changes with time itself.
+    /// Rest is steady, unless what acts changes with time itself.
     pub unsteady: Vec<usize>,
     /// Whether A is constant along the motion.
     pub is_steady: bool,

@@ -14,9 +14,11 @@ const STEADY: f64 = 1e-6;
 /// The step of differences in time, in the time in which the fastest mode turns by 1 rad. Second-order differences,
 /// which a motion from rest needs, then have a rounding error of 1e-7 if A itself is computed by differences.
 const STEP: f64 = 1e-2;
+/// Later times at which what rests is asked for once more, likewise.
+const LATER: [f64; 3] = [0.37, 1.3, 11.7];
 
 /// The coordinates that do not move uniformly, where A changes along the motion; nothing where it does not. There are none at
-/// rest, where A changes with time itself.
+/// rest, where what acts changes with time itself.
 ///
 /// A steady motion moves along coordinates that nothing depends on, at constant speeds, and has an A that is constant.
 pub(super) fn unsteady(
@@ -34,6 +36,11 @@ pub(super) fn unsteady(
     let rate = modes.chain(speeds.iter().copied()).chain(accelerations.iter().map(|a| a.sqrt())).fold(0.0, f64::max);
     if rate == 0.0 || a.is_empty() {
         return Ok(None);
+    }
+    let is_at_rest =
+        speeds.iter().all(|v| *v <= STEADY * rate) && accelerations.iter().all(|a| *a <= STEADY * rate * rate);
+    if is_at_rest && starts_later(mechanism, at, &sizes, rate) {
+        return Ok(Some(vec![]));
     }
     let [before, after] = [-STEP, STEP].map(|part| later(mechanism, derivatives, reduction, part / rate));
     let (before, after) = (before?, after?);
@@ -60,6 +67,14 @@ pub(super) fn unsteady(
     let quaternions = quaternions(mechanism);
     let turns = |j: &usize| quaternions.iter().any(|four| four.contains(j) && four.iter().any(|k| bent.contains(k)));
     Ok(Some((0..sizes.len()).filter(|j| bent.contains(j) || moving.contains(j) && turns(j)).collect()))
+}
+
+/// Whether what rests now does not at other times, as under a load that comes and goes.
+fn starts_later(mechanism: &dyn Differentiable, at: At<f64>, sizes: &[f64], rate: f64) -> bool {
+    LATER.iter().any(|part| {
+        let there = mechanism.accelerate(At::moving(at.time + part / rate, at.positions, at.speeds));
+        there.is_ok_and(|there| there.iter().zip(sizes).any(|(a, size)| a.abs() > STEADY * rate * rate * size))
+    })
 }
 
 /// The coordinates of each quaternion.

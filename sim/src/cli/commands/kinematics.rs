@@ -2,6 +2,7 @@
 
 use crate::analysis::kinematics::{prescribed_coordinate, quotient};
 use crate::cli::arguments::{KinematicsArguments, Voice};
+use crate::cli::events::{idle_events, only_in_runs};
 use crate::cli::files::asked::command;
 use crate::cli::files::folder;
 use crate::cli::files::written::Files;
@@ -15,7 +16,6 @@ use crate::{
     kinematics_until,
 };
 use serde_json::{Map, Value, json};
-use sim_kernel::event::Step;
 use sim_kernel::{Array, Description, Mechanism, Quantity};
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -373,17 +373,10 @@ fn passed(found: &Found) -> String {
     if let Some(position) = found.limit {
         text += &format!("{:<12} {} goes no further than {}\n", "limit", driven.name, value(position.value));
     }
-    let events = idle_events(found.description);
-    if !events.is_empty() {
-        text += &format!("{:<12} a sweep takes none of the actions of {}; a run does\n", "events", events.join(", "));
+    if let Some(line) = only_in_runs(found.description) {
+        text += &format!("{:<12} {line}\n", "events");
     }
     text
-}
-
-/// The events whose actions would change the mechanism in a run.
-fn idle_events(description: &Description) -> Vec<&'static str> {
-    let changes = |step: &Step| !matches!(step, Step::Stop(_));
-    description.events.iter().filter(|event| event.steps.iter().any(changes)).map(|event| event.name).collect()
 }
 
 /// A speed, to be read.

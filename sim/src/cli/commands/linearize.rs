@@ -221,7 +221,7 @@ fn report(found: &Found) -> String {
         );
         text += &format!("{:<12} {advice}\n", "");
     } else if !found.is_steady {
-        text += &format!("{:<12} no: A changes with time itself, and the modes hold for one instant only\n", "steady");
+        text += &format!("{:<12} no: what acts changes with time, and the modes hold for one instant only\n", "steady");
     } else if found.speeds.iter().any(|speed| *speed != 0.0) {
         text += &format!("{:<12} yes: A is constant along the motion\n", "steady");
     }

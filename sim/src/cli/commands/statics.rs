@@ -2,6 +2,7 @@
 
 use crate::cli::Stop;
 use crate::cli::arguments::{AssembleArguments, StartArguments, Voice};
+use crate::cli::events::{idle_events, only_in_runs};
 use crate::cli::given::as_given;
 use crate::cli::quantity::fixed;
 use crate::cli::said::Said;
@@ -138,6 +139,7 @@ fn of_equilibrium(
         "multipliers": named(description.constraints.iter(), multipliers),
         "eigenvalues": values.collect::<Vec<_>>(),
         "steady": is_steady,
+        "events_without_effect": idle_events(description),
     });
     let mut out = String::new();
     for (c, q) in description.coordinates.iter().zip(positions) {
@@ -151,6 +153,9 @@ fn of_equilibrium(
     }
     if !is_steady {
         writeln!(out, "{:<20} what acts changes with time: this holds at t = 0 alone", "warning")?;
+    }
+    if let Some(line) = only_in_runs(description) {
+        writeln!(out, "{:<20} {line}", "events")?;
     }
     Ok(Said { json, text: out })
 }

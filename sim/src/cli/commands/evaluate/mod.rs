@@ -4,6 +4,7 @@ mod columns;
 mod table;
 
 use crate::cli::arguments::{EvaluateArguments, Voice};
+use crate::cli::events::only_in_runs;
 use crate::cli::{Stop, print, unknown, with_values};
 use crate::{Kernel, Model, Results};
 use columns::{Column, columns};
@@ -22,6 +23,9 @@ pub(in crate::cli) fn evaluate(model: &dyn Model, arguments: &EvaluateArguments,
     let table = Table::read(model.description(), kernel, arguments)?;
     if !(voice.quiet || table.has_times) {
         eprintln!("there is no column `t`: t = 0 at all states");
+    }
+    if let Some(line) = only_in_runs(model.description()).filter(|_| !voice.quiet) {
+        eprintln!("{line}");
     }
     let states = table.states();
     let results = model.call_each(kernel, &states);
