@@ -37,12 +37,15 @@ impl Search<'_> {
     }
 
     /// Whether a quantity grows without bound towards a place at which it has this value, as tan(x) does towards a right angle.
+    /// What is rounding grows too.
     fn is_pole(&self, k: usize, candidate: &Candidate, (x, value): (f64, f64)) -> bool {
-        let size = |place: f64| Some(self.values_at(&candidate.piece, place).ok()?[k].abs());
+        let values = |distance: f64| self.values_at(&candidate.piece, x + distance * candidate.reach).ok();
         let grows = |side: f64| {
-            let [far, nearer, near] = TOWARDS.map(|distance| size(x + side * distance * candidate.reach));
-            let (far, nearer, near) = (far?, nearer?, near?);
-            Some(far > 0.0 && nearer > GROWS * far && near > GROWS * nearer && value.abs() > UNBOUNDED * far)
+            let [far, nearer, near] = TOWARDS.map(|distance| values(side * distance));
+            let rows = [far?, nearer?, near?];
+            let [far, nearer, near] = [0, 1, 2].map(|row| rows[row][k].abs());
+            let grows = nearer > GROWS * far && near > GROWS * nearer && value.abs() > UNBOUNDED * far;
+            Some(grows && far > self.noise(k, &candidate.piece, &rows[..1]))
         };
         [-1.0, 1.0].into_iter().filter_map(grows).any(|grows| grows)
     }

@@ -231,8 +231,7 @@ impl<'s> Search<'s> {
         let (range, largest) = (greatest - least, least.abs().max(greatest.abs()));
         let rounding = ROUNDING * (100.0 + piece.condition());
         let bound = (RESOLVED * range + rounding * largest).max(2.0 * self.tracked[k].noise);
-        let group = rows.iter().flat_map(|row| &row[self.group(k)]).fold(0.0f64, |most, value| most.max(value.abs()));
-        let noise = NOISE * ROUNDING * (100.0 + piece.condition().powi(2)) * group;
+        let noise = self.noise(k, piece, rows);
         // A corner between the last node and an end leaves no trace in the coefficients.
         let most_off = MISSED * bound.max(series.tail()).max(noise);
         let is_off =
@@ -248,6 +247,12 @@ impl<'s> Search<'s> {
             return true;
         }
         false
+    }
+
+    /// The rounding of a quantity over a piece, from those that it is computed with.
+    pub(super) fn noise(&self, k: usize, piece: &Piece, rows: &[Vec<f64>]) -> f64 {
+        let group = rows.iter().flat_map(|row| &row[self.group(k)]).fold(0.0f64, |most, value| most.max(value.abs()));
+        NOISE * ROUNDING * (100.0 + piece.condition().powi(2)) * group
     }
 
     /// The quantities that one is computed from.
