@@ -192,7 +192,8 @@ impl Unit {
 impl Counts {
     /// What a unit of these factors counts in.
     fn of(factors: impl Iterator<Item = String> + Clone) -> Counts {
-        let has_angles = factors.clone().any(|name| ["rad", "mrad", "deg", "rev", "rpm"].contains(&name.as_str()));
+        let is_angle = |name: &str| name.ends_with("rad") || ["deg", "rev", "rpm"].contains(&name);
+        let has_angles = factors.clone().any(|name| is_angle(&name));
         let has_cycles = factors.clone().any(|name| name.ends_with("Hz"));
         match (has_angles, has_cycles) {
             (true, false) => Counts::Angles,
@@ -282,7 +283,7 @@ mod tests {
         let is_mistaken = |given: &str, declared: &str| {
             Unit::parse(given).unwrap().mistaken_for(&Unit::parse(declared).unwrap()).is_some()
         };
-        for (cycles, angles) in [("Hz", "rad/s"), ("kHz", "rpm"), ("Hz", "deg/s"), ("mHz", "rev/s")] {
+        for (cycles, angles) in [("Hz", "rad/s"), ("kHz", "rpm"), ("Hz", "deg/s"), ("mHz", "urad/s")] {
             assert!(is_mistaken(cycles, angles) && is_mistaken(angles, cycles));
         }
         for (given, declared) in [("rpm", "rad/s"), ("1/s", "rad/s"), ("Hz", "1/s"), ("1/s", "Hz"), ("kHz", "Hz")] {

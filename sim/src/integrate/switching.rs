@@ -128,9 +128,9 @@ pub struct SuddenChanges {
 }
 
 impl SuddenChanges {
-    pub(super) fn transfer(list: &mut Option<SuddenChanges>, bytes: &mut Bytes) -> Result<(), Damaged> {
+    pub(super) fn transfer(changes: &mut Option<SuddenChanges>, bytes: &mut Bytes) -> Result<(), Damaged> {
         let none = || SuddenChanges { steps: 0, first: 0.0, until: 0.0 };
-        bytes.option(list, none, |bytes, SuddenChanges { steps, first, until }| {
+        bytes.option(changes, none, |bytes, SuddenChanges { steps, first, until }| {
             bytes.tally(steps)?;
             bytes.number(first)?;
             bytes.number(until)

@@ -2,17 +2,16 @@
 
 use super::piece::Piece;
 use super::range::Extreme;
-use super::search::{Candidate, Kind, Search};
+use super::search::{Candidate, Kind, Search, grows};
 use super::series::{Series, nodes};
 use crate::numerics::root::{find_minimum, find_root};
 use crate::state::failure::Failure;
 
 /// The relative amount by which a value may be worse than its polynomial.
 const CORNER: f64 = 1e-12;
-/// Distances from a pole, in parts of the interval around it; the factor by which a quantity grows from each to the next, and
-/// from the first to the place that is found by comparison, which is as close as comparison comes.
+/// Distances from a pole, in parts of the interval around it, and the factor by which a quantity grows from the first to the
+/// place that is found by comparison, which is as close as comparison comes.
 const TOWARDS: [f64; 3] = [1e-1, 1e-2, 1e-3];
-const GROWS: f64 = 2.5;
 const UNBOUNDED: f64 = 1e6;
 
 impl Search<'_> {
@@ -40,14 +39,14 @@ impl Search<'_> {
     /// What is rounding grows too.
     fn is_pole(&self, k: usize, candidate: &Candidate, (x, value): (f64, f64)) -> bool {
         let values = |distance: f64| self.values_at(&candidate.piece, x + distance * candidate.reach).ok();
-        let grows = |side: f64| {
+        let is_pole = |side: f64| {
             let [far, nearer, near] = TOWARDS.map(|distance| values(side * distance));
             let rows = [far?, nearer?, near?];
-            let [far, nearer, near] = [0, 1, 2].map(|row| rows[row][k].abs());
-            let grows = nearer > GROWS * far && near > GROWS * nearer && value.abs() > UNBOUNDED * far;
-            Some(grows && far > self.noise(k, &candidate.piece, &rows[..1]))
+            let sizes @ [far, ..] = [0, 1, 2].map(|row| rows[row][k].abs());
+            let is_known = far > self.noise(k, &candidate.piece, &rows[..1]);
+            Some(is_known && grows(sizes) && value.abs() > UNBOUNDED * far)
         };
-        [-1.0, 1.0].into_iter().filter_map(grows).any(|grows| grows)
+        [-1.0, 1.0].into_iter().filter_map(is_pole).any(|is_pole| is_pole)
     }
 
     fn extreme_at(&self, k: usize, piece: &Piece, x: f64) -> Option<Extreme> {

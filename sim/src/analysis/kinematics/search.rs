@@ -107,6 +107,11 @@ pub(super) enum Kind {
 /// Quantities searched in an interval, each with the error of its polynomial over an interval twice as long.
 type Pending = Vec<(usize, f64)>;
 
+/// Whether a quantity of these sizes, each at a tenth of the distance of the one before, grows without bound.
+pub(super) fn grows([far, nearer, near]: [f64; 3]) -> bool {
+    !(nearer < GROWS * far) && !(near < GROWS * nearer)
+}
+
 impl<'s> Search<'s> {
     pub(super) fn new(path: &'s Path<'s>) -> Search<'s> {
         let (system, description) = (path.system, path.system.mechanism.description());
@@ -276,9 +281,8 @@ impl<'s> Search<'s> {
                 continue;
             }
             let rows: Vec<Vec<f64>> = places.iter().map(|x| self.values_at(piece, *x)).collect::<Result<_, _>>()?;
-            let size = |row: usize, k: usize| rows[row][k].abs();
-            let grows = |k: usize| !(size(1, k) < GROWS * size(0, k)) && !(size(2, k) < GROWS * size(1, k));
-            open.iter().filter(|(k, _)| grows(*k)).for_each(|(k, _)| self.tracked[*k].has_no_bound = true);
+            let sizes = |k: usize| [0, 1, 2].map(|row| rows[row][k].abs());
+            open.iter().filter(|(k, _)| grows(sizes(*k))).for_each(|(k, _)| self.tracked[*k].has_no_bound = true);
         }
         open.retain(|(k, _)| !self.tracked[*k].has_no_bound);
         Ok(())

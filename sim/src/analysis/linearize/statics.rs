@@ -125,7 +125,13 @@ impl Statics {
 
     /// Whether nothing accelerates.
     pub(crate) fn is_at_rest(&self) -> bool {
-        self.are_at_rest(self.accelerations.as_slice())
+        let independent = self.reduction.independent().iter().enumerate();
+        (0..self.q.len()).all(|i| {
+            let rounding =
+                |(k, j): (usize, &usize)| self.by_positions[(i, k)].abs() * (self.q[*j].abs() + self.sizes[*j]);
+            let rounding: f64 = independent.clone().map(rounding).sum();
+            self.accelerations[i].abs() <= AT_REST * self.sizes[i] + ROUNDINGS * f64::EPSILON * rounding
+        })
     }
 
     /// Refuses a position where a speed moves next to nothing, in the scales of the start.
@@ -134,21 +140,6 @@ impl Statics {
     /// [`What::Singular`] there.
     pub(crate) fn check_inertia(&self, mechanism: &dyn Differentiable) -> Result<(), Failure> {
         super::check_inertia(mechanism, At::moving(0.0, &self.q, &[]), &self.reduction, &self.sizes)
-    }
-
-    /// Whether that is so at another time too, without speeds.
-    pub(crate) fn stays_at_rest(&self, mechanism: &dyn Differentiable, time: f64) -> bool {
-        mechanism.accelerate(At::moving(time, &self.q, &[])).is_ok_and(|solved| self.are_at_rest(solved.as_slice()))
-    }
-
-    fn are_at_rest(&self, accelerations: &[f64]) -> bool {
-        let independent = self.reduction.independent().iter().enumerate();
-        (0..self.q.len()).all(|i| {
-            let rounding =
-                |(k, j): (usize, &usize)| self.by_positions[(i, k)].abs() * (self.q[*j].abs() + self.sizes[*j]);
-            let rounding: f64 = independent.clone().map(rounding).sum();
-            accelerations[i].abs() <= AT_REST * self.sizes[i] + ROUNDINGS * f64::EPSILON * rounding
-        })
     }
 
     /// The largest acceleration, in SI units.

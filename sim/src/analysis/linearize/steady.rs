@@ -14,8 +14,12 @@ const STEADY: f64 = 1e-6;
 /// The step of differences in time, in the time in which the fastest mode turns by 1 rad. Second-order differences,
 /// which a motion from rest needs, then have a rounding error of 1e-7 if A itself is computed by differences.
 const STEP: f64 = 1e-2;
-/// Later times at which what rests is asked for once more, likewise.
+/// Later times at which what rests is asked for once more, likewise and in seconds.
 const LATER: [f64; 3] = [0.37, 1.3, 11.7];
+/// Changes of accelerations up to this do not count, in radians and in the mechanism's own length per s^2, nor those up to this
+/// times the square of the rate.
+const AT_REST: f64 = 1e-8;
+const ROUNDING: f64 = 1e-13;
 
 /// The coordinates that do not move uniformly, where A changes along the motion; nothing where it does not. There are none at
 /// rest, where what acts changes with time itself.
@@ -34,13 +38,13 @@ pub(super) fn unsteady(
     // The rate of the motion, in 1/s.
     let modes = eigenvalues.iter().map(|value| value.norm());
     let rate = modes.chain(speeds.iter().copied()).chain(accelerations.iter().map(|a| a.sqrt())).fold(0.0, f64::max);
+    let is_still = |parts: &[f64], least: f64| parts.iter().all(|part| *part <= least);
+    let is_at_rest = is_still(&speeds, STEADY * rate) && is_still(&accelerations, STEADY * rate * rate);
+    if is_at_rest && !stays_at_rest(derivatives, &sizes, rate) {
+        return Ok(Some(vec![]));
+    }
     if rate == 0.0 || a.is_empty() {
         return Ok(None);
-    }
-    let is_at_rest =
-        speeds.iter().all(|v| *v <= STEADY * rate) && accelerations.iter().all(|a| *a <= STEADY * rate * rate);
-    if is_at_rest && starts_later(mechanism, at, &sizes, rate) {
-        return Ok(Some(vec![]));
     }
     let [before, after] = [-STEP, STEP].map(|part| later(mechanism, derivatives, reduction, part / rate));
     let (before, after) = (before?, after?);
@@ -69,11 +73,15 @@ pub(super) fn unsteady(
     Ok(Some((0..sizes.len()).filter(|j| bent.contains(j) || moving.contains(j) && turns(j)).collect()))
 }
 
-/// Whether what rests now does not at other times, as under a load that comes and goes.
-fn starts_later(mechanism: &dyn Differentiable, at: At<f64>, sizes: &[f64], rate: f64) -> bool {
-    LATER.iter().any(|part| {
-        let there = mechanism.accelerate(At::moving(at.time + part / rate, at.positions, at.speeds));
-        there.is_ok_and(|there| there.iter().zip(sizes).any(|(a, size)| a.abs() > STEADY * rate * rate * size))
+/// Whether what rests now does so at other times too, as it does not under a load that comes and goes.
+fn stays_at_rest(derivatives: &Derivatives, sizes: &[f64], rate: f64) -> bool {
+    let (at, least) = (derivatives.state(), AT_REST + ROUNDING * rate * rate);
+    let later = LATER.into_iter().flat_map(|time| [time, time / rate]).filter(|time| time.is_finite());
+    later.map(|time| derivatives.mechanism().accelerate(At { time: at.time + time, ..at })).all(|there| {
+        there.is_ok_and(|there| {
+            let changes = there.iter().zip(derivatives.accelerations()).map(|(there, here)| (there - here).abs());
+            changes.zip(sizes).all(|(change, size)| change <= least * size)
+        })
     })
 }
 
