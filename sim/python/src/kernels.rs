@@ -5,7 +5,8 @@ use crate::shapes::{Shape, parts};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyInt, PySlice, PyTuple};
-use sim::{At, Description, Found, Kernel, Model, Results, States};
+use sim::{At, Found, Kernel, Model, Results, States, solve_each};
+use std::sync::Arc;
 
 /// Below so many states Python's lock is kept.
 const FEW: usize = 32;
@@ -80,7 +81,7 @@ type Once<'a> = dyn Fn(At<f64>, Found<f64>) -> bool + 'a;
 /// A kernel's results at one state, or at many: arrays in a tuple if there are several.
 pub(crate) fn call<'py>(
     py: Python<'py>,
-    (model, once): (&dyn Model, &Once),
+    (model, once): (&Arc<dyn Model>, &Once),
     kernel: Kernel,
     given: Given<'_, 'py>,
 ) -> PyResult<Bound<'py, PyAny>> {
@@ -116,7 +117,7 @@ pub(crate) fn call<'py>(
             if !time.is_finite() {
                 return Err(argument(py, "t: the number is not finite"));
             }
-            of_one(py, (model.description(), once), kernel, At { time, positions, speeds, accelerations, multipliers })
+            of_one(py, (model, once), kernel, At { time, positions, speeds, accelerations, multipliers })
         }
         Some(states) => {
             let times = times(py, given.time, states)?;
@@ -207,16 +208,22 @@ fn times(py: Python<'_>, given: &Bound<'_, PyAny>, states: usize) -> PyResult<Ve
 
 fn of_one<'py>(
     py: Python<'py>,
-    (description, once): (&Description, &Once),
+    (model, once): (&Arc<dyn Model>, &Once),
     kernel: Kernel,
     at: At<f64>,
 ) -> PyResult<Bound<'py, PyAny>> {
+    let description = model.description();
     let (mut numbers, mut rows) = (Vec::with_capacity(64), Vec::with_capacity(8));
     let is_refused = once(at, &mut |_, row| {
         numbers.extend_from_slice(row);
         rows.push(row.len());
     });
-    let refused = if is_refused { vec![0] } else { Vec::new() };
+    let mut refused = Vec::new();
+    if is_refused {
+        let At { time, positions, speeds, accelerations, multipliers } = at;
+        let states = States { times: &[time], positions, speeds, accelerations, multipliers };
+        Results { numbers, refused, .. } = solve_each(model, kernel, &states);
+    }
     check(py, kernel, &numbers, numbers.len(), &refused)?;
     let arrays = parts(kernel, description, &rows).into_iter().map(|part| {
         let numbers = &numbers[part.numbers];
@@ -229,12 +236,12 @@ fn of_one<'py>(
     together(py, arrays.collect::<PyResult<_>>()?)
 }
 
-fn of_many<'py>(py: Python<'py>, model: &dyn Model, kernel: Kernel, states: States) -> PyResult<Bound<'py, PyAny>> {
+fn of_many<'py>(py: Python<'py>, model: &Arc<dyn Model>, kernel: Kernel, states: States) -> PyResult<Bound<'py, PyAny>> {
     let description = model.description();
     let count = states.times.len();
     let Results { rows, numbers, refused } =
-        if count < FEW { model.call_each(kernel, &states) } else { py.detach(|| model.call_each(kernel, &states)) };
-    let rows = if count == 0 { rows_of(model, kernel) } else { rows };
+        if count < FEW { solve_each(model, kernel, &states) } else { py.detach(|| solve_each(model, kernel, &states)) };
+    let rows = if count == 0 { rows_of(&**model, kernel) } else { rows };
     let width: usize = rows.iter().sum();
     check(py, kernel, &numbers, width, &refused)?;
     let all = PyArray1::from_vec(py, numbers).reshape([count, width])?;

@@ -90,7 +90,7 @@ macro_rules! kernels {
                 $($level: &Bound<'py, PyAny>,)*
             ) -> PyResult<Bound<'py, PyAny>> {
                 let once = &|at: At<f64>, found: Found<f64>| self.call_once(Kernel::$kernel, at, found);
-                call(py, (&*self.model, once), Kernel::$kernel, Given { time: t, levels: levels([$($level),*]) })
+                call(py, (&self.model, once), Kernel::$kernel, Given { time: t, levels: levels([$($level),*]) })
             })*
         }
     };

@@ -2,6 +2,7 @@
 
 mod lanes;
 mod simulations;
+mod solved;
 
 use crate::Failure;
 use crate::motion::equations::accelerate;
@@ -9,6 +10,7 @@ use crate::numerics::vectors::{Vectors, Work};
 use crate::state::trajectory::State;
 use sim_kernel::{Array, Dynamics, LaneMask, Lanes, Mask, Mechanism, Scalar};
 pub use simulations::advance_each;
+pub use solved::solve_each;
 
 /// The number of states evaluated at once: as many as the widest vector instructions hold.
 const LANES: usize = 8;

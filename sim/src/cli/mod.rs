@@ -23,6 +23,7 @@ mod entry;
 mod events;
 mod files;
 mod given;
+mod numbers;
 mod own;
 mod progress;
 mod quantity;

@@ -58,13 +58,6 @@ fn split_number(text: &str) -> (&str, &str) {
     }
 }
 
-/// A number with so many decimals; one that rounds to zero has no sign.
-pub(super) fn fixed(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    let is_zero = text.bytes().all(|byte| b"-0.".contains(&byte));
-    if is_zero { text.trim_start_matches('-').to_owned() } else { text }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,6 +4,7 @@ use crate::cli::arguments::{LinearizeArguments, Voice};
 use crate::cli::commands::steady::advice;
 use crate::cli::files::asked;
 use crate::cli::given::as_given;
+use crate::cli::numbers::in_units;
 use crate::cli::settings::positive;
 use crate::cli::{Stop, print, unknown};
 use crate::output::formats::numpy::write_matrices;
@@ -209,8 +210,9 @@ fn states(description: &Description, independent: &[usize], independent_speeds: 
 fn report(found: &Found) -> String {
     let coordinates = found.description.coordinates;
     let mut text = format!("{:<12} t = {:?} s\n", "at", found.time);
-    for (c, q) in coordinates.iter().zip(found.positions) {
-        text += &format!("{:<12} {:>20.12} {}\n", c.position.name, q / c.position.factor, c.position.unit);
+    let positions = in_units(coordinates.iter().map(|c| &c.position), found.positions, 12);
+    for (c, q) in coordinates.iter().zip(positions) {
+        text += &format!("{:<12} {q:>20} {}\n", c.position.name, c.position.unit);
     }
     text += &format!("{:<12} {}\n", "states", found.states.join(", "));
     if let Some(advice) = &found.advice {

@@ -4,7 +4,7 @@ use crate::cli::Stop;
 use crate::cli::arguments::{AssembleArguments, StartArguments, Voice};
 use crate::cli::events::{idle_events, only_in_runs};
 use crate::cli::given::as_given;
-use crate::cli::quantity::fixed;
+use crate::cli::numbers::{beside, in_units};
 use crate::cli::said::Said;
 use crate::cli::said::counted;
 use crate::output::outcome::list;
@@ -69,8 +69,9 @@ fn of_start(
     for line in found.singularities() {
         writeln!(out, "singular     {line}")?;
     }
-    for (c, (q, qd)) in description.coordinates.iter().zip(positions.iter().zip(speeds)) {
-        let (position, speed) = (fixed(q / c.position.factor, 15), fixed(qd / c.speed.factor, 15));
+    let positions = in_units(description.coordinates.iter().map(|c| &c.position), positions, 15);
+    let speeds = in_units(description.coordinates.iter().map(|c| &c.speed), speeds, 15);
+    for (c, (position, speed)) in description.coordinates.iter().zip(positions.iter().zip(&speeds)) {
         writeln!(out, "{:<12} {position:>20} {:<10} {speed:>20} {}", c.position.name, c.position.unit, c.speed.unit)?;
     }
     writeln!(out, "constraints  open by at most {position:.1e} (positions), {velocity:.1e} (velocities)")?;
@@ -101,8 +102,8 @@ fn of_branches(description: &Description, loops: &[Loop], open: &[&str], branche
         writeln!(out, "branches     none: the links do not reach each other")?;
     }
     for (k, q) in branches.iter().enumerate() {
-        let values =
-            positions().zip(q.iter()).map(|(c, q)| format!("{} = {} {}", c.name, fixed(q / c.factor, 12), c.unit));
+        let numbers = in_units(positions(), q, 12);
+        let values = positions().zip(numbers).map(|(c, q)| format!("{} = {q} {}", c.name, c.unit));
         writeln!(out, "branch {:<5} {}", k + 1, values.collect::<Vec<_>>().join(", "))?;
     }
     Ok(Said { json, text: out })
@@ -142,14 +143,19 @@ fn of_equilibrium(
         "events_without_effect": idle_events(description),
     });
     let mut out = String::new();
-    for (c, q) in description.coordinates.iter().zip(positions) {
-        writeln!(out, "{:<20} {:>20} {}", c.position.name, fixed(q / c.position.factor, 12), c.position.unit)?;
+    let coordinates = description.coordinates.iter().map(|c| &c.position);
+    for (c, q) in coordinates.clone().zip(in_units(coordinates, positions, 12)) {
+        writeln!(out, "{:<20} {q:>20} {}", c.name, c.unit)?;
     }
-    for (c, lambda) in description.constraints.iter().zip(multipliers) {
-        writeln!(out, "{:<20} {:>20} {}", format!("lambda_{}", c.name), fixed(lambda / c.factor, 12), c.unit)?;
+    let constraints = description.constraints.iter();
+    for (c, lambda) in constraints.clone().zip(in_units(constraints, multipliers, 12)) {
+        writeln!(out, "{:<20} {lambda:>20} {}", format!("lambda_{}", c.name), c.unit)?;
     }
+    let largest = eigenvalues.iter().fold(0.0f64, |largest, value| largest.max(value.norm()));
     for value in eigenvalues {
-        writeln!(out, "{:<20} {:>20} {:+.12} i 1/s", "eigenvalue", fixed(value.re, 12), value.im + 0.0)?;
+        let part = |part: f64| beside(part, largest, 12);
+        let sign = if value.im < 0.0 { "" } else { "+" };
+        writeln!(out, "{:<20} {:>20} {sign}{} i 1/s", "eigenvalue", part(value.re), part(value.im))?;
     }
     if !is_steady {
         writeln!(out, "{:<20} what acts changes with time: this holds at t = 0 alone", "warning")?;

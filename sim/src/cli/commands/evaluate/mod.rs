@@ -6,7 +6,7 @@ mod table;
 use crate::cli::arguments::{EvaluateArguments, Voice};
 use crate::cli::events::only_in_runs;
 use crate::cli::{Stop, print, unknown, with_values};
-use crate::{Kernel, Model, Results};
+use crate::{Kernel, Model, Results, solve_each};
 use columns::{Column, columns};
 use table::Table;
 
@@ -28,7 +28,7 @@ pub(in crate::cli) fn evaluate(model: &dyn Model, arguments: &EvaluateArguments,
         eprintln!("{line}");
     }
     let states = table.states();
-    let results = model.call_each(kernel, &states);
+    let results = solve_each(&model, kernel, &states);
     let columns = columns(model.description(), kernel, &results.rows);
     let found = Evaluated { times: states.times, columns: &columns, results: &results };
     print(&if voice.json { found.json() } else { found.csv() })?;

@@ -1,0 +1,39 @@
+//! A kernel at many states, for those who check numbers: what a run would use there.
+
+use crate::model::erased::{Erased, Kernel, List, Model, OnHeap, Results, States};
+use crate::motion::Motion;
+use crate::motion::measures::Measures;
+use crate::state::settings::Stabilisation;
+use crate::state::trajectory::State;
+use sim_kernel::{Array, Mechanism};
+use std::sync::Arc;
+
+/// As [`Model::call_each`]; but where the planned elimination of [`Kernel::Dynamics`] refuses a pivot, accelerations,
+/// multipliers and power are found as in a run: by complete pivoting, with reactions of least norm where constraints
+/// are redundant. States remain refused that have no solution.
+pub fn solve_each(model: &Arc<dyn Model>, kernel: Kernel, states: &States) -> Results {
+    let mut results = model.call_each(kernel, states);
+    if kernel == Kernel::Dynamics && !results.refused.is_empty() {
+        let mechanism = Erased::of(model.clone());
+        let width: usize = results.rows.iter().sum();
+        let Results { numbers, refused, .. } = &mut results;
+        refused.retain(|state| match solve(&mechanism, states, *state) {
+            Some(solved) => {
+                numbers[state * width..][..width].copy_from_slice(&solved);
+                false
+            }
+            None => true,
+        });
+    }
+    results
+}
+
+/// Accelerations, multipliers and power at one of these states.
+fn solve(mechanism: &Erased<OnHeap>, states: &States, state: usize) -> Option<Vec<f64>> {
+    let at = states.at(state);
+    let numbers = |numbers: &[f64]| List::with_len(mechanism.n(), |i| numbers.get(i).copied().unwrap_or(0.0));
+    let state = State { time: at.time, positions: numbers(at.positions), speeds: numbers(at.speeds), work: 0.0 };
+    let measures = Measures::at(mechanism, state.time, &state.positions);
+    let sample = Motion::new(mechanism.clone(), Stabilisation::Projection, measures).sample(state).ok()?;
+    Some([sample.accelerations.as_ref(), sample.multipliers.as_ref(), &[sample.power]].concat())
+}
