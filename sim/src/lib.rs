@@ -59,13 +59,14 @@ pub use model::erased::{
 };
 pub use model::{At, Control};
 pub use motion::Motion;
-pub use motion::equations::accelerate;
 pub use motion::inertia::check_inertias;
+pub use motion::measured::{check_masses, mobility};
 pub use motion::measures::Measures;
-pub use motion::mobility::{Mobility, check_masses, mobility};
+pub use motion::mobility::Mobility;
 pub use motion::project::{project, project_positions, project_velocities};
 pub use motion::residuals::{rates, residuals};
 pub use motion::singular::Singularity;
+pub use motion::typed::accelerate;
 pub use numerics::eigen::{Eigen, NoEigenvalues, eigen};
 pub use numerics::vectors::{Vectors, Work};
 pub use output::formats::{Format, write_table};

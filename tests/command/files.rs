@@ -298,6 +298,8 @@ fn kernels_are_evaluated_at_states() {
     assert_eq!(line("pendulum", "constraint_jacobian", "phi\n0.5\n").0, "t [s],refused\n0.0,0\n");
     let (nothing, why) = line("pendulum", "speed_mass_matrix", "phi\n0.5\n");
     assert!(nothing.is_empty() && why.contains("write `kernels { speed_mass_matrix; }` in its declaration"), "{why}");
+    let (nothing, why) = line("pendulum", "sparse_linearization", "phi\n0.5\n");
+    assert!(nothing.is_empty() && why.contains("ask for `constraint_jacobian`"), "{why}");
     let columns = "{\n  \"t [s]\": [\n    0.0\n  ],\n  \"mass_matrix_1_1\": [\n    1.0\n  ],\n  \"refused\": [\n    false\n  ]\n}\n";
     fs::write(folder.join("few.csv"), "t,phi\n0,0.5\n").unwrap();
     let json = ["evaluate", "pendulum", "--kernel", "mass_matrix", "--at", "few.csv", "--json"];

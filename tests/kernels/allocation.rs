@@ -106,7 +106,7 @@ fn ten_thousand_steps<A: Advance<QuickReturn>>(
     let motion = Motion::new(*mechanism, stabilisation, measures);
     motion.start(&start);
     let first = motion.sample(start).unwrap();
-    let mut events = EventSearch::new(mechanism, 0.0);
+    let mut events = EventSearch::new(mechanism, [0.0, 1.0]);
     let mut steps = Steps::default();
     let course = Course { begin: 0.0, end, stepping };
     let counted = allocations(|| {

@@ -153,3 +153,21 @@ def test_refusals_say_what_is_needed(quick_return):
     with pytest.raises(linkwright.MotionError, match="singular") as raised:
         linkage.dynamics(0, [[1, 0], [0, 0]], [[0, 0], [0, 0]])
     assert raised.value.states == [1] and raised.value.code == "E-SINGULAR"
+
+
+def test_states_that_the_plan_refuses_are_solved_as_in_a_run():
+    # A hinge written twice, and little inertia: phi'' = -g/l sin(phi).
+    bob = linkwright.load(
+        "pub Bob; coordinates { x [m]; y [m]; phi [rad]; } parameters { m [kg] = 2; I [kg*m^2] = 1e-12; l [m] = 0.5; g [m/s^2] = 9.81; }\n"
+        "bodies { bob: mass m at [x, y], inertia I, angle phi; } loads { gravity [0, -g]; }\n"
+        "constraints { along: x = l*sin(phi); down: y = -l*cos(phi); again: x = l*sin(phi); } initial { phi = 0.3; guess y = -0.5; }"
+    )
+    phi = np.array([0.3, 1.2, -2.0])
+    q = np.column_stack([0.5 * np.sin(phi), -0.5 * np.cos(phi), phi])
+    right = -9.81 / 0.5 * np.sin(phi)
+    many = bob.dynamics(0, q, 0 * q)
+    np.testing.assert_allclose(many[0][:, 2], right, rtol=1e-9)
+    np.testing.assert_allclose(many[1][:, 0], many[1][:, 2], rtol=1e-9)
+    for i in range(3):
+        one = bob.dynamics(0, q[i], 0 * q[i])
+        assert np.array_equal(one[0], many[0][i]) and np.array_equal(one[1], many[1][i])

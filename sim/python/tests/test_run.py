@@ -126,3 +126,38 @@ def test_results_name_the_values_that_they_are_of(quick_return):
     sweep = shorter.kinematics("alpha", to="90 deg", speed="75 rpm", steps=4)
     assert "'--set=O2A=0.15 m'" in sweep.summary["provenance"]["command"]
     assert "--set 'O2A=0.15 m'" in shorter.run(0.1).summary["provenance"]["command"]
+
+
+def test_numbers_that_may_be_wrong_come_with_a_warning():
+    spring = linkwright.load(
+        "pub A; coordinates { x [m]; } parameters { m [kg] = 1; k [N/m] = 1e4; } bodies { b: mass m at [x, 0]; }\n"
+        "loads { force -k*x on x; } initial { x = 1; }"
+    )
+    # Equal steps of twice the time in which x changes by itself.
+    with pytest.warns(linkwright.LinkwrightWarning, match="energy does not balance"):
+        run = spring.run(5, method="rk4", step=0.02)
+    assert run.summary["warnings"] == ["energy does not balance: take smaller steps before you trust these numbers"]
+    assert spring.run(0.5).summary["warnings"] == []
+
+
+def test_tolerances_of_the_declaration_hold_one_by_one():
+    declared = linkwright.load(
+        "pub A; coordinates { x [m]; } parameters { m [kg] = 1; k [N/m] = 4; } bodies { b: mass m at [x, 0]; }\n"
+        "loads { spring k, rest 0 on x; } initial { x = 1; } run { rtol = 1e-9; atol = 1e-6; }"
+    )
+    def tolerances(**given):
+        stepping = declared.run(1, **given).summary["method"]["stepping"]
+        return stepping["rtol"], stepping["atol"]
+    assert tolerances() == (1e-9, 1e-6)
+    assert tolerances(rtol=1e-7) == (1e-7, 1e-6)
+    assert tolerances(atol=1e-5) == (1e-9, 1e-5)
+
+
+def test_what_is_held_has_a_value_by_name():
+    arm = linkwright.load(
+        "pub AR; coordinates { a [deg]; b [deg]; } parameters { l [m] = 0.3; m [kg] = 1; }\n"
+        "let E = l*[cos(a), sin(a)]; bodies { e: mass m at E; p: mass m at E + l*[cos(b), sin(b)]; } initial { a = 30; b = 45; }"
+    )
+    for hold in ["b=30", ["b=30"], {"b": 30}, {"b": "30 deg"}]:
+        assert arm.kinematics("a", hold=hold)["b"][0] == pytest.approx(30)
+    assert arm.kinematics("a", hold="b")["b"][0] == pytest.approx(45)

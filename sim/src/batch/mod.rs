@@ -5,7 +5,7 @@ mod simulations;
 mod solved;
 
 use crate::Failure;
-use crate::motion::equations::accelerate;
+use crate::motion::typed::accelerate;
 use crate::numerics::vectors::{Vectors, Work};
 use crate::state::trajectory::State;
 use sim_kernel::{Array, Dynamics, LaneMask, Lanes, Mask, Mechanism, Scalar};

@@ -1,10 +1,7 @@
 //! A kernel at many states, for those who check numbers: what a run would use there.
 
 use crate::model::erased::{Erased, Kernel, List, Model, OnHeap, Results, States};
-use crate::motion::Motion;
-use crate::motion::measures::Measures;
-use crate::state::settings::Stabilisation;
-use crate::state::trajectory::State;
+use crate::motion::typed::accelerate;
 use sim_kernel::{Array, Mechanism};
 use std::sync::Arc;
 
@@ -32,8 +29,7 @@ pub fn solve_each(model: &Arc<dyn Model>, kernel: Kernel, states: &States) -> Re
 fn solve(mechanism: &Erased<OnHeap>, states: &States, state: usize) -> Option<Vec<f64>> {
     let at = states.at(state);
     let numbers = |numbers: &[f64]| List::with_len(mechanism.n(), |i| numbers.get(i).copied().unwrap_or(0.0));
-    let state = State { time: at.time, positions: numbers(at.positions), speeds: numbers(at.speeds), work: 0.0 };
-    let measures = Measures::at(mechanism, state.time, &state.positions);
-    let sample = Motion::new(mechanism.clone(), Stabilisation::Projection, measures).sample(state).ok()?;
-    Some([sample.accelerations.as_ref(), sample.multipliers.as_ref(), &[sample.power]].concat())
+    let (q, qd) = (numbers(at.positions), numbers(at.speeds));
+    let found = accelerate(mechanism, at.time, &q, &qd).ok()?;
+    Some([found.accelerations.as_ref(), found.multipliers.as_ref(), &[found.power]].concat())
 }

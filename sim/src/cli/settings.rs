@@ -69,15 +69,16 @@ impl SettingsArguments {
         self.with_declared(description).complete(description)
     }
 
-    /// With what the declaration says of a run where these say nothing. Steps and tolerances go together: whoever gives one of
-    /// them, or a method that has no use for the declared ones, gives them all.
+    /// With what the declaration says of a run where these say nothing. Equal steps and tolerances exclude each other: whoever
+    /// gives one of them, or a method that has no use for the declared ones, does not get the declared others.
     fn with_declared(&self, description: &Description) -> SettingsArguments {
         let declared = |option: &str| {
             let found = description.run.iter().find(|default| default.option == option);
             found.map(|default| default.value.to_owned())
         };
         let mut all = self.clone();
-        let says_steps = self.steps.is_some() || self.step.is_some() || self.rtol.is_some() || self.atol.is_some();
+        let says_steps = self.steps.is_some() || self.step.is_some();
+        let says_tolerance = self.rtol.is_some() || self.atol.is_some();
         let takes_equal = |name: &str| Method::ALL.iter().any(|method| method.name() == name && !method.is_adaptive());
         let has_tolerance = !self.method.as_deref().is_some_and(takes_equal);
         all.t_end = all.t_end.or_else(|| declared("t-end"));
@@ -85,11 +86,13 @@ impl SettingsArguments {
         all.projection = all.projection.or_else(|| declared("projection"));
         all.rows = all.rows.or_else(|| declared("rows"));
         all.until = all.until.or_else(|| declared("until"));
-        if !says_steps {
+        if !(says_steps || says_tolerance) {
             all.steps = declared("steps").and_then(|steps| steps.parse().ok());
             all.step = declared("step");
-            all.rtol = declared("rtol").filter(|_| has_tolerance);
-            all.atol = declared("atol").filter(|_| has_tolerance);
+        }
+        if !says_steps && has_tolerance {
+            all.rtol = all.rtol.or_else(|| declared("rtol"));
+            all.atol = all.atol.or_else(|| declared("atol"));
         }
         all
     }

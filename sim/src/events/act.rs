@@ -12,8 +12,8 @@
 
 use crate::model::conditional::is_active;
 use crate::motion::equations::impulse;
+use crate::motion::measured::check_masses;
 use crate::motion::measures::Measures;
-use crate::motion::mobility::check_masses;
 use crate::motion::project::project_positions;
 use crate::motion::residuals::rates;
 use crate::state::failure::{Failure, What, constraint_name};

@@ -134,7 +134,7 @@ pub(super) fn is_root(value: f64, [before, after]: [f64; 2]) -> bool {
     value.abs() <= 0.5 * before.abs().max(after.abs())
 }
 
-/// The accuracy of located times, in seconds.
-pub(crate) fn tolerance(time: f64) -> f64 {
-    f64::max(1e-12, 4.0 * f64::EPSILON * time.abs())
+/// The accuracy of located times, in seconds, in a motion of this length: motions shorter than a second are faster.
+pub(crate) fn tolerance(time: f64, span: f64) -> f64 {
+    f64::max(1e-12 * span.min(1.0), 4.0 * f64::EPSILON * time.abs())
 }

@@ -56,7 +56,12 @@ fn any_acts(events: &[Event]) -> bool {
 }
 
 /// Whether a condition that crosses zero by the speeds of one state turns back by those of another, at the same time and place.
-fn is_turned_back<M: Mechanism>(mechanism: &M, states: [&State<M>; 2], event: usize, crossing: Crossing) -> bool {
+fn is_turned_back<M: Mechanism>(
+    mechanism: &M,
+    states: [&State<M>; 2],
+    (event, crossing): (usize, Crossing),
+    span: f64,
+) -> bool {
     let described = &mechanism.description().events[event];
     let through = match crossing {
         Crossing::Rising => 1.0,
@@ -65,7 +70,7 @@ fn is_turned_back<M: Mechanism>(mechanism: &M, states: [&State<M>; 2], event: us
     };
     let (zero, none) = (states[0].positions.like(|_| 0.0), M::L::repeat(mechanism.m(), 0.0));
     let change = |state: &State<M>| {
-        let d = 100.0 * tolerance(state.time);
+        let d = 100.0 * tolerance(state.time, span);
         let at = |d: f64| {
             let q = state.positions.like(|j| state.positions[j] + d * state.speeds[j]);
             mechanism.events(state.time + d, &q, &state.speeds, &zero, &none)[event]
@@ -106,7 +111,7 @@ impl<M: Mechanism> EventHandler<M> {
     pub(crate) fn new(mechanism: &M, settings: &Settings, begin: f64) -> EventHandler<M> {
         let events = mechanism.description().events.len();
         EventHandler {
-            search: EventSearch::new(mechanism, begin),
+            search: EventSearch::new(mechanism, [begin, settings.end]),
             stop: settings.stop,
             span: settings.end - begin,
             end: settings.end,
@@ -300,7 +305,7 @@ impl<M: Mechanism> EventHandler<M> {
 
     /// Events within this time are simultaneous.
     fn instant(&self) -> f64 {
-        (INSTANT * self.span).max(100.0 * tolerance(self.end))
+        (INSTANT * self.span).max(100.0 * tolerance(self.end, self.span))
     }
 
     /// The first occurrence in a step that has actions. Later occurrences are dropped, except simultaneous ones.
@@ -309,7 +314,8 @@ impl<M: Mechanism> EventHandler<M> {
         let does_something = |event: &Occurrence<M>| !mechanism.description().events[event.event].steps.is_empty();
         let at = first + found[first..].iter().position(does_something)?;
         let time = found[at].state.time;
-        let same = found[at..].iter().take_while(|event| event.state.time - time <= 2.0 * tolerance(time)).count();
+        let instant = 2.0 * tolerance(time, self.span);
+        let same = found[at..].iter().take_while(|event| event.state.time - time <= instant).count();
         found.truncate(at + same);
         sort_few(&mut found[at..], |a, b| a.event.cmp(&b.event));
         Some(at)
@@ -328,7 +334,7 @@ impl<M: Mechanism> EventHandler<M> {
                 index += 1;
                 continue;
             }
-            if changes && is_turned_back(&mechanism, [&begin, &state], event, crossing) {
+            if changes && is_turned_back(&mechanism, [&begin, &state], (event, crossing), self.span) {
                 self.search.found.remove(index);
                 continue;
             }

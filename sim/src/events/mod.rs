@@ -83,6 +83,8 @@ const TOUCH: f64 = 1e-9;
 pub struct EventSearch<M: Mechanism> {
     /// The occurrences found.
     pub found: Vec<Occurrence<M>>,
+    /// The length of the motion in seconds.
+    span: f64,
     /// The time from which each condition counts.
     begin: M::Events,
     last: Option<Point<M>>,
@@ -94,11 +96,12 @@ pub struct EventSearch<M: Mechanism> {
 }
 
 impl<M: Mechanism> EventSearch<M> {
-    /// A search from a time on.
-    pub fn new(mechanism: &M, begin: f64) -> EventSearch<M> {
+    /// A search in a motion from a time to another.
+    pub fn new(mechanism: &M, [begin, end]: [f64; 2]) -> EventSearch<M> {
         let events = mechanism.description().events.len();
         EventSearch {
             found: Vec::with_capacity(1024),
+            span: end - begin,
             begin: M::Events::repeat(events, begin),
             last: None,
             before: None,
@@ -133,7 +136,7 @@ impl<M: Mechanism> EventSearch<M> {
                     if before.is_some() {
                         self.begin[event] = point.time;
                     }
-                    point.values[event] = started(&point, event, self.onset.as_ref());
+                    point.values[event] = started(&point, event, self.onset.as_ref(), self.span);
                 }
             }
         }
@@ -143,7 +146,7 @@ impl<M: Mechanism> EventSearch<M> {
 
     /// All of it as bytes, or from them; `blank` is filled by each occurrence that is read.
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes, blank: &Change<M>) -> Result<(), Damaged> {
-        let EventSearch { found, begin, last, before, largest, onset } = self;
+        let EventSearch { found, span: _, begin, last, before, largest, onset } = self;
         let none =
             || Occurrence { event: 0, name: "", crossing: Crossing::Rising, state: blank.state.clone(), change: None };
         let zeros = begin.like(|_| 0.0);
@@ -316,12 +319,15 @@ impl<M: Mechanism> EventSearch<M> {
         [from, to]: [f64; 2],
         values: [f64; 2],
     ) -> Result<(), Failure> {
-        let h = to - from;
-        let time = match values[1] == 0.0 {
+        let (h, tolerance) = (to - from, tolerance(to, self.span));
+        // A condition may stay at zero, as the force of a one-sided spring: it happens where zero is reached.
+        let past = |value: f64| if value == 0.0 { -f64::MIN_POSITIVE.copysign(values[0]) } else { value };
+        let stays = values[1] == 0.0 && h > 2.0 * tolerance && value(step, to - 2.0 * tolerance, event)? == 0.0;
+        let time = match values[1] == 0.0 && !stays {
             true => to,
             false => {
-                let mut at = |fraction: f64| value(step, from + fraction * h, event);
-                from + h * find_root(values[0], values[1], tolerance(to) / h, &mut at)?
+                let mut at = |fraction: f64| value(step, from + fraction * h, event).map(past);
+                from + h * find_root(values[0], past(values[1]), tolerance / h, &mut at)?
             }
         };
         let state = step.at(time)?;
@@ -339,15 +345,15 @@ impl<M: Mechanism> EventSearch<M> {
             Direction::Rising => crossing == Crossing::Rising,
             Direction::Falling => crossing == Crossing::Falling,
         };
-        if counts && state.time - self.begin[event] > 2.0 * tolerance(state.time) {
+        if counts && state.time - self.begin[event] > 2.0 * tolerance(state.time, self.span) {
             self.found.push(Occurrence { event, name: described.name, crossing, state, change: None });
         }
     }
 }
 
 /// The value of a condition where a search starts: a condition that holds there is being left, not crossed.
-fn started<M: Mechanism>(point: &Point<M>, event: usize, onset: Option<&Onset<M>>) -> f64 {
-    let is_zero = point.values[event].abs() <= 2.0 * tolerance(point.time) * point.rates[event].abs();
+fn started<M: Mechanism>(point: &Point<M>, event: usize, onset: Option<&Onset<M>>, span: f64) -> f64 {
+    let is_zero = point.values[event].abs() <= 2.0 * tolerance(point.time, span) * point.rates[event].abs();
     let sign = match onset {
         Some(onset) if onset.holds(event) => onset.sign(event),
         _ if is_zero => point.rates[event],

@@ -29,6 +29,8 @@ pub(crate) struct Onset<M: Mechanism> {
 
 /// Constraints are held to 1e-12.
 const OFFSET: f64 = 4e-12;
+/// Terms of less than one SI unit count as one, but not those of small mechanisms: at most this many times themselves.
+const LARGE: f64 = 1e6;
 /// Rounding of a condition relative to its terms.
 const ROUNDING: f64 = 1e-14;
 
@@ -44,14 +46,16 @@ impl<M: Mechanism> Onset<M> {
             |time: f64| Ok([conditions(motion, &moved(sample, time))?, conditions(motion, &moved(sample, -time))?]);
         let ([ahead, behind], [far_ahead, far_behind]) = (beside(d)?, beside(e)?);
         let terms = terms(motion, &sample.state, &values)?;
+        let others = other_terms(motion, sample, &values, scale)?;
+        let floor = |event: usize| f64::min(1.0, LARGE * (terms[event] + others[event]));
         Ok(Onset {
             values: values.clone(),
             rates: values.like(|i| (ahead[i] - behind[i]) / (2.0 * d)),
             seconds: values.like(|i| (far_ahead[i] - 2.0 * values[i] + far_behind[i]) / (e * e)),
-            noise: values.like(|i| OFFSET * terms[i].max(1.0)),
+            noise: values.like(|i| OFFSET * terms[i].max(floor(i))),
             significant: values.like(|i| ROUNDING * terms[i]),
             times,
-            tolerance: tolerance(sample.state.time),
+            tolerance: tolerance(sample.state.time, span),
         })
     }
 
@@ -116,4 +120,38 @@ pub(super) fn terms<M: Mechanism>(
         terms = terms.like(|i| terms[i] + 1e6 * (changed[i] - values[i]).abs());
     }
     Ok(terms)
+}
+
+/// The size of the other terms of each condition, by speeds, by time and by loads, in a motion of this time scale.
+fn other_terms<M: Mechanism>(
+    motion: &Motion<M>,
+    sample: &Sample<M>,
+    values: &M::Events,
+    scale: f64,
+) -> Result<M::Events, Failure> {
+    let (mechanism, state) = (motion.mechanism(), &sample.state);
+    let changed = |state: State<M>| {
+        let changed = conditions(motion, &state)?;
+        Ok(values.like(|i| 1e6 * (changed[i] - values[i]).abs()))
+    };
+    let mut terms = changed(State { time: state.time + 1e-6 * scale, ..state.clone() })?;
+    for j in 0..mechanism.n() {
+        let mut faster = state.clone();
+        faster.speeds[j] += 1e-6 * state.speeds[j].abs().max(motion.measures().coordinates()[j] / scale);
+        let by_speed = changed(faster)?;
+        terms = terms.like(|i| terms[i] + by_speed[i]);
+    }
+    let loads = loads(mechanism, sample);
+    let on_forces = |event: usize| mechanism.description().events[event].on_forces;
+    Ok(terms.like(|i| terms[i] + if on_forces(i) { loads } else { 0.0 }))
+}
+
+/// The sum of all generalised forces, whatever their directions.
+fn loads<M: Mechanism>(mechanism: &M, sample: &Sample<M>) -> f64 {
+    let State { time, positions, speeds, .. } = &sample.state;
+    let mass = mechanism.mass_matrix(*time, positions);
+    let inertia = |j: usize| -> f64 { mass[j].iter().zip(sample.accelerations.iter()).map(|(m, a)| m * a).sum() };
+    let applied = mechanism.generalized_forces(*time, positions, speeds);
+    let convective = mechanism.convective_forces(*time, positions, speeds);
+    (0..mechanism.n()).map(|j| applied[j].abs() + convective[j].abs() + inertia(j).abs()).sum()
 }

@@ -206,6 +206,11 @@ impl<M: Mechanism> Stepper<M> {
         start_and_end(&mut self.ends, self.from)
     }
 
+    /// The smallest sine between a constraint and those before it at the end of the last step.
+    pub(crate) fn end_sine(&self, motion: &Motion<M>) -> f64 {
+        self.crossing.end_sine(motion)
+    }
+
     /// The present state, according to the last step.
     ///
     /// # Errors

@@ -9,7 +9,6 @@ use crate::numerics::{
     solve::{Solved, solve},
 };
 use crate::state::failure::{Failure, What, constraint_name};
-use crate::state::trajectory::State;
 use sim_kernel::{Array, Dynamics, Mechanism};
 
 /// M^-1 C_q' (C_q M^-1 C_q')^-1 r: the change of speeds by an impulse along the constraints that changes their rates by
@@ -102,22 +101,10 @@ fn solve_motion<M: Mechanism>(
 }
 
 /// Accelerations, multipliers and power at a state, by the generated elimination; if that refuses a pivot, by complete
-/// pivoting on the mass matrix and the constraint Jacobian. If constraints depend on each other the multipliers are
-/// those of least norm, in SI units.
+/// pivoting on the mass matrix and the constraint Jacobian.
 ///
 /// # Errors
 /// [`What::Singular`] if no unique solution exists, [`What::NotFinite`] if an expression leaves its domain.
-#[inline]
-pub fn accelerate<M: Mechanism>(
-    mechanism: &M,
-    time: f64,
-    q: &M::Q,
-    qd: &M::Q,
-) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
-    solve_equations(mechanism, &mechanism.prepare(), time, q, qd)
-}
-
-/// The same, for a prepared mechanism.
 #[inline(always)]
 pub(crate) fn solve_equations<M: Mechanism>(
     mechanism: &M,
@@ -126,22 +113,22 @@ pub(crate) fn solve_equations<M: Mechanism>(
     q: &M::Q,
     qd: &M::Q,
 ) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
-    let solved = M::prepared_dynamics(prepared, time, q, qd);
-    if !solved.refused && is_finite(&solved) {
-        return Ok(solved);
+    match planned::<M>(prepared, time, q, qd) {
+        Some(solved) => Ok(solved),
+        None => accelerate_by_pivoting(mechanism, None, time, q.clone(), qd.clone()),
     }
-    accelerate_by_pivoting(mechanism, None, time, q.clone(), qd.clone())
 }
 
-/// The same for redundant constraints, according to these measures: off the constraints they are then met in least
-/// squares, whereas [`accelerate`] would use each row of C_q as it is.
-#[cold]
-pub(crate) fn accelerate_redundant<M: Mechanism>(
-    mechanism: &M,
-    measures: &Measures<M>,
-    state: State<M>,
-) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
-    accelerate_by_pivoting(mechanism, Some(measures), state.time, state.positions, state.speeds)
+/// The solution by the generated elimination, unless that refuses a pivot.
+#[inline(always)]
+pub(crate) fn planned<M: Mechanism>(
+    prepared: &M::Prepared,
+    time: f64,
+    q: &M::Q,
+    qd: &M::Q,
+) -> Option<Dynamics<f64, M::Q, M::L>> {
+    let solved = M::prepared_dynamics(prepared, time, q, qd);
+    (!solved.refused && is_finite(&solved)).then_some(solved)
 }
 
 /// Whether all of a solution is.
@@ -151,9 +138,10 @@ fn is_finite<Q: Array<f64>, L: Array<f64>>(solved: &Dynamics<f64, Q, L>) -> bool
     all_finite(solved.accelerations.as_ref()) && all_finite(solved.multipliers.as_ref()) && solved.power.is_finite()
 }
 
-/// By value, so that other states stay in registers.
+/// The solution by complete pivoting, with redundant constraints according to measures, if these are given. By value, so that
+/// other states stay in registers.
 #[cold]
-fn accelerate_by_pivoting<M: Mechanism>(
+pub(crate) fn accelerate_by_pivoting<M: Mechanism>(
     mechanism: &M,
     redundant: Option<&Measures<M>>,
     time: f64,

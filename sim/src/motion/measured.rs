@@ -1,8 +1,9 @@
-//! The scales of a mechanism at the start of a motion.
+//! What is found of a mechanism at the start of a motion: its scales, degrees of freedom and masses.
 
 use crate::motion::measures::Measures;
-use crate::motion::mobility::{Mobility, mobility};
+use crate::motion::mobility::{Mobility, check_masses_of, mobility_of};
 use crate::motion::typed::Any;
+use crate::state::failure::Failure;
 use sim_kernel::Mechanism;
 
 impl<M: Mechanism> Measures<M> {
@@ -13,7 +14,20 @@ impl<M: Mechanism> Measures<M> {
 
     /// The same with known degrees of freedom.
     pub fn with_mobility(mechanism: &M, time: f64, q: &M::Q, mobility: &Mobility) -> Measures<M> {
-        let freedoms = [mobility.configuration_freedom, mobility.degrees_of_freedom];
-        Measures::of(mechanism, &Any(mechanism), (time, q), freedoms, !mobility.dependent.is_empty())
+        Measures::of(mechanism, &Any(mechanism), (time, q), mobility)
     }
+}
+
+/// Degrees of freedom and dependent constraints at a position, by orthogonalisation of the rows of C_q, in order. Rows
+/// that depend on others there are checked at nearby positions too.
+pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
+    mobility_of(&Any(mechanism), time, q.as_ref())
+}
+
+/// Checks that no motion has negative kinetic energy: the mass matrix, constraints apart, has no negative eigenvalue.
+///
+/// # Errors
+/// [`What::NegativeMass`](crate::What::NegativeMass), with the parameters that are negative.
+pub fn check_masses<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Result<(), Failure> {
+    check_masses_of(&Any(mechanism), time, q.as_ref())
 }

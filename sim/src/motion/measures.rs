@@ -9,6 +9,7 @@
 use crate::model::AnyMechanism;
 use crate::model::conditional::released_rows;
 use crate::motion::lengths::measure;
+use crate::motion::mobility::Mobility;
 use crate::numerics::arrays::array;
 use crate::numerics::numbers::{all, larger};
 use crate::state::saved::{Bytes, Damaged};
@@ -34,11 +35,11 @@ impl<M: Mechanism> Measures<M> {
         mechanism: &M,
         any: &dyn AnyMechanism,
         (time, q): (f64, &M::Q),
-        [configuration_freedom, degrees_of_freedom]: [usize; 2],
-        is_redundant: bool,
+        mobility: &Mobility,
     ) -> Measures<M> {
         let n = mechanism.n();
-        let ranks = [n - configuration_freedom.min(n), n - degrees_of_freedom.min(n)];
+        let ranks = [n - mobility.configuration_freedom.min(n), n - mobility.degrees_of_freedom.min(n)];
+        let is_redundant = !mobility.dependent.is_empty();
         Measures { ranks, is_redundant, ..Measures::of_independent(mechanism, any, time, q) }
     }
 

@@ -6,7 +6,6 @@
 use crate::model::AnyMechanism;
 use crate::motion::lengths::{measure, without_units};
 use crate::motion::nearby::nearby_positions;
-use crate::motion::typed::Any;
 use crate::state::failure::{Failure, What};
 use crate::state::saved::{Bytes, Damaged};
 use nalgebra::{DMatrix, DVector};
@@ -84,11 +83,6 @@ const DEPENDENT: f64 = 1e-7;
 
 /// Degrees of freedom and dependent constraints at a position, by orthogonalisation of the rows of C_q, in order. Rows
 /// that depend on others there are checked at nearby positions too.
-pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
-    mobility_of(&Any(mechanism), time, q.as_ref())
-}
-
-/// The same of a mechanism of any type.
 pub(crate) fn mobility_of(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Mobility {
     let jacobians = jacobians(mechanism, time, q);
     let (n, m) = (q.len(), jacobians[0].nrows());
@@ -185,11 +179,7 @@ fn has_mass(unit: &str) -> bool {
 ///
 /// # Errors
 /// [`What::NegativeMass`], with the parameters that are negative.
-pub fn check_masses<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Result<(), Failure> {
-    check_masses_of(&Any(mechanism), time, q.as_ref())
-}
-
-fn check_masses_of(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Result<(), Failure> {
+pub(crate) fn check_masses_of(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Result<(), Failure> {
     let matrix = mechanism.mass_matrix(time, q);
     if matrix.is_empty() || matrix.iter().any(|entry| !entry.is_finite()) {
         return Ok(());

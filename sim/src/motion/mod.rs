@@ -9,7 +9,7 @@ pub(crate) mod inertia;
 mod keep;
 mod least_norm;
 pub(crate) mod lengths;
-mod measured;
+pub(crate) mod measured;
 pub(crate) mod measures;
 pub(crate) mod met;
 pub(crate) mod mobility;
@@ -24,7 +24,7 @@ pub(crate) mod singular;
 pub(crate) mod typed;
 pub(crate) mod velocity_variables;
 
-use crate::motion::equations::{accelerate_redundant, solve_equations};
+use crate::motion::equations::{accelerate_by_pivoting, solve_equations};
 use crate::motion::generalized_speeds::{determine_speeds, has_generalized_speeds};
 use crate::motion::measures::Measures;
 use crate::motion::partition::Partition;
@@ -152,7 +152,10 @@ impl<M: Mechanism> Motion<M> {
         let mut dynamics = match self.measures.is_redundant() {
             false => solve_equations(&self.mechanism, &self.prepared, state.time, &state.positions, &state.speeds)?,
             // By value, as below, so that other states stay in registers.
-            true => accelerate_redundant(&self.mechanism, &self.measures, state.clone())?,
+            true => {
+                let State { time, positions, speeds, .. } = state.clone();
+                accelerate_by_pivoting(&self.mechanism, Some(&self.measures), time, positions, speeds)?
+            }
         };
         if let Stabilisation::Baumgarte(rate) = self.stabilisation {
             let push = baumgarte(&self.mechanism, &self.measures, state.clone(), rate)?;

@@ -1,15 +1,16 @@
 //! The kernels of a mechanism of a known type, from slices to arrays and back.
 
 use crate::model::{AnyMechanism, At, Control, Differentiable, Linear, below};
-use crate::motion::equations::accelerate;
+use crate::motion::equations::{accelerate_by_pivoting, planned};
 use crate::motion::measures::Measures;
 use crate::motion::met::is_met;
+use crate::motion::mobility::mobility_of;
 use crate::motion::project::project_positions;
 use crate::motion::rows::Dense;
 use crate::numerics::arrays::array;
 use crate::state::failure::Failure;
 use nalgebra::{DMatrix, DVector};
-use sim_kernel::{Array, Description, Dual, Input, Mechanism, Scalar};
+use sim_kernel::{Array, Description, Dual, Dynamics, Input, Mechanism, Scalar};
 
 /// A mechanism with its type erased.
 pub(crate) struct Any<'m, M>(pub(crate) &'m M);
@@ -104,6 +105,36 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
     fn held_inputs(&self, time: f64, q: &[f64]) -> Vec<Input> {
         self.0.held_inputs(time, &array(self.0.n(), q)).as_ref().to_vec()
     }
+}
+
+/// Accelerations, multipliers and power at a state, by the generated elimination; if that refuses a pivot, by complete
+/// pivoting on the mass matrix and the constraint Jacobian. Redundant constraints are then met in least squares, and the
+/// multipliers are those of least norm, in SI units.
+///
+/// # Errors
+/// [`What::Singular`](crate::What::Singular) if no unique solution exists, [`What::NotFinite`](crate::What::NotFinite)
+/// if an expression leaves its domain.
+#[inline]
+pub fn accelerate<M: Mechanism>(
+    mechanism: &M,
+    time: f64,
+    q: &M::Q,
+    qd: &M::Q,
+) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
+    planned::<M>(&mechanism.prepare(), time, q, qd).map_or_else(|| accelerate_refused(mechanism, time, q, qd), Ok)
+}
+
+#[cold]
+fn accelerate_refused<M: Mechanism>(
+    mechanism: &M,
+    time: f64,
+    q: &M::Q,
+    qd: &M::Q,
+) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
+    let any = &Any(mechanism);
+    let measures = Measures::of(mechanism, any, (time, q), &mobility_of(any, time, q.as_ref()));
+    let redundant = measures.is_redundant().then_some(&measures);
+    accelerate_by_pivoting(mechanism, redundant, time, q.clone(), qd.clone())
 }
 
 impl<M: Mechanism> Differentiable for Any<'_, M> {

@@ -3,9 +3,9 @@
 
 use crate::analysis::kinematics::Kinematics;
 use crate::events::{Crossing, Occurrence};
-use crate::integrate::Steps;
+use crate::integrate::{Steps, SuddenChanges};
 use crate::motion::mobility::Mobility;
-use crate::run::Run;
+use crate::run::{DOUBTFUL_BALANCE, Run};
 use crate::state::failure::Failure;
 use crate::state::settings::Settings;
 use crate::state::trajectory::Sample;
@@ -55,6 +55,22 @@ impl Outcome {
         let event = self.description.events.get(stop.event)?.name;
         let happened = self.events.iter().filter(|happening| happening.event == stop.event).count();
         Some(Until { event, asked: stop.occurrence, happened })
+    }
+
+    /// Why its numbers may be wrong.
+    pub(crate) fn warnings(&self) -> Vec<String> {
+        let doubtful = !(self.energy_balance < DOUBTFUL_BALANCE);
+        let energy = || "energy does not balance: take smaller steps before you trust these numbers".to_owned();
+        self.over_sudden_changes().into_iter().chain(doubtful.then(energy)).collect()
+    }
+
+    /// What equal steps over sudden changes may have missed.
+    fn over_sudden_changes(&self) -> Option<String> {
+        let SuddenChanges { steps, first, .. } = self.steps.sudden_changes?;
+        let led = if steps == 1 { "one equal step leads".to_owned() } else { format!("{steps} equal steps lead") };
+        Some(format!(
+            "{led} over a sudden change of what acts on the mechanism, the first at {first:.9} s: such a step is less accurate, and              does not see what begins and ends within it; steps with a tolerance (`--rtol`) end at such times"
+        ))
     }
 }
 

@@ -112,6 +112,7 @@ pub(crate) fn summary_of(run: &Outcome, table: &Table) -> Value {
         "residuals": { "position": run.position_residual, "velocity": run.velocity_residual },
         "energy_balance": run.energy_balance,
         "energy_taken_by_events": run.energy_taken,
+        "warnings": run.warnings(),
         "provenance": table.provenance.to_json(),
     })
 }

@@ -129,7 +129,7 @@ impl<M: Mechanism> DeadPoints<M> {
         let state = match was_unknown {
             true => step.from.state.clone(),
             false => {
-                let tolerance = crate::events::tolerance(end.time) / length;
+                let tolerance = crate::events::tolerance(end.time, length) / length;
                 let mut value = |fraction: f64| {
                     let state = step.at(from + fraction * length)?;
                     Ok::<f64, Failure>(self.determinant(mechanism, &state).0)

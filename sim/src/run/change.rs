@@ -2,9 +2,11 @@
 
 use super::Simulation;
 use crate::motion::inertia::check_inertias;
+use crate::motion::measured::{check_masses, mobility};
 use crate::motion::measures::Measures;
-use crate::motion::mobility::check_masses;
 use crate::motion::project::project_velocities;
+use crate::motion::singular::IN;
+use crate::motion::typed::accelerate;
 use crate::state::failure::{Failure, What, constraint_name, largest};
 use crate::state::trajectory::State;
 use sim_kernel::{Array, Input, Mechanism, Quantity};
@@ -19,13 +21,18 @@ impl<M: Mechanism> Simulation<M> {
     /// Sets all inputs, from here on. Unchanged inputs have no effect.
     ///
     /// # Errors
-    /// [`What::NotFinite`], and the earlier failure of the simulation.
+    /// [`What::NotFinite`]; [`What::SingularStart`] in a singular position, which a motion passes but cannot start from; and the
+    /// earlier failure of the simulation. The simulation then stays unchanged.
     pub fn set_inputs(&mut self, inputs: M::Inputs) -> Result<(), Failure> {
         self.check_sound()?;
         let held = inputs.iter().map(|input| input.held().unwrap_or(0.0));
         self.check_finite("input", self.mechanism().description().inputs, held)?;
         if inputs.as_ref() != self.mechanism().inputs().as_ref() {
             let mechanism = self.mechanism().with_inputs(inputs);
+            let State { time, positions, .. } = &self.state;
+            if self.may_be_singular() {
+                mobility(&mechanism, *time, positions).check_regular(&mechanism, *time, positions)?;
+            }
             self.start_anew(mechanism);
         }
         Ok(())
@@ -58,7 +65,8 @@ impl<M: Mechanism> Simulation<M> {
     /// smallest change too. The change of energy does not count as work.
     ///
     /// # Errors
-    /// [`What::ParametersOpen`] if a constraint cannot be closed from here; impossible masses and inertias;
+    /// [`What::ParametersOpen`] if a constraint cannot be closed from here; impossible masses and inertias, and what
+    /// [`accelerate`] refuses;
     /// [`What::SingularStart`] in a singular position, [`What::NotFinite`], and the earlier failure of the simulation.
     /// The simulation then stays unchanged.
     pub fn set_parameters(&mut self, parameters: M::Parameters) -> Result<(), Failure> {
@@ -71,13 +79,21 @@ impl<M: Mechanism> Simulation<M> {
         self.change_to(parameters).inspect_err(|_| *self = unchanged)
     }
 
+    /// Whether the last step has led so near to a singular position that it may be one. Where a motion starts has been checked.
+    fn may_be_singular(&self) -> bool {
+        let knows_sines = self.motion.keeps_constraints();
+        self.stepper.as_ref().is_some_and(|stepper| !knows_sines || stepper.end_sine(&self.motion) < IN)
+    }
+
     fn change_to(&mut self, parameters: M::Parameters) -> Result<(), Failure> {
         let (before, state) = (self.mechanism().clone(), self.state.clone());
         let mechanism = before.with_parameters(parameters.clone());
         check_masses(&mechanism, state.time, &state.positions)?;
         check_inertias(&mechanism, state.time, &state.positions)?;
         let state = if moves_constraints(&before, &mechanism, &state) { self.closed(&parameters)? } else { state };
-        self.go_over(mechanism, state)
+        self.go_over(mechanism, state)?;
+        let State { time, positions, speeds, .. } = &self.state;
+        accelerate(self.mechanism(), *time, positions, speeds).map(|_| ())
     }
 
     /// The state with these parameters, on the branch of this one.

@@ -7,8 +7,9 @@ use crate::events::{EventHandler, Occurrence};
 use crate::integrate::{Course, Integrator, Stepper, Steps, first_sample};
 use crate::motion::Motion;
 use crate::motion::inertia::check_inertias;
+use crate::motion::measured::{check_masses, mobility};
 use crate::motion::measures::Measures;
-use crate::motion::mobility::{Mobility, check_masses, mobility};
+use crate::motion::mobility::Mobility;
 use crate::record::Watch;
 use crate::start::assemble::{Start, assemble};
 use crate::state::failure::{Failure, What};
@@ -116,8 +117,9 @@ impl<M: Mechanism> Simulation<M> {
     /// As the right-hand side.
     pub fn sample(&self) -> Result<Sample<M>, Failure> {
         match &self.stepper {
-            Some(stepper) => stepper.sample(&self.motion, self.integrator.clone().method()),
-            None => first_sample(
+            // An event that ends the motion lies within the last step.
+            Some(stepper) if !self.events.has_ended() => stepper.sample(&self.motion, self.integrator.clone().method()),
+            _ => first_sample(
                 &Motion::new(self.mechanism().clone(), self.settings.stabilisation, self.measures.clone()),
                 self.state.clone(),
             ),

@@ -190,6 +190,9 @@ class Model(_linkwright.Model):
             until: an event that ends the run, ``"period"`` or ``"period:3"``. If it does not happen, the run goes on to its
                 end, with a ``LinkwrightWarning``.
 
+        A ``LinkwrightWarning`` also says where numbers may be wrong: energy that does not balance, and equal steps over sudden
+        changes. They stand in ``summary["warnings"]``.
+
         ``step`` is made shorter where the end is not a multiple of it. A value of a coordinate that is declared as a guess is
         a guess.
 
@@ -202,6 +205,8 @@ class Model(_linkwright.Model):
         )
         model = self._with_declared(None, inputs)
         found = model._motion("run", settings + repeated("input", inputs), parameters, initial)
+        for message in found.summary["warnings"]:
+            warn(message)
         event = found.summary["until"]
         if event is not None and event["happened"] < event["asked"]:
             happened, asked = event["happened"], event["asked"]
@@ -245,7 +250,7 @@ class Model(_linkwright.Model):
         to: Value | None = None,
         speed: Value | None = None,
         steps: int | None = None,
-        hold: str | Iterable[str] = (),
+        hold: str | Iterable[str] | Values = (),
         parameters: Values | None = None,
         initial: Values | None = None,
     ) -> Motion:
@@ -257,7 +262,7 @@ class Model(_linkwright.Model):
                 the mechanism then driven to ``start``.
             speed: of what is driven.
             steps: number of positions.
-            hold: other coordinates that stay, ``"phi"`` or ``"phi=30deg"``.
+            hold: other coordinates that stay, ``"phi"``, ``"phi=30deg"`` or ``{"phi": "30deg"}``.
         """
         words = options(drive=drive, to=to, speed=speed, steps=steps) + [f"--hold={name}" for name in listed(hold)]
         words += [] if start is None else [word.replace("--start", "--from", 1) for word in options(start=start)]

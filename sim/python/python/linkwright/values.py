@@ -44,9 +44,11 @@ def repeated(option: str, values: Mapping[str, Value | None] | None) -> list[str
     return [f"--{option}={assignment}" for assignment in assignments(values)]
 
 
-def listed(names: str | Iterable[str]) -> list[str]:
-    """One name, or several."""
-    return [names] if isinstance(names, str) else list(names)
+def listed(names: str | Iterable[str] | Mapping[str, Value]) -> list[str]:
+    """One name, or several; each may have a value, as ``"phi=30deg"`` or ``{"phi": 30}``."""
+    if isinstance(names, str):
+        return [names]
+    return assignments(names) if isinstance(names, Mapping) else list(names)
 
 
 def options(**given: Any) -> list[str]:

@@ -12,7 +12,7 @@ use crate::output::happening::impulses;
 use crate::output::outcome::{Outcome, Recorded, Until};
 use crate::output::show::{self, About};
 use crate::output::write::summary_of;
-use crate::{Settings, Start, Stepping, SuddenChanges, Table, What, assemble, mobility, run_while, write_json};
+use crate::{Settings, Start, Stepping, Table, What, assemble, mobility, run_while, write_json};
 use serde_json::{Value, json};
 use sim_kernel::{Description, Input, Mechanism, Quantity};
 use std::path::PathBuf;
@@ -210,7 +210,7 @@ fn inputs(description: &Description, inputs: &[Input]) -> Option<Line> {
     Some(("inputs", line))
 }
 
-/// The events of the run, and warnings about its numbers.
+/// The events of the run.
 fn happened(run: &Outcome) -> Vec<Line> {
     let (description, mut rows) = (run.description, Vec::new());
     match run.period {
@@ -237,18 +237,7 @@ fn happened(run: &Outcome) -> Vec<Line> {
         let crossed = "passed straight through: another branch of the motion begins there, and reactions are unbounded";
         rows.push(("singular", format!("`{}` at {:.9} s, {crossed}", passed.constraint, passed.time)));
     }
-    rows.extend(over_sudden_changes(run).map(|line| ("warning", line)));
     rows
-}
-
-/// What equal steps over sudden changes may have missed.
-fn over_sudden_changes(run: &Outcome) -> Option<String> {
-    let SuddenChanges { steps, first, .. } = run.steps.sudden_changes?;
-    let led = if steps == 1 { "one equal step leads".to_owned() } else { format!("{steps} equal steps lead") };
-    Some(format!(
-        "{led} over a sudden change of what acts on the mechanism, the first at {first:.9} s: such a step is less accurate, and does \
-         not see what begins and ends within it; steps with a tolerance (`--rtol`) end at such times"
-    ))
 }
 
 /// The accuracy of the numbers.
@@ -268,8 +257,6 @@ fn quality(run: &Outcome) -> Vec<Line> {
     if run.energy_taken != 0.0 {
         rows.push(("impact loss", format!("{:.6e} J of kinetic energy taken by events", run.energy_taken)));
     }
-    if !(run.energy_balance < crate::DOUBTFUL_BALANCE) {
-        rows.push(("warning", "energy does not balance: take smaller steps before you trust these numbers".into()));
-    }
+    rows.extend(run.warnings().into_iter().map(|line| ("warning", line)));
     rows
 }

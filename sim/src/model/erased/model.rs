@@ -86,6 +86,9 @@ impl Kernel {
     /// Why a mechanism cannot be asked for it, if it was not requested and nothing gives it in its place.
     pub fn missing_in(self, description: &Description) -> Option<String> {
         let (name, mechanism) = (self.name(), description.name);
+        if self == Kernel::SparseLinearization && description.sparsity.is_empty() {
+            return Some(format!("`{mechanism}` has few constraints and no `{name}`; ask for `constraint_jacobian`"));
+        }
         let is_missing = self == Kernel::SpeedMassMatrix && !description.optional_kernels.contains(&name);
         is_missing.then(|| format!("`{mechanism}` has no `{name}`; write `kernels {{ {name}; }}` in its declaration"))
     }
