@@ -130,7 +130,8 @@ fn changes_that_cannot_be_continued_are_refused() {
     flat.advance_to(1.6).unwrap();
     let right = 2.0 * std::f64::consts::FRAC_PI_3 + 0.5 * 1.5;
     assert!((flat.state().speeds[0] - right).abs() < 1e-6, "{} {right}", flat.state().speeds[0]);
-    let spring = "pub Spring; coordinates { x [m]; } parameters { m [kg] = 1; k [N/m] = 4; } bodies { b: mass m at [x, 0]; }
+    let spring =
+        "pub Spring; coordinates { x [m]; } parameters { m [kg] = 1; k [N/m] = 4; } bodies { b: mass m at [x, 0]; }
         loads { spring k, rest 0 on x; } initial { x = 1; }";
     let mechanism = interpreted(spring).unwrap();
     let settings = Settings::adaptive(Method::Dop853, 2.0, 1e-10);
