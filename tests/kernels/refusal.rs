@@ -70,3 +70,21 @@ fn refused_states_are_solved_as_in_a_run() {
         near(found[3] + 2.0 * found[5], found[3].signum() * pull.abs());
     }
 }
+
+mechanism! {
+    /// A point on a circle, whose constraint says nothing in the centre.
+    Rod;
+    coordinates { x [m]; y [m]; }
+    parameters { m [kg] = 1; l [m] = 1; g [m/s^2] = 9.81; }
+    bodies { bob: mass m at [x, y]; }
+    loads { gravity [0, -g]; }
+    constraints { length: x^2 + y^2 = l^2; }
+}
+
+#[test]
+fn states_off_the_constraints_remain_refused() {
+    let (times, positions) = ([0.0; 2], [1.0, 0.0, 0.0, 0.0]);
+    let states =
+        States { times: &times, positions: &positions, speeds: &[0.0; 4], accelerations: &[], multipliers: &[] };
+    assert_eq!(solve_each(&erase(Rod::default()), Kernel::Dynamics, &states).refused, [1]);
+}

@@ -11,8 +11,8 @@ use std::path::PathBuf;
     Columns are named as those of a trajectory: `t`, `alpha`, `alpha_dot`, `alpha_ddot`, `lambda_slot`, in declared units or in that \
     of the heading, `alpha [deg]`. Entries of matrices are named `mass_matrix_1_2`, in SI units. Where \
     `dynamics` refuses a pivot of its planned elimination, the numbers are those of a run: by complete pivoting, and with \
-    reactions of least norm where constraints are redundant. `refused` is 1, and numbers are left out, where that has no \
-    solution either, and where another kernel refuses a pivot."
+    reactions of least norm where constraints are redundant. `refused` is 1, and numbers are left out, where a run \
+    cannot be either, and where another kernel refuses a pivot."
 )]
 pub(in crate::cli) struct EvaluateArguments {
     /// The mechanism, as `list` names it, or a file that declares it: FILE or FILE:NAME.
