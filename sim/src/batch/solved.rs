@@ -1,9 +1,13 @@
 //! A kernel at many states, for those who check numbers: what a run would use there.
 
+use crate::model::At;
+use crate::model::conditional::is_active;
 use crate::model::erased::{Erased, Kernel, List, Model, OnHeap, Results, States};
+use crate::motion::Motion;
 use crate::motion::measured::mobility;
 use crate::motion::measures::Measures;
-use crate::motion::typed::accelerate;
+use crate::state::settings::Stabilisation;
+use crate::state::trajectory::State;
 use sim_kernel::{Array, Mechanism};
 use std::sync::Arc;
 
@@ -30,18 +34,25 @@ pub fn solve_each(model: &Arc<dyn Model>, kernel: Kernel, states: &States) -> Re
     results
 }
 
-/// Accelerations, multipliers and power at one of these states.
+/// Accelerations, multipliers and power at one of these states, unless no run has it.
 fn solve(mechanism: &Erased<OnHeap>, states: &States, state: usize) -> Option<Vec<f64>> {
-    let at = states.at(state);
-    let numbers = |numbers: &[f64]| List::with_len(mechanism.n(), |i| numbers.get(i).copied().unwrap_or(0.0));
-    let (q, qd) = (numbers(at.positions), numbers(at.speeds));
-    let mobility = mobility(mechanism, at.time, &q);
-    mobility.check_regular(mechanism, at.time, &q).ok()?;
-    let measures = Measures::with_mobility(mechanism, at.time, &q, &mobility);
-    let open = mechanism.constraints(at.time, &q);
-    if open.iter().zip(measures.constraints().iter()).any(|(open, size)| !(open.abs() <= NEAR * size)) {
+    let At { time, positions, speeds, .. } = states.at(state);
+    // What is omitted is zero.
+    let numbers = |given: &[f64]| List::with_len(mechanism.n(), |j| given.get(j).copied().unwrap_or(0.0));
+    let state = State { time, positions: numbers(positions), speeds: numbers(speeds), work: 0.0 };
+    let mobility = mobility(mechanism, time, &state.positions);
+    mobility.check_regular(mechanism, time, &state.positions).ok()?;
+    let measures = Measures::with_mobility(mechanism, time, &state.positions, &mobility);
+    if !is_closed(mechanism, &measures, &state) {
         return None;
     }
-    let found = accelerate(mechanism, at.time, &q, &qd).ok()?;
+    let found = Motion::new(mechanism.clone(), Stabilisation::Projection, measures).sample(state).ok()?;
     Some([found.accelerations.as_ref(), found.multipliers.as_ref(), &[found.power]].concat())
+}
+
+/// Whether a state is on the constraints that hold.
+fn is_closed<M: Mechanism>(mechanism: &M, measures: &Measures<M>, state: &State<M>) -> bool {
+    let open = mechanism.constraints(state.time, &state.positions);
+    let is_met = |row: usize| open[row].abs() <= NEAR * measures.constraints()[row];
+    (0..mechanism.m()).all(|row| !is_active(mechanism, row) || is_met(row))
 }

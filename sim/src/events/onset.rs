@@ -104,6 +104,15 @@ impl<M: Mechanism> Onset<M> {
     }
 }
 
+/// Derivatives are differences over this part of what is changed.
+const PART: f64 = 1e-6;
+
+/// The change of each condition by all of what is changed by a part in a state.
+fn change<M: Mechanism>(motion: &Motion<M>, state: &State<M>, values: &M::Events) -> Result<M::Events, Failure> {
+    let changed = conditions(motion, state)?;
+    Ok(values.like(|i| (changed[i] - values[i]).abs() / PART))
+}
+
 /// The size of the terms of each condition: the sum of |its derivative by a coordinate times the coordinate|, or times the
 /// change that counts as 1, where that is more.
 pub(super) fn terms<M: Mechanism>(
@@ -115,9 +124,9 @@ pub(super) fn terms<M: Mechanism>(
     for j in 0..motion.mechanism().n() {
         let size = state.positions[j].abs().max(motion.measures().coordinates()[j]);
         let mut nearby = state.clone();
-        nearby.positions[j] += 1e-6 * size;
-        let changed = conditions(motion, &nearby)?;
-        terms = terms.like(|i| terms[i] + 1e6 * (changed[i] - values[i]).abs());
+        nearby.positions[j] += PART * size;
+        let by_position = change(motion, &nearby, values)?;
+        terms = terms.like(|i| terms[i] + by_position[i]);
     }
     Ok(terms)
 }
@@ -130,15 +139,11 @@ fn other_terms<M: Mechanism>(
     scale: f64,
 ) -> Result<M::Events, Failure> {
     let (mechanism, state) = (motion.mechanism(), &sample.state);
-    let changed = |state: State<M>| {
-        let changed = conditions(motion, &state)?;
-        Ok(values.like(|i| 1e6 * (changed[i] - values[i]).abs()))
-    };
-    let mut terms = changed(State { time: state.time + 1e-6 * scale, ..state.clone() })?;
+    let mut terms = change(motion, &State { time: state.time + PART * scale, ..state.clone() }, values)?;
     for j in 0..mechanism.n() {
         let mut faster = state.clone();
-        faster.speeds[j] += 1e-6 * state.speeds[j].abs().max(motion.measures().coordinates()[j] / scale);
-        let by_speed = changed(faster)?;
+        faster.speeds[j] += PART * state.speeds[j].abs().max(motion.measures().coordinates()[j] / scale);
+        let by_speed = change(motion, &faster, values)?;
         terms = terms.like(|i| terms[i] + by_speed[i]);
     }
     let loads = loads(mechanism, sample);
