@@ -236,7 +236,12 @@ fn of_one<'py>(
     together(py, arrays.collect::<PyResult<_>>()?)
 }
 
-fn of_many<'py>(py: Python<'py>, model: &Arc<dyn Model>, kernel: Kernel, states: States) -> PyResult<Bound<'py, PyAny>> {
+fn of_many<'py>(
+    py: Python<'py>,
+    model: &Arc<dyn Model>,
+    kernel: Kernel,
+    states: States,
+) -> PyResult<Bound<'py, PyAny>> {
     let description = model.description();
     let count = states.times.len();
     let Results { rows, numbers, refused } =
