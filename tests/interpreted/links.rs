@@ -3,7 +3,7 @@
 //! resolved model alone.
 
 use crate::rows;
-use crate::trees::{ARM, BRANCHES, DRIVEN, FREE, LIMB, scaled};
+use crate::trees::{ARM, BRANCHES, DRIVEN, FREE, GIMBALS, LIMB, TWINS, scaled};
 use codegen::dynamics::EquationsOfMotion;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use sim::{At, Kernel, Model};
@@ -201,6 +201,30 @@ fn a_quaternion_of_zero_is_refused() {
 #[test]
 fn an_arm_on_the_ground() {
     agrees(ARM, &[2]);
+}
+
+#[test]
+fn limbs_that_stand_in_one_place() {
+    agrees(TWINS, &[2]);
+}
+
+/// Where two axes are one, rounding is all that is left of a pivot, wherever the arm stands and however large it is. A wire that
+/// rolls about itself has a small pivot of its own, with all its digits.
+#[test]
+fn gimbal_lock_below_an_arm_is_refused() {
+    let random = &mut Random(3);
+    for (length, mass) in [(1.0, 1.0), (1e-3, 1e-3), (100.0, 1e3)] {
+        let model = scaled(GIMBALS, length, mass);
+        for _ in 0..50 {
+            let mut q: Vec<f64> = (0..9).map(|_| random.between(-2.0, 2.0)).collect();
+            let qd: Vec<f64> = (0..9).map(|_| random.between(-2.0, 2.0)).collect();
+            for (b, refused) in [(0.0, true), (1e-9, true), (0.1, false), (-1.5, false)] {
+                q[1] = b;
+                let at = At { time: 0.0, positions: &q, speeds: &qd, accelerations: &[], multipliers: &[] };
+                assert_eq!(model.call(Kernel::Dynamics, at, &mut |_, _| ()), refused, "{b} {q:?}");
+            }
+        }
+    }
 }
 
 #[test]

@@ -135,6 +135,60 @@ pub(crate) const ARM: &str = "
     }
     kernels { inverse_dynamics; }";
 
+/// Limbs that stand in one place, in pairs, with a joint that slides among them: what follows a place is moved from there as one.
+pub(crate) const TWINS: &str = "
+    pub Twins;
+    parameters { L [m] = 1; m [kg] = 1; k [N/m] = 20; }
+    coordinates { a [rad]; b [rad]; c [m]; d [rad]; f [rad]; g [rad]; h [rad]; i [rad]; j [rad]; o [rad]; u [rad]; v [rad]; }
+    let A = rotation(z, a);
+    let PA = A*[0.1*L, 0.2*L, L];
+    let B = A*rotation(x, b);
+    let PC = PA + B*[0.1*L, 0, 0.2*L + c];
+    let D = A*rotation(y, d);
+    let PD = PA + D*[0.2*L, -0.3*L, 0.9*L];
+    let F = B*rotation(y, f);
+    let PF = PC + F*[0, 0, L];
+    let G = B*rotation(z, g);
+    let PG = PC + G*[0.3*L, 0, L];
+    let H = D*rotation(x, h);
+    let PH = PD + H*[0, 0.1*L, L];
+    let I = D*rotation(z, i);
+    let PI = PD + I*[0, 0.5*L, 0.5*L];
+    let J = F*rotation(x, j);
+    let O = F*rotation([0.6, 0, 0.8], o);
+    let U = H*rotation(y, u);
+    let V = H*rotation(x, v);
+    fragment Body(P, R) {
+        bodies { own: mass m at P + R*[0.1*L, 0.05*L, 0.5*L], inertia [0.1*m*L^2, 0.11*m*L^2, 0.05*m*L^2, 0.01*m*L^2, 0, 0.02*m*L^2], attitude R; }
+    }
+    use Body([0, 0, 0], A) as of_a; use Body(PA, B) as of_b; use Body(PC, B) as of_c; use Body(PA, D) as of_d;
+    use Body(PC, F) as of_f; use Body(PC, G) as of_g; use Body(PD, H) as of_h; use Body(PD, I) as of_i;
+    use Body(PF, J) as of_j; use Body(PF, O) as of_o; use Body(PH, U) as of_u; use Body(PH, V) as of_v;
+    loads { gravity [1 [m/s^2], 0, -9.81 [m/s^2]]; spring k, length 0.1*L from PG to PI; torque 0.1*m*L^2/(1 [s^2]) on h; }
+    kernels { inverse_dynamics; }";
+
+/// Three turns of massless links, of which the outer ones have one axis where `b` is zero, and an arm on them.
+pub(crate) const GIMBALS: &str = "
+    pub Gimbals;
+    parameters { L [m] = 1; m [kg] = 1; }
+    coordinates { a [rad]; b [rad]; c [rad]; d [rad]; f [rad]; g [rad]; h [rad]; i [rad]; roll [rad]; }
+    let C = rotation(z, a)*rotation(x, b)*rotation(z, c);
+    let D = C*rotation(x, d); let PD = C*[0.1*L, 0, L];
+    let F = D*rotation(y, f); let PF = PD + D*[0, 0.1*L, L];
+    let G = F*rotation(x, g); let PG = PF + F*[0, 0, L];
+    let H = G*rotation(y, h); let PH = PG + G*[0.1*L, 0, L];
+    let I = H*rotation(x, i); let PI = PH + H*[0, 0, L];
+    let R = I*rotation(z, roll);
+    bodies {
+        c: mass m at C*[0.1*L, 0, 0.5*L], inertia [0.1*m*L^2, 0.1*m*L^2, 0.05*m*L^2], attitude C;
+        d: mass m at PD + D*[0.1*L, 0, 0.5*L], inertia [0.1*m*L^2, 0.1*m*L^2, 0.05*m*L^2], attitude D;
+        f: mass m at PF + F*[0.1*L, 0, 0.5*L], inertia [0.1*m*L^2, 0.1*m*L^2, 0.05*m*L^2], attitude F;
+        g: mass m at PG + G*[0.1*L, 0, 0.5*L], inertia [0.1*m*L^2, 0.1*m*L^2, 0.05*m*L^2], attitude G;
+        h: mass m at PH + H*[0.1*L, 0, 0.5*L], inertia [0.1*m*L^2, 0.1*m*L^2, 0.05*m*L^2], attitude H;
+        wire: mass m at PI + R*[0, 0, 0.5*L], inertia [0.1*m*L^2, 0.1*m*L^2, 1e-12*m*L^2], attitude R;
+    }
+    loads { gravity [0, 0, -9.81 [m/s^2]]; }";
+
 /// A table that time turns and lifts carries an arm: the power is that of loads and drives.
 pub(crate) const DRIVEN: &str = "
     pub Driven;

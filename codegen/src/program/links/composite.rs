@@ -2,6 +2,7 @@
 //! Body Dynamics Algorithms, 2008, section 6.2): a speed accelerates all that follows its link as one body, and the momentum of
 //! that goes down to the world. Entries between branches are zero and not computed.
 
+use super::arrivals::Arrivals;
 use super::tree::{Column, LinkTree, LinkValues, Mass};
 use super::triple::{Matrix, Triple, add, apply, cross, difference, dot, inner, product, sum, transposed};
 use crate::program::values::{Value, Values};
@@ -44,10 +45,15 @@ impl LinkTree {
     /// Each link with all that follows it, about its origin.
     pub(super) fn composites(&self, values: &mut Values) -> Vec<Mass> {
         let mut composites: Vec<Mass> = self.links.iter().map(|link| link.mass.clone()).collect();
+        let mut arrivals: Vec<Arrivals<Mass>> = self.links.iter().map(|_| Arrivals::default()).collect();
         for (at, link) in self.links.iter().enumerate().rev() {
+            for (place, mass) in std::mem::take(&mut arrivals[at]).into_places() {
+                let moved = mass.moved(values, &place);
+                composites[at] = composites[at].add(values, &moved);
+            }
             if let Some(before) = link.before {
-                let seen = link.seen_from_before(values, &composites[at]);
-                composites[before].add(values, &seen);
+                let turned = composites[at].turned(values, link);
+                arrivals[before].enter(link.offset[0], turned, |sum, own| sum.add(values, own));
             }
         }
         composites
@@ -94,28 +100,6 @@ impl LinkValues {
     pub(super) fn momentum(&self, values: &mut Values, body: &Mass, column: &Column) -> [Triple; 2] {
         let shift = apply(values, &transposed(&self.turn), &column.shift);
         body.momentum(values, &[column.spin, shift])
-    }
-
-    /// A mass distribution of its frame, about the origin of the frame before: h + M r, P + r s' + s r' with s = h + M r/2.
-    pub(super) fn seen_from_before(&self, values: &mut Values, own: &Mass) -> Mass {
-        let (r, turned) = (&self.offset[0], apply(values, &self.turn, &own.first));
-        let (half, two) = (values.constant(0.5), values.constant(2.0));
-        let carried = r.map(|x| product(values, own.mass, x));
-        let middle: Triple = std::array::from_fn(|i| {
-            let half = product(values, half, carried[i]);
-            sum(values, &[turned[i], half])
-        });
-        let rotated = self.rotated(values, &own.second);
-        let second = symmetric(|(i, j)| {
-            let mixed = if i == j {
-                let doubled = product(values, two, r[i]);
-                product(values, doubled, middle[i])
-            } else {
-                inner(values, &[(r[i], middle[j]), (r[j], middle[i])])
-            };
-            sum(values, &[rotated[i][j], mixed])
-        });
-        Mass { mass: own.mass, first: add(values, &turned, &carried), second }
     }
 
     /// S A S'. About an axis of the frame, by the double angle.
@@ -193,10 +177,38 @@ impl Mass {
         [add(values, &turned, &arm), add(values, &swept, &carried)]
     }
 
-    pub(super) fn add(&mut self, values: &mut Values, other: &Mass) {
-        self.mass = sum(values, &[self.mass, other.mass]);
-        self.first = add(values, &self.first, &other.first);
-        self.second = symmetric(|(i, j)| sum(values, &[self.second[i][j], other.second[i][j]]));
+    /// In the frame before its link's, about the same place.
+    pub(super) fn turned(&self, values: &mut Values, link: &LinkValues) -> Mass {
+        let first = apply(values, &link.turn, &self.first);
+        Mass { mass: self.mass, first, second: link.rotated(values, &self.second) }
+    }
+
+    /// About an origin from which its own stands at r: h + M r, P + r s' + s r' with s = h + M r/2.
+    pub(super) fn moved(&self, values: &mut Values, r: &Triple) -> Mass {
+        let (half, two) = (values.constant(0.5), values.constant(2.0));
+        let carried = r.map(|x| product(values, self.mass, x));
+        let middle: Triple = std::array::from_fn(|i| {
+            let half = product(values, half, carried[i]);
+            sum(values, &[self.first[i], half])
+        });
+        let second = symmetric(|(i, j)| {
+            let mixed = if i == j {
+                let doubled = product(values, two, r[i]);
+                product(values, doubled, middle[i])
+            } else {
+                inner(values, &[(r[i], middle[j]), (r[j], middle[i])])
+            };
+            sum(values, &[self.second[i][j], mixed])
+        });
+        Mass { mass: self.mass, first: add(values, &self.first, &carried), second }
+    }
+
+    pub(super) fn add(&self, values: &mut Values, other: &Mass) -> Mass {
+        Mass {
+            mass: sum(values, &[self.mass, other.mass]),
+            first: add(values, &self.first, &other.first),
+            second: symmetric(|(i, j)| sum(values, &[self.second[i][j], other.second[i][j]])),
+        }
     }
 }
 

@@ -12,6 +12,8 @@
 //! Algorithms, 2008, chapter 7) eliminate q'' at every joint, which leaves K - F M^-1 F' and the wrench F M^-1 (Q - h) to carry
 //! on: linear in the number of joints, where composite bodies take fewer operations as long as few joints follow each other.
 
+use super::arrivals::Arrivals;
+use super::extent::Extent;
 use super::inertia::Inertia;
 use super::newton_euler::{Motion, total};
 use super::tree::{Column, LinkTree, LinkValues};
@@ -55,11 +57,15 @@ struct Waiting {
 
 /// A link with what follows it: its inertia and its wrench, and the joints that wait.
 struct Branch {
+    arrivals: Arrivals<(Inertia, Wrench)>,
     inertia: Inertia,
     moments: Vec<Triple>,
     forces: Vec<Triple>,
     waiting: VecDeque<Waiting>,
 }
+
+/// Moment and force.
+type Wrench = [Triple; 2];
 
 /// An eliminated joint: the reciprocal of its pivot, and the shares of those that wait longer and of the frame.
 struct Step {
@@ -76,7 +82,10 @@ struct Elimination<'a> {
     notes: &'a mut Notes,
     /// M of joints that wait, the larger unknown first.
     entries: FxHashMap<(usize, usize), Value>,
+    /// Q - h, less what joints that gave way have taken over.
     right_hand_side: Vec<Value>,
+    /// Q beside links.
+    applied: Vec<Value>,
     steps: Vec<Step>,
     pivots: Vec<(Value, Value)>,
 }
@@ -90,17 +99,24 @@ impl LinkTree {
         joints: Joints,
         (names, notes): (&[String], &mut Notes),
     ) -> Forward {
-        let composites = self.composites(values);
+        let extents = self.extents(values);
         let mut branches = self.branches(values);
-        let (entries, right_hand_side) = (FxHashMap::default(), beside.forces);
-        let mut elimination = Elimination { names, notes, entries, right_hand_side, steps: vec![], pivots: vec![] };
+        let mut elimination = Elimination {
+            names,
+            notes,
+            entries: FxHashMap::default(),
+            right_hand_side: beside.forces.clone(),
+            applied: beside.forces,
+            steps: vec![],
+            pivots: vec![],
+        };
         while let Some(mut branch) = branches.pop() {
+            branch.settle(values);
             let at = branches.len();
             let link = &self.links[at];
             for column in &link.columns {
-                let [moment, force] = link.momentum(values, &composites[at], column);
-                let size = link.along(values, column, &[moment, force]);
-                elimination.enter(values, link, &mut branch, column, (beside.inertias[column.coordinate], size));
+                let beside = beside.inertias[column.coordinate];
+                elimination.enter(values, (link, &extents[at]), &mut branch, column, beside);
             }
             if link.before.is_none() || joints == Joints::OneByOne {
                 elimination.eliminate(values, &mut branch, at, link.before.is_some());
@@ -119,7 +135,13 @@ impl LinkTree {
         let branch = |(link, motion): (&LinkValues, &Motion)| {
             let [moment, force] = link.mass.wrench(values, motion);
             let inertia = Inertia::Rigid(link.mass.clone());
-            Branch { inertia, moments: vec![moment], forces: vec![force], waiting: VecDeque::new() }
+            Branch {
+                arrivals: Arrivals::default(),
+                inertia,
+                moments: vec![moment],
+                forces: vec![force],
+                waiting: VecDeque::new(),
+            }
         };
         self.links.iter().zip(&motions).map(branch).collect()
     }
@@ -151,30 +173,41 @@ impl Branch {
         wrench
     }
 
-    /// Takes over what follows, about the origin of this link.
+    /// Takes over what follows.
     fn receive(&mut self, values: &mut Values, link: &LinkValues, mut outer: Branch) {
-        let wrench = outer.wrench(values);
-        let [moment, force] = link.wrench_before(values, &wrench);
-        self.moments.push(moment);
-        self.forces.push(force);
+        let wrench = outer.wrench(values).map(|part| apply(values, &link.turn, &part));
         for mut joint in outer.waiting {
             joint.momentum = link.wrench_before(values, &joint.momentum);
             self.waiting.push_back(joint);
         }
-        let seen = outer.inertia.seen_from_before(values, link);
-        self.inertia = std::mem::replace(&mut self.inertia, seen.clone()).add(values, &seen);
+        let turned = (outer.inertia.turned(values, link), wrench);
+        self.arrivals.enter(link.offset[0], turned, |(inertia, wrench), (other, added)| {
+            let wrench = std::array::from_fn(|part| add(values, &wrench[part], &added[part]));
+            (inertia.add(values, other), wrench)
+        });
+    }
+
+    /// Adds up what has arrived, about its own origin.
+    fn settle(&mut self, values: &mut Values) {
+        for (place, (inertia, wrench)) in std::mem::take(&mut self.arrivals).into_places() {
+            let [moment, force] = moved(values, &place, &wrench);
+            self.moments.push(moment);
+            self.forces.push(force);
+            let inertia = inertia.moved(values, &place);
+            self.inertia = self.inertia.add(values, &inertia);
+        }
     }
 }
 
 impl Elimination<'_> {
-    /// A joint of a link, with the inertia along it beside the link's and the scale of its pivot.
+    /// A joint of a link that so much follows, with the inertia along it beside the link's.
     fn enter(
         &mut self,
         values: &mut Values,
-        link: &LinkValues,
+        (link, followers): (&LinkValues, &Extent),
         branch: &mut Branch,
         column: &Column,
-        (beside, size): (Value, Value),
+        beside: Value,
     ) {
         let unknown = column.coordinate;
         let wrench = branch.wrench(values);
@@ -186,6 +219,10 @@ impl Elimination<'_> {
         }
         let momentum = branch.inertia.momentum(values, link, column);
         let own = link.along(values, column, &momentum);
+        let size = match branch.inertia {
+            Inertia::Rigid(_) => own,
+            Inertia::Articulated(_) => followers.along(values, link, column),
+        };
         let (own, size) = (sum(values, &[own, beside]), sum(values, &[size, beside]));
         self.set(unknown, unknown, own);
         branch.waiting.push_back(Waiting { unknown, momentum, size });
@@ -212,11 +249,12 @@ impl Elimination<'_> {
             self.pivots.push((pivot, size));
             let shares = self.shared_by_joints(values, branch, unknown, inverse);
             let of_frame = match has_frame {
-                true => momentum.map(|part| part.map(|x| product(values, x, inverse))),
+                true => momentum.map(|part| part.map(|x| if x == pivot { one } else { product(values, x, inverse) })),
                 false => [zero(values); 2],
             };
             if has_frame {
-                branch.give_way(values, &momentum, &shares, &of_frame, (pivot, force));
+                branch.give_way(values, &momentum, &shares, &of_frame, pivot);
+                branch.take_over(values, &of_frame, force, self.applied[unknown]);
             }
             self.steps.push(Step { link: at, unknown, inverse, shares, of_frame });
         }
@@ -253,14 +291,14 @@ impl Elimination<'_> {
 }
 
 impl Branch {
-    /// What a joint with this momentum leaves of the frame's inertia, of its wrench, and of the momenta of those that wait.
+    /// What a joint with this momentum leaves of the frame's inertia and of the momenta of those that wait.
     fn give_way(
         &mut self,
         values: &mut Values,
         momentum: &[Triple; 2],
         shares: &[(usize, Value)],
         of_frame: &[Triple; 2],
-        (pivot, force): (Value, Value),
+        pivot: Value,
     ) {
         for joint in &mut self.waiting {
             let Some((_, share)) = shares.iter().find(|(other, _)| *other == joint.unknown) else { continue };
@@ -271,9 +309,24 @@ impl Branch {
                 })
             });
         }
-        self.moments.push(of_frame[0].map(|share| product(values, share, force)));
-        self.forces.push(of_frame[1].map(|share| product(values, share, force)));
-        self.inertia = self.inertia.clone().giving_way(values, momentum, of_frame, pivot);
+        self.inertia = self.inertia.giving_way(values, momentum, of_frame, pivot);
+    }
+
+    /// The wrench where a joint gives way: its shares of the force on the joint come to it. Along a joint about an axis of the frame,
+    /// or along one, that leaves what is applied there.
+    fn take_over(&mut self, values: &mut Values, of_frame: &Wrench, force: Value, applied: Value) {
+        let wrench = self.wrench(values);
+        let [moment, force] = std::array::from_fn(|part| {
+            std::array::from_fn(|i| {
+                let (own, share) = (wrench[part][i], of_frame[part][i]);
+                if values.is_constant(share, 1.0) && difference(values, applied, own) == force {
+                    return applied;
+                }
+                let taken = product(values, share, force);
+                sum(values, &[own, taken])
+            })
+        });
+        (self.moments, self.forces) = (vec![moment], vec![force]);
     }
 }
 
@@ -321,9 +374,14 @@ impl LinkValues {
     }
 
     /// A wrench in the frame before, about the origin there.
-    pub(super) fn wrench_before(&self, values: &mut Values, [moment, force]: &[Triple; 2]) -> [Triple; 2] {
-        let (turned, pushed) = (apply(values, &self.turn, moment), apply(values, &self.turn, force));
-        let arm = cross(values, &self.offset[0], &pushed);
-        [add(values, &turned, &arm), pushed]
+    pub(super) fn wrench_before(&self, values: &mut Values, wrench: &Wrench) -> Wrench {
+        let turned = wrench.map(|part| apply(values, &self.turn, &part));
+        moved(values, &self.offset[0], &turned)
     }
+}
+
+/// A wrench about an origin from which its own stands at r.
+fn moved(values: &mut Values, r: &Triple, [moment, force]: &Wrench) -> Wrench {
+    let arm = cross(values, r, force);
+    [add(values, moment, &arm), *force]
 }

@@ -3,7 +3,7 @@
 
 use super::composite::symmetric;
 use super::tree::{Column, LinkValues, Mass};
-use super::triple::{Matrix, Triple, add, apply, cross, difference, product, sum, transposed};
+use super::triple::{Matrix, Triple, add, apply, cross, difference, inner, product, sum, transposed};
 use crate::program::values::{Value, Values};
 
 /// What the acceleration of a frame takes: moment and force, about the origin.
@@ -42,21 +42,27 @@ impl Inertia {
         }
     }
 
-    /// The same about the origin of the frame before.
-    pub(super) fn seen_from_before(&self, values: &mut Values, link: &LinkValues) -> Inertia {
+    /// In the frame before its link's, about the same place.
+    pub(super) fn turned(&self, values: &mut Values, link: &LinkValues) -> Inertia {
         match self {
-            Inertia::Rigid(mass) => Inertia::Rigid(link.seen_from_before(values, mass)),
-            Inertia::Articulated(own) => Inertia::Articulated(link.articulated_from_before(values, own)),
+            Inertia::Rigid(mass) => Inertia::Rigid(mass.turned(values, link)),
+            Inertia::Articulated(own) => Inertia::Articulated(own.turned(values, link)),
         }
     }
 
-    pub(super) fn add(self, values: &mut Values, other: &Inertia) -> Inertia {
-        if let (Inertia::Rigid(mass), Inertia::Rigid(other)) = (&self, other) {
-            let mut both = mass.clone();
-            both.add(values, other);
-            return Inertia::Rigid(both);
+    /// About an origin from which its own stands at r.
+    pub(super) fn moved(&self, values: &mut Values, r: &Triple) -> Inertia {
+        match self {
+            Inertia::Rigid(mass) => Inertia::Rigid(mass.moved(values, r)),
+            Inertia::Articulated(own) => Inertia::Articulated(own.moved(values, r)),
         }
-        let (own, other) = (self.articulated(values), other.clone().articulated(values));
+    }
+
+    pub(super) fn add(&self, values: &mut Values, other: &Inertia) -> Inertia {
+        if let (Inertia::Rigid(mass), Inertia::Rigid(other)) = (self, other) {
+            return Inertia::Rigid(mass.add(values, other));
+        }
+        let (own, other) = (self.articulated(values), other.articulated(values));
         Inertia::Articulated(Articulated {
             turning: symmetric(|(i, j)| sum(values, &[own.turning[i][j], other.turning[i][j]])),
             mixed: std::array::from_fn(|i| add(values, &own.mixed[i], &other.mixed[i])),
@@ -64,9 +70,9 @@ impl Inertia {
         })
     }
 
-    fn articulated(self, values: &mut Values) -> Articulated {
+    fn articulated(&self, values: &mut Values) -> Articulated {
         let mass = match self {
-            Inertia::Articulated(own) => return own,
+            Inertia::Articulated(own) => return own.clone(),
             Inertia::Rigid(mass) => mass,
         };
         let zero = values.constant(0.0);
@@ -82,7 +88,7 @@ impl Inertia {
 
     /// What is left of it where a joint with these momenta gives way: less k k'/d, with the shares k/d.
     pub(super) fn giving_way(
-        self,
+        &self,
         values: &mut Values,
         [moment, force]: &[Triple; 2],
         [turn, shift]: &[Triple; 2],
@@ -118,18 +124,37 @@ impl Inertia {
     }
 }
 
-impl LinkValues {
-    /// With H + [r] M for H: I + [r] H' - (H + [r] M) [r].
-    fn articulated_from_before(&self, values: &mut Values, own: &Articulated) -> Articulated {
-        let r = &self.offset[0];
-        let [turning, mixed, shifting] = [&own.turning, &own.mixed, &own.shifting].map(|m| self.rotated(values, m));
-        let carried = crossed(values, r, &shifting);
-        let moved: Matrix = std::array::from_fn(|i| add(values, &mixed[i], &carried[i]));
-        let ahead = crossed(values, r, &transposed(&mixed));
-        // [r] (H + [r] M)' is -(H + [r] M) [r], transposed.
-        let back = transposed(&crossed(values, r, &transposed(&moved)));
-        let turning = symmetric(|(i, j)| sum(values, &[turning[i][j], ahead[i][j], back[i][j]]));
-        Articulated { turning, mixed: moved, shifting }
+impl Articulated {
+    fn turned(&self, values: &mut Values, link: &LinkValues) -> Articulated {
+        let [turning, mixed, shifting] = [&self.turning, &self.mixed, &self.shifting].map(|m| link.rotated(values, m));
+        Articulated { turning, mixed, shifting }
+    }
+
+    /// With V = H + [r] M for H: I + [r] H' - V [r].
+    fn moved(&self, values: &mut Values, r: &Triple) -> Articulated {
+        let h = &self.mixed;
+        let carried = crossed(values, r, &self.shifting);
+        let v: Matrix = std::array::from_fn(|i| add(values, &h[i], &carried[i]));
+        let turning = symmetric(|(i, j)| {
+            let terms = match i == j {
+                true => {
+                    let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                    let sums = [sum(values, &[h[i][k], v[i][k]]), sum(values, &[h[i][j], v[i][j]])];
+                    let minus = values.negate(sums[1]);
+                    [(r[j], sums[0]), (r[k], minus), (r[i], values.constant(0.0))]
+                }
+                false => {
+                    let k = 3 - i - j;
+                    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+                    let apart = difference(values, v[i][i], h[j][j]);
+                    let minus = values.negate(v[i][k]);
+                    [(r[k], apart), (r[j], h[j][k]), (r[i], minus)]
+                }
+            };
+            let moved = inner(values, &terms);
+            sum(values, &[self.turning[i][j], moved])
+        });
+        Articulated { turning, mixed: v, shifting: self.shifting }
     }
 }
 

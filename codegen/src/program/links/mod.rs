@@ -1,8 +1,10 @@
 //! Recursions over a tree of links, in the links' own frames.
 
+mod arrivals;
 mod base;
 mod composite;
 mod coriolis;
+mod extent;
 mod forward;
 mod inertia;
 mod newton_euler;
