@@ -60,13 +60,24 @@ fn unknown(name: &str) -> String {
 }
 
 impl Model {
-    fn new(model: Arc<dyn sim::Model>, source: String) -> Model {
+    pub(crate) fn new(model: Arc<dyn sim::Model>, source: String) -> Model {
         Model { model, prepared: OnceLock::new(), source }
     }
 
     /// Another model in place of this one.
     fn with(&self, model: Arc<dyn sim::Model>) -> Model {
         Model::new(model, self.source.clone())
+    }
+
+    /// The same with the constraints that hold at the start, whatever events have switched since.
+    fn at_start(&self) -> Arc<dyn sim::Model> {
+        let mut values = self.model.values();
+        let declared = self.model.as_declared().values().activities;
+        if values.activities == declared {
+            return self.model.clone();
+        }
+        values.activities = declared;
+        self.model.with_values(&values)
     }
 
     /// A kernel at one state.
@@ -199,6 +210,12 @@ impl Model {
         self.model.values().inputs.iter().map(|input| input.held()).collect()
     }
 
+    /// For each constraint that events switch, 1 where it holds and 0 where it is released.
+    #[pyo3(name = "_activities")]
+    fn activities(&self) -> Vec<f64> {
+        self.model.values().activities
+    }
+
     /// The declared start, in SI units.
     #[pyo3(name = "_initial")]
     fn initial<'py>(&self, py: Python<'py>) -> (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>) {
@@ -208,7 +225,11 @@ impl Model {
 
     /// The same with these parameters and inputs as they are declared.
     #[pyo3(name = "_as_declared")]
-    fn as_declared(&self, parameters: Vec<String>, inputs: Vec<String>) -> Model {
+    fn as_declared(&self, py: Python<'_>, parameters: Vec<String>, inputs: Vec<String>) -> PyResult<Model> {
+        // Names that are none are refused as they are with a value.
+        let [set, held] =
+            [&parameters, &inputs].map(|names| names.iter().map(|name| format!("{name}=0")).collect::<Vec<_>>());
+        with_values(&*self.model, &set, &held).map_err(|why| refusal(py, &why))?;
         let (description, mut values) = (self.model.description(), self.model.values());
         let declared = self.model.as_declared().values();
         let places = |names: &[String], among: &[Quantity]| -> Vec<usize> {
@@ -220,7 +241,7 @@ impl Model {
         for place in places(&inputs, description.inputs) {
             values.inputs[place] = declared.inputs[place];
         }
-        self.with(self.model.with_values(&values))
+        Ok(self.with(self.model.with_values(&values)))
     }
 
     /// The same with other values.
@@ -232,12 +253,19 @@ impl Model {
 
     /// The same with values in SI units, as many as there are.
     #[pyo3(name = "_restored")]
-    fn restored(&self, py: Python<'_>, parameters: Vec<f64>, inputs: Vec<Option<f64>>) -> PyResult<Model> {
+    fn restored(
+        &self,
+        py: Python<'_>,
+        parameters: Vec<f64>,
+        inputs: Vec<Option<f64>>,
+        activities: Vec<f64>,
+    ) -> PyResult<Model> {
         let mut values = self.model.values();
-        if (parameters.len(), inputs.len()) != (values.parameters.len(), values.inputs.len()) {
+        let sizes = [values.parameters.len(), values.inputs.len(), values.activities.len()];
+        if [parameters.len(), inputs.len(), activities.len()] != sizes {
             return Err(argument(py, "these are values of another mechanism"));
         }
-        values.parameters = parameters;
+        (values.parameters, values.activities) = (parameters, activities);
         values.inputs = inputs.into_iter().map(|held| held.map_or(Input::Declared, Input::Held)).collect();
         Ok(self.with(self.model.with_values(&values)))
     }
@@ -250,14 +278,14 @@ impl Model {
     /// Executes a command line on this mechanism.
     #[pyo3(name = "_answer")]
     fn answer(&self, py: Python<'_>, words: Vec<String>) -> PyResult<Answer> {
-        let found = interruptible(py, |interrupted| answer(self.model.clone(), &words, interrupted))?;
+        let found = interruptible(py, |interrupted| answer(self.at_start(), &words, interrupted))?;
         found.map(Answer::new).map_err(|why| refusal(py, &why))
     }
 
     #[pyo3(name = "_simulated")]
     fn simulated(&self, py: Python<'_>, words: Vec<String>) -> PyResult<Simulation> {
-        let found = py.detach(|| simulated(self.model.clone(), &words));
-        found.map(Simulation::new).map_err(|why| refusal(py, &why))
+        let found = py.detach(|| simulated(self.at_start(), &words));
+        found.map(|found| Simulation::new(found, self.source.clone())).map_err(|why| refusal(py, &why))
     }
 
     /// The equations of motion: headings and texts.

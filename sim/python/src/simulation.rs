@@ -2,6 +2,7 @@
 
 use crate::errors::refusal;
 use crate::interrupt::BETWEEN;
+use crate::model::Model;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use sim::cli::{Refusal, Simulated, Stand};
@@ -15,11 +16,13 @@ type Two<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 #[pyclass(frozen, module = "linkwright._linkwright")]
 pub(crate) struct Simulation {
     simulated: Mutex<Box<dyn Simulated>>,
+    /// What the command line calls its model.
+    source: String,
 }
 
 impl Simulation {
-    pub(crate) fn new(simulated: Box<dyn Simulated>) -> Simulation {
-        Simulation { simulated: Mutex::new(simulated) }
+    pub(crate) fn new(simulated: Box<dyn Simulated>, source: String) -> Simulation {
+        Simulation { simulated: Mutex::new(simulated), source }
     }
 
     fn lock(&self) -> Result<MutexGuard<'_, Box<dyn Simulated>>, Refusal> {
@@ -114,6 +117,12 @@ impl Simulation {
     /// Holds an input, or gives it back its declared value.
     fn set_input(&self, py: Python<'_>, name: &str, value: Option<&str>) -> PyResult<()> {
         self.work(py, |simulated| simulated.set_input(name, value))
+    }
+
+    /// The mechanism as it is now.
+    fn model(&self, py: Python<'_>) -> PyResult<Model> {
+        let model = self.work(py, |simulated| Ok(simulated.model()))?;
+        Ok(Model::new(model, self.source.clone()))
     }
 
     /// The names and times of past events.

@@ -161,3 +161,11 @@ def test_what_is_held_has_a_value_by_name():
     for hold in ["b=30", ["b=30"], {"b": 30}, {"b": "30 deg"}]:
         assert arm.kinematics("a", hold=hold)["b"][0] == pytest.approx(30)
     assert arm.kinematics("a", hold="b")["b"][0] == pytest.approx(45)
+
+
+def test_unknown_names_are_refused_without_a_value_too(oscillator):
+    for given in ({"parameters": {"mm": None}}, {"inputs": {"G": None}}):
+        with pytest.raises(linkwright.ArgumentError, match="mm|G"):
+            oscillator.run(t_end=0.1, **given)
+        with pytest.raises(linkwright.ArgumentError, match="mm|G"):
+            oscillator.with_values(**given)

@@ -72,3 +72,62 @@ def test_large_mechanisms_are_saved_too():
     assert first.advance_to(1) and second.advance_to(1)
     assert (first.positions == second.positions).all() and first.positions[0] == pytest.approx(math.cos(10), abs=1e-9)
     assert first.events == [] and first.accelerations[0] == pytest.approx(-100 * math.cos(10), abs=1e-6)
+
+
+DROP = """
+/// A ball that falls on a floor and stays there.
+pub Drop;
+coordinates { x [m]; y [m]; }
+parameters { m [kg] = 2; g [m/s^2] = 9.81; }
+inputs { F [N] = 0; }
+bodies { ball: mass m at [x, y]; }
+loads { gravity [0, -g]; force [F, 0] at [x, y]; }
+constraints { floor: y = 0 initially released; }
+initial { x = 0; y = 0.2 [m]; dot(x) = 0; dot(y) = 0; }
+events { landing: y = 0 falling { activate floor; } }
+outputs { push [N] = -reaction(floor); }
+"""
+
+
+def test_the_model_of_a_simulation_is_the_mechanism_as_it_is_now():
+    model = linkwright.load(DROP)
+    simulation = model.simulation(t_end=1)
+    simulation.set_parameter("m", 3)
+    simulation.set_input("F", 6)
+    simulation.advance_to(0.1)
+    assert simulation.model.parameters["m"] == 3 and simulation.model.inputs == {"F": 6}
+    assert model.parameters["m"] == 2 and model.inputs == {"F": None}
+
+    def accelerations(of):
+        return of.dynamics(simulation.time, simulation.positions, simulation.speeds)[0]
+
+    assert accelerations(simulation.model) == pytest.approx([2, -9.81])
+    simulation.advance_to(0.5)
+    now = simulation.model
+    # It lies on the floor, which its mass presses on.
+    for of in (now, pickle.loads(pickle.dumps(now)), now.with_values({"m": 3})):
+        assert accelerations(of) == pytest.approx([2, 0])
+        state = (simulation.positions, simulation.speeds, simulation.accelerations, simulation.multipliers)
+        assert abs(of.outputs(simulation.time, *state)) == pytest.approx([3 * 9.81])
+    assert accelerations(model) == pytest.approx([0, -9.81])
+    # A run begins in the air.
+    fallen = now.run(t_end=0.1)["y"]
+    assert fallen[-1] == pytest.approx(0.2 - 9.81 * 0.1**2 / 2, rel=1e-9)
+
+
+@pytest.mark.parametrize("time", ["0.1 s", None, [0.1], float("nan"), 10**400])
+def test_what_is_no_time_is_refused(oscillator, time):
+    with pytest.raises(linkwright.ArgumentError):
+        oscillator.simulation(t_end=1).advance_to(time)
+
+
+def test_saved_bytes_may_be_of_any_kind(oscillator):
+    simulation = oscillator.simulation(t_end=1)
+    simulation.advance_to(0.3)
+    saved = simulation.save()
+    for kind in (bytes, bytearray, memoryview):
+        other = oscillator.simulation(t_end=1)
+        other.restore(kind(saved))
+        assert other.time == 0.3
+    with pytest.raises(linkwright.ArgumentError, match="the bytes that `save"):
+        simulation.restore("saved")

@@ -44,6 +44,8 @@ pub trait Simulated: Send {
     /// # Errors
     /// If there is no such parameter, the value is none, or the mechanism no longer closes.
     fn set_parameter(&mut self, name: &str, value: &str) -> Result<(), Refusal>;
+    /// The mechanism with its parameters and inputs now, and the constraints that events have switched.
+    fn model(&self) -> Arc<dyn Model>;
     /// The names and times of past events.
     fn events(&self) -> Vec<(&'static str, f64)>;
     /// As [`Simulation::save`].
@@ -141,6 +143,9 @@ where
         let unit = unit_of("parameter", name, self.mechanism().description().parameters)?;
         let value = parse_quantity(name, value, unit)?;
         Simulation::set_parameter(self, name, value).map_err(Refusal::Failure)
+    }
+    fn model(&self) -> Arc<dyn Model> {
+        self.mechanism().model()
     }
     fn events(&self) -> Vec<(&'static str, f64)> {
         Simulation::events(self).iter().map(|found| (found.name, found.state.time)).collect()

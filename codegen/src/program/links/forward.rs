@@ -12,16 +12,15 @@
 //! Algorithms, 2008, chapter 7) eliminate q'' at every joint, which leaves K - F M^-1 F' and the wrench F M^-1 (Q - h) to carry
 //! on: linear in the number of joints, where composite bodies take fewer operations as long as few joints follow each other.
 
-use super::arrivals::Arrivals;
+use super::branch::{Branch, Waiting};
 use super::extent::Extent;
+use super::frames::Frames;
 use super::inertia::Inertia;
-use super::newton_euler::{Motion, total};
 use super::tree::{Column, LinkTree, LinkValues};
-use super::triple::{Triple, add, apply, cross, difference, dot, product, sum, transposed, zero};
+use super::triple::{Triple, difference, dot, product, sum, zero};
 use crate::program::notes::Notes;
 use crate::program::values::{Value, Values};
 use rustc_hash::FxHashMap;
-use std::collections::VecDeque;
 
 /// When joints are eliminated.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -45,27 +44,6 @@ pub(super) struct Forward {
     pub(super) accelerations: Vec<Value>,
     pub(super) pivots: Vec<(Value, Value)>,
 }
-
-/// A joint that waits for its elimination.
-struct Waiting {
-    unknown: usize,
-    /// Its row of F.
-    momentum: [Triple; 2],
-    /// The scale of its pivot.
-    size: Value,
-}
-
-/// A link with what follows it: its inertia and its wrench, and the joints that wait.
-struct Branch {
-    arrivals: Arrivals<(Inertia, Wrench)>,
-    inertia: Inertia,
-    moments: Vec<Triple>,
-    forces: Vec<Triple>,
-    waiting: VecDeque<Waiting>,
-}
-
-/// Moment and force.
-type Wrench = [Triple; 2];
 
 /// An eliminated joint: the reciprocal of its pivot, and the shares of those that wait longer and of the frame.
 struct Step {
@@ -100,7 +78,10 @@ impl LinkTree {
         (names, notes): (&[String], &mut Notes),
     ) -> Forward {
         let extents = self.extents(values);
-        let mut branches = self.branches(values);
+        // Where all q'' = 0.
+        let motions = self.motions(values, None);
+        let branches = self.links.iter().zip(&motions).map(|(link, motion)| Branch::of(values, &link.mass, motion));
+        let mut branches: Vec<Branch> = branches.collect();
         let mut elimination = Elimination {
             names,
             notes,
@@ -129,27 +110,10 @@ impl LinkTree {
         Forward { accelerations: self.back(values, &steps, right_hand_side), pivots }
     }
 
-    /// The links without what follows them, where all q'' = 0.
-    fn branches(&self, values: &mut Values) -> Vec<Branch> {
-        let motions = self.motions(values, None);
-        let branch = |(link, motion): (&LinkValues, &Motion)| {
-            let [moment, force] = link.mass.wrench(values, motion);
-            let inertia = Inertia::Rigid(link.mass.clone());
-            Branch {
-                arrivals: Arrivals::default(),
-                inertia,
-                moments: vec![moment],
-                forces: vec![force],
-                waiting: VecDeque::new(),
-            }
-        };
-        self.links.iter().zip(&motions).map(branch).collect()
-    }
-
     /// The unknowns from the world to the tips.
     fn back(&self, values: &mut Values, steps: &[Step], right_hand_side: Vec<Value>) -> Vec<Value> {
         let mut solved = right_hand_side;
-        let mut frames = Frames { tree: self, carried: vec![None; self.links.len()] };
+        let mut frames = Frames::of(self);
         for Step { link, unknown, inverse, shares, of_frame } in steps.iter().rev() {
             let first = product(values, solved[*unknown], *inverse);
             let mut terms = vec![first];
@@ -163,39 +127,6 @@ impl LinkTree {
             solved[*unknown] = sum(values, &terms);
         }
         solved
-    }
-}
-
-impl Branch {
-    fn wrench(&mut self, values: &mut Values) -> [Triple; 2] {
-        let wrench = [total(values, &self.moments), total(values, &self.forces)];
-        (self.moments, self.forces) = (vec![wrench[0]], vec![wrench[1]]);
-        wrench
-    }
-
-    /// Takes over what follows.
-    fn receive(&mut self, values: &mut Values, link: &LinkValues, mut outer: Branch) {
-        let wrench = outer.wrench(values).map(|part| apply(values, &link.turn, &part));
-        for mut joint in outer.waiting {
-            joint.momentum = link.wrench_before(values, &joint.momentum);
-            self.waiting.push_back(joint);
-        }
-        let turned = (outer.inertia.turned(values, link), wrench);
-        self.arrivals.enter(link.offset[0], turned, |(inertia, wrench), (other, added)| {
-            let wrench = std::array::from_fn(|part| add(values, &wrench[part], &added[part]));
-            (inertia.add(values, other), wrench)
-        });
-    }
-
-    /// Adds up what has arrived, about its own origin.
-    fn settle(&mut self, values: &mut Values) {
-        for (place, (inertia, wrench)) in std::mem::take(&mut self.arrivals).into_places() {
-            let [moment, force] = moved(values, &place, &wrench);
-            self.moments.push(moment);
-            self.forces.push(force);
-            let inertia = inertia.moved(values, &place);
-            self.inertia = self.inertia.add(values, &inertia);
-        }
     }
 }
 
@@ -288,100 +219,4 @@ impl Elimination<'_> {
         }
         shares
     }
-}
-
-impl Branch {
-    /// What a joint with this momentum leaves of the frame's inertia and of the momenta of those that wait.
-    fn give_way(
-        &mut self,
-        values: &mut Values,
-        momentum: &[Triple; 2],
-        shares: &[(usize, Value)],
-        of_frame: &[Triple; 2],
-        pivot: Value,
-    ) {
-        for joint in &mut self.waiting {
-            let Some((_, share)) = shares.iter().find(|(other, _)| *other == joint.unknown) else { continue };
-            joint.momentum = std::array::from_fn(|part| {
-                std::array::from_fn(|i| {
-                    let gone = product(values, *share, momentum[part][i]);
-                    difference(values, joint.momentum[part][i], gone)
-                })
-            });
-        }
-        self.inertia = self.inertia.giving_way(values, momentum, of_frame, pivot);
-    }
-
-    /// The wrench where a joint gives way: its shares of the force on the joint come to it. Along a joint about an axis of the frame,
-    /// or along one, that leaves what is applied there.
-    fn take_over(&mut self, values: &mut Values, of_frame: &Wrench, force: Value, applied: Value) {
-        let wrench = self.wrench(values);
-        let [moment, force] = std::array::from_fn(|part| {
-            std::array::from_fn(|i| {
-                let (own, share) = (wrench[part][i], of_frame[part][i]);
-                if values.is_constant(share, 1.0) && difference(values, applied, own) == force {
-                    return applied;
-                }
-                let taken = product(values, share, force);
-                sum(values, &[own, taken])
-            })
-        });
-        (self.moments, self.forces) = (vec![moment], vec![force]);
-    }
-}
-
-/// The accelerations of frames that joints add.
-struct Frames<'a> {
-    tree: &'a LinkTree,
-    /// What each link gets from the one before, as far as it is known.
-    carried: Vec<Option<[Triple; 2]>>,
-}
-
-impl Frames<'_> {
-    /// Of the angular velocity and the origin, in the frame of a link, without its own joints.
-    fn carried(&mut self, values: &mut Values, at: usize, solved: &[Value]) -> [Triple; 2] {
-        if let Some(known) = self.carried[at] {
-            return known;
-        }
-        let link = &self.tree.links[at];
-        let Some(before) = link.before else { return [zero(values); 2] };
-        let [mut turning, mut shifting] = self.carried(values, before, solved);
-        let inner = &self.tree.links[before];
-        for column in &inner.columns {
-            let shift = apply(values, &transposed(&inner.turn), &column.shift);
-            for i in 0..3 {
-                let [turned, shifted] =
-                    [column.spin[i], shift[i]].map(|x| product(values, x, solved[column.coordinate]));
-                turning[i] = sum(values, &[turning[i], turned]);
-                shifting[i] = sum(values, &[shifting[i], shifted]);
-            }
-        }
-        let arm = cross(values, &turning, &link.offset[0]);
-        let origin = add(values, &shifting, &arm);
-        let back = transposed(&link.turn);
-        let carried = [apply(values, &back, &turning), apply(values, &back, &origin)];
-        self.carried[at] = Some(carried);
-        carried
-    }
-}
-
-impl LinkValues {
-    /// The work of a wrench along a column.
-    pub(super) fn along(&self, values: &mut Values, column: &Column, [moment, force]: &[Triple; 2]) -> Value {
-        let pushed = apply(values, &self.turn, force);
-        let parts = [dot(values, &column.spin, moment), dot(values, &column.shift, &pushed)];
-        sum(values, &parts)
-    }
-
-    /// A wrench in the frame before, about the origin there.
-    pub(super) fn wrench_before(&self, values: &mut Values, wrench: &Wrench) -> Wrench {
-        let turned = wrench.map(|part| apply(values, &self.turn, &part));
-        moved(values, &self.offset[0], &turned)
-    }
-}
-
-/// A wrench about an origin from which its own stands at r.
-fn moved(values: &mut Values, r: &Triple, [moment, force]: &Wrench) -> Wrench {
-    let arm = cross(values, r, force);
-    [add(values, moment, &arm), *force]
 }

@@ -2,10 +2,12 @@
 
 mod arrivals;
 mod base;
+mod branch;
 mod composite;
 mod coriolis;
 mod extent;
 mod forward;
+mod frames;
 mod inertia;
 mod newton_euler;
 mod open;
@@ -13,6 +15,7 @@ mod open_jacobian;
 mod terms;
 mod tree;
 mod triple;
+mod wrench;
 
 pub(super) use base::Base;
 pub(super) use forward::Joints;

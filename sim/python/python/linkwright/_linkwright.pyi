@@ -58,6 +58,7 @@ class Simulation:
     def advance_to(self, time: float) -> bool: ...
     def set_parameter(self, name: str, value: str) -> None: ...
     def set_input(self, name: str, value: Optional[str]) -> None: ...
+    def model(self) -> Model: ...
     def save(self) -> bytes: ...
     def restore(self, saved: bytes) -> None: ...
 
@@ -90,6 +91,8 @@ class Model:
         """Parameters in SI units."""
     def _input_values(self) -> list[Optional[float]]:
         """Values of the inputs that are held, in SI units."""
+    def _activities(self) -> list[float]:
+        """For each constraint that events switch, 1 where it holds and 0 where it is released."""
     def _initial(self) -> tuple[_Array, _Array]:
         """The declared start, not yet assembled: q and q', each (n,)."""
     def mass_matrix(self, t: _Times, q: ArrayLike) -> _Array:
@@ -148,7 +151,9 @@ class Model:
         """The same with other values, each as ``NAME=VALUE``."""
     def _as_declared(self, parameters: Sequence[str], inputs: Sequence[str]) -> Model:
         """The same with these parameters and inputs as they are declared."""
-    def _restored(self, parameters: Sequence[float], inputs: Sequence[Optional[float]]) -> Model:
+    def _restored(
+        self, parameters: Sequence[float], inputs: Sequence[Optional[float]], activities: Sequence[float]
+    ) -> Model:
         """The same with values in SI units, as many as there are."""
     def _answer(self, words: Sequence[str]) -> Answer:
         """Execute a command line on this mechanism."""

@@ -87,9 +87,11 @@ def warn(message: str) -> None:
     warnings.warn(message, LinkwrightWarning, stacklevel=3)
 
 
-def _restored(declaration: str, source: str, parameters: list[float], inputs: list[float | None]) -> "Model":
+def _restored(
+    declaration: str, source: str, parameters: list[float], inputs: list[float | None], activities: list[float]
+) -> "Model":
     model = _linkwright.from_text(declaration, source, None)
-    return Model(model._restored(parameters, inputs))
+    return Model(model._restored(parameters, inputs, activities))
 
 
 class Model(_linkwright.Model):
@@ -360,7 +362,8 @@ class Model(_linkwright.Model):
         return checked(answer, Motion(answer, self._factors()))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (self.declaration, self.source, self._parameter_values(), self._input_values())
+        values = self._parameter_values(), self._input_values(), self._activities()
+        return _restored, (self.declaration, self.source, *values)
 
     def __repr__(self) -> str:
         n, m = len(self.coordinate_names), len(self.constraint_names)

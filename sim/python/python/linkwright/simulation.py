@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from ._linkwright import Simulation as _Simulation
-from .values import Value, written
+from .errors import ArgumentError
+from .values import Value, seconds, written
+
+if TYPE_CHECKING:
+    from .model import Model
 
 
 class Simulation:
@@ -43,6 +49,17 @@ class Simulation:
         return self._simulation.sample()[1]
 
     @property
+    def model(self) -> "Model":
+        """The mechanism with its parameters and inputs now. Kernels have the constraints that events have switched; runs and
+        analyses begin with those that are declared.
+
+        ``simulation.model.outputs(time, q, qd, qdd, multipliers)`` gives the outputs.
+        """
+        from .model import Model  # which makes simulations
+
+        return Model(self._simulation.model())
+
+    @property
     def has_ended(self) -> bool:
         """Whether the end of the motion is reached, or an event that ends it."""
         return self._simulation.has_ended
@@ -67,9 +84,9 @@ class Simulation:
         Ctrl-C ends it after a step.
 
         Raises:
-            ArgumentError: if the time is past, or later than ``t_end``.
+            ArgumentError: if the time is past, later than ``t_end``, or no number.
         """
-        return self._simulation.advance_to(time)
+        return self._simulation.advance_to(seconds(time))
 
     def set_parameter(self, name: str, value: Value) -> None:
         """Set a parameter, in its declared unit or with a unit: ``"20 mm"``. The loops are closed anew."""
@@ -85,7 +102,9 @@ class Simulation:
 
     def restore(self, saved: bytes) -> None:
         """Continue from where another simulation of the same mechanism with the same settings was saved."""
-        self._simulation.restore(saved)
+        if not isinstance(saved, (bytes, bytearray, memoryview)):
+            raise ArgumentError(f"{type(saved).__name__}: the bytes that `save()` gave are needed")
+        self._simulation.restore(bytes(saved))
 
     def __reduce__(self) -> str:
         raise TypeError("a simulation cannot be pickled: `save()` gives its state as bytes, and `restore()` takes them")

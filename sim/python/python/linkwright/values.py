@@ -21,10 +21,20 @@ def written(value: Value) -> str:
         value = value.item()
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.integer, np.floating)):
         raise ArgumentError(f"{value!r}: a number is needed, or a text with a unit such as '180 mm'")
-    number = float(value)
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
     if not math.isfinite(number):
         raise ArgumentError(f"{value!r} is not finite")
     return repr(number)
+
+
+def seconds(time: float) -> float:
+    """A time as a number."""
+    if isinstance(time, str):
+        raise ArgumentError(f"{time!r}: a number of seconds is needed")
+    return float(written(time))
 
 
 def assignments(values: Mapping[str, Value | None] | None) -> list[str]:

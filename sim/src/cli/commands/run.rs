@@ -32,6 +32,7 @@ pub(in crate::cli) fn run_command<M: Mechanism>(
     warn_of_redundancy(&mechanism, &start, voice);
     let driven = inputs(description, mechanism.inputs().as_ref());
     let found = progress::watched(settings.end, voice, |goes_on| run_while(mechanism, &start, &settings, goes_on))?;
+    let clock = Clock { start: clock, integrated: clock.elapsed().as_secs_f64() };
     let mut table = Table::of(&found.mechanism, &found.trajectory);
     told(&found, &mut table, arguments, (&mut reproduction, files, clock), (driven, voice))
 }
@@ -58,7 +59,7 @@ fn told(
     found: &dyn Recorded,
     table: &mut Table,
     arguments: &RunArguments,
-    (reproduction, mut files, clock): (&mut Reproduction, Files, Instant),
+    (reproduction, mut files, clock): (&mut Reproduction, Files, Clock),
     (driven, voice): (Option<Line>, Voice),
 ) -> Result<(), Stop> {
     let outcome = found.outcome();
@@ -67,6 +68,12 @@ fn told(
     files.say(voice, summary, &report(&outcome, driven, &files, &times))?;
     let is_interrupted = outcome.failure.as_ref().is_some_and(|failure| failure.what == What::Interrupted);
     files.check(failures(&outcome, table), is_interrupted)
+}
+
+/// When a run began, and how many seconds later it was integrated.
+struct Clock {
+    start: Instant,
+    integrated: f64,
 }
 
 /// Seconds from the start of a run.
@@ -83,9 +90,9 @@ fn write(
     run: &dyn Recorded,
     (outcome, table, summary): (&Outcome, &mut Table, &mut Value),
     arguments: &RunArguments,
-    (reproduction, clock): (&mut Reproduction, Instant),
+    (reproduction, clock): (&mut Reproduction, Clock),
 ) -> Times {
-    let seconds = || clock.elapsed().as_secs_f64();
+    let seconds = || clock.start.elapsed().as_secs_f64();
     Files::name_run(table, reproduction.command.clone(), &mut [&mut reproduction.file, summary]);
     files.add_table(table, &arguments.written);
     files.add("run.json", |path| write_json(&reproduction.file, path));
@@ -104,6 +111,7 @@ fn write(
     let timing = json!({
         "run": table.provenance.run,
         "integration_seconds": outcome.integration_seconds,
+        "integrated_seconds": clock.integrated,
         "without_figures_seconds": times.without_figures,
         "total_seconds": times.total,
         "provenance": table.provenance.to_json(),

@@ -32,6 +32,11 @@ impl Erased<OnHeap> {
 }
 
 impl<K: Storage> Erased<K> {
+    /// The model with its values now, and the constraints that events have switched.
+    pub fn model(&self) -> Arc<dyn Model> {
+        self.model.clone()
+    }
+
     /// The model, if it has at most `K::MOST` coordinates, constraints, inputs and events.
     pub fn new(model: Arc<dyn Model>) -> Option<Erased<K>> {
         let Description { coordinates, constraints, inputs, events, .. } = model.description();
