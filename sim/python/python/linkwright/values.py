@@ -31,10 +31,13 @@ def written(value: Value) -> str:
 
 
 def seconds(time: float) -> float:
-    """A time as a number."""
-    if isinstance(time, str):
+    """A time as a number; its range is checked where it is used."""
+    if isinstance(time, (str, bool)):
         raise ArgumentError(f"{time!r}: a number of seconds is needed")
-    return float(written(time))
+    try:
+        return float(time)
+    except (TypeError, ValueError, OverflowError):
+        raise ArgumentError(f"{time!r}: a number of seconds is needed") from None
 
 
 def assignments(values: Mapping[str, Value | None] | None) -> list[str]:
