@@ -87,9 +87,7 @@ impl LinkTree {
                 }
             }
             let Some(before) = link.before else { return };
-            let turned = apply(values, &link.turn, &moment);
-            let arm = cross(values, &link.offset[0], &pushed);
-            (moment, force) = (add(values, &turned, &arm), pushed);
+            [moment, force] = link.wrench_before(values, &[moment, force]);
             at = before;
         }
     }

@@ -11,6 +11,9 @@
 //! carry M, F and K down to the world, and there all is eliminated. Articulated bodies (Featherstone, Rigid Body Dynamics
 //! Algorithms, 2008, chapter 7) eliminate q'' at every joint, which leaves K - F M^-1 F' and the wrench F M^-1 (Q - h) to carry
 //! on: linear in the number of joints, where composite bodies take fewer operations as long as few joints follow each other.
+//!
+//! A pivot is measured by what its joint would move if no other gave way: by the composite body, where there is one, and else by
+//! a bound of it (`extent`), which may refuse a pivot that has its digits, but costs next to nothing.
 
 use super::branch::{Branch, Waiting};
 use super::extent::Extent;

@@ -135,23 +135,20 @@ impl Articulated {
         let h = &self.mixed;
         let carried = crossed(values, r, &self.shifting);
         let v: Matrix = std::array::from_fn(|i| add(values, &h[i], &carried[i]));
+        // Its entries, those of each component of r together.
         let turning = symmetric(|(i, j)| {
-            let terms = match i == j {
-                true => {
-                    let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-                    let sums = [sum(values, &[h[i][k], v[i][k]]), sum(values, &[h[i][j], v[i][j]])];
-                    let minus = values.negate(sums[1]);
-                    [(r[j], sums[0]), (r[k], minus), (r[i], values.constant(0.0))]
-                }
-                false => {
-                    let k = 3 - i - j;
-                    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-                    let apart = difference(values, v[i][i], h[j][j]);
-                    let minus = values.negate(v[i][k]);
-                    [(r[k], apart), (r[j], h[j][k]), (r[i], minus)]
-                }
+            let moved = if i == j {
+                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                let [ahead, back] = [k, j].map(|other| sum(values, &[h[i][other], v[i][other]]));
+                let back = values.negate(back);
+                inner(values, &[(r[j], ahead), (r[k], back)])
+            } else {
+                let k = 3 - i - j;
+                let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+                let apart = difference(values, v[i][i], h[j][j]);
+                let back = values.negate(v[i][k]);
+                inner(values, &[(r[k], apart), (r[j], h[j][k]), (r[i], back)])
             };
-            let moved = inner(values, &terms);
             sum(values, &[self.turning[i][j], moved])
         });
         Articulated { turning, mixed: v, shifting: self.shifting }

@@ -43,10 +43,9 @@ impl LinkTree {
                 forces[column.coordinate].extend([turning, shifting]);
             }
             if let Some(before) = link.before {
-                let turned = apply(values, &link.turn, &moment);
-                let arm = cross(values, &link.offset[0], &pushed);
-                wrenches[before][0].push(add(values, &turned, &arm));
-                wrenches[before][1].push(pushed);
+                let [moment, force] = link.wrench_before(values, &[moment, force]);
+                wrenches[before][0].push(moment);
+                wrenches[before][1].push(force);
             }
         }
         forces.into_iter().map(|terms| sum(values, &terms)).collect()
