@@ -188,6 +188,9 @@ fn not_among(kind: &str, name: &str, known: &[&str]) -> Stop {
 
 /// The sentence on a name that nothing has.
 fn missing(kind: &str, name: &str, known: &[&str]) -> String {
+    if known.is_empty() {
+        return format!("no {kind} is called `{name}`: there is none");
+    }
     let near = nearest::suggestion(name, known.iter().copied());
     format!("no {kind} is called `{name}`{near}\nknown: {}", known.join(", "))
 }
