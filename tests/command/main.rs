@@ -160,7 +160,7 @@ fn unknown_words_name_the_nearest_known() {
     let rows: [(&[&str], &str); 23] = [
         (&["run", "quick-retrun"], "no model is called `quick-retrun` (did you mean `quick-return`?)"),
         (&["run", "quick-return", "--set", "O2B=1"], "no parameter is called `O2B` (did you mean `O2A`?)"),
-        (&["run", "quick-return", "--input", "F=1"], "no input is called `F`: there is none"),
+        (&["run", "quick-return", "--input", "push=1"], "no input is called `push`: there is none"),
         (&["run", "quick-return", "--set", "O2A=1 mtr"], "`mtr` is not a known unit"),
         (&["run", "quick-return", "--set", "O2A=1 kgg"], "did you mean `kg`?"),
         (&["run", "quick-return", "--set", "O2A=1kg"], "`kg` is a unit of dimension kg, but m is needed"),
