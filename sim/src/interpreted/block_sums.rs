@@ -112,6 +112,10 @@ fn each<const AT_ONCE: usize, const STATES: usize, const OPERANDS: usize>(
     operands: [u32; OPERANDS],
     value: impl Fn([f64; OPERANDS]) -> f64,
 ) {
+    // All are there. Known before the loop, it is not checked at each vector.
+    if to as usize >= file.len() || operands.iter().any(|operand| *operand as usize >= file.len()) {
+        return;
+    }
     for first in (0..STATES).step_by(AT_ONCE) {
         let mut vectors = [[0.0; AT_ONCE]; OPERANDS];
         for (vector, operand) in vectors.iter_mut().zip(operands) {

@@ -15,6 +15,10 @@ use std::ops::Range;
 /// stores whose addresses have the same lowest 12 bits.
 const STATES: usize = 72;
 
+/// How many states are taken together where the way from an operand to the value is long: two vectors of AVX2 share the constants
+/// on it, and neither waits for the other.
+const TOGETHER: usize = 8;
+
 /// A number at each of them.
 type Block = Lanes<STATES>;
 
@@ -54,10 +58,11 @@ impl Work for OfMany<'_> {
             // Block by block, so that they are in the cache when they are written.
             numbers.resize((first + filled) * width, 0.0);
             scatter(&registers, self.rows, &mut numbers[first * width..], width);
-            let is_refused = refused(code, &registers);
-            if is_refused.any() {
-                refusals.extend((0..filled).filter(|lane| is_refused.lane(*lane)).map(|lane| first + lane));
-            }
+            each_refused(code, &registers, |lane| {
+                if lane < filled {
+                    refusals.push(first + lane);
+                }
+            });
         }
         Results { rows: self.rows.iter().map(ExactSizeIterator::len).collect(), numbers, refused: refusals }
     }
@@ -77,7 +82,7 @@ fn execute<const AT_ONCE: usize>(
         match group.last {
             Some(Instruction::Waves { place }) => {
                 for wave in &body.lists().waves[place as usize] {
-                    sin_cos::<AT_ONCE>(*wave, registers);
+                    sin_cos(*wave, registers);
                 }
             }
             Some(last) => step::<_, _, true>(last, body.lists(), given, registers),
@@ -87,13 +92,24 @@ fn execute<const AT_ONCE: usize>(
 }
 
 #[inline(always)]
-fn sin_cos<const AT_ONCE: usize>(Wave { angle, sin, cos }: Wave<u32>, registers: &mut [Block]) {
-    for first in (0..STATES).step_by(AT_ONCE) {
-        let angles: [f64; AT_ONCE] = registers[angle as usize].part(first);
+fn sin_cos(Wave { angle, sin, cos }: Wave<u32>, registers: &mut [Block]) {
+    for first in (0..STATES).step_by(TOGETHER) {
+        let angles: [f64; TOGETHER] = registers[angle as usize].part(first);
         give_sin_cos(angles, |sines, cosines| {
             registers[sin as usize].set_part(first, sines);
             registers[cos as usize].set_part(first, cosines);
         });
+    }
+}
+
+/// Finds the states of a block that a program refuses.
+#[inline(always)]
+fn each_refused(code: &Code, registers: &[Block], mut found: impl FnMut(usize)) {
+    for first in (0..STATES).step_by(TOGETHER) {
+        let is_refused = refused(code, |register| Lanes::<TOGETHER>::from(registers[register as usize].part(first)));
+        if is_refused.any() {
+            (0..TOGETHER).filter(|lane| is_refused.lane(*lane)).for_each(|lane| found(first + lane));
+        }
     }
 }
 

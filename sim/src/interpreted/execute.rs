@@ -119,13 +119,13 @@ pub(super) fn room(code: &Code, compact: &Compact) -> usize {
     }
 }
 
-/// Where a pivot is refused.
+/// Where a pivot is refused, of what stands in the registers.
 #[inline(always)]
-pub(super) fn refused<S: Scalar>(code: &Code, registers: &[S]) -> S::Mask {
+pub(super) fn refused<S: Scalar>(code: &Code, register: impl Fn(u32) -> S) -> S::Mask {
     let Some(pivots) = &code.pivots else { return S::not(S::Mask::NONE) };
     let mut refused = S::Mask::NONE;
     for [pivot, terms] in pivots {
-        refused = refused | pivot_is_refused(registers[*pivot as usize], registers[*terms as usize]);
+        refused = refused | pivot_is_refused(register(*pivot), register(*terms));
     }
     refused
 }

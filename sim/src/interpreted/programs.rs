@@ -76,7 +76,7 @@ impl Programs {
         with_registers(S::room(program), |registers| {
             S::execute(program, image, given, registers);
             rows(code).enumerate().for_each(|(row, range)| found(row, &registers[range.clone()]));
-            refused(code, registers).any()
+            refused(code, |register| registers[register as usize]).any()
         })
     }
 

@@ -27,6 +27,18 @@ impl Sizes {
     fn before_locals(self) -> usize {
         self.constants + self.fields + self.arguments
     }
+
+    /// The number of a register, where those of results begin with this one.
+    pub(super) fn register(self, place: Place, first_result: usize) -> u32 {
+        let register = match place {
+            Place::Constant(at) => at,
+            Place::Field(at) => self.constants + at,
+            Place::Argument(at) => self.constants + self.fields + at,
+            Place::Local(at) => self.before_locals() + at,
+            Place::Result(at) => first_result + at,
+        };
+        register as u32
+    }
 }
 
 /// A program on registers.
@@ -72,13 +84,7 @@ pub(super) fn allocate(
         homes.leave(touched.drain(..).filter(|local| ends(*local)));
     }
     let first_result = sizes.before_locals() + homes.count;
-    let register = |place: Place| match place {
-        Place::Constant(at) => at,
-        Place::Field(at) => sizes.constants + at,
-        Place::Argument(at) => sizes.constants + sizes.fields + at,
-        Place::Local(at) => sizes.before_locals() + at,
-        Place::Result(at) => first_result + at,
-    } as u32;
+    let register = |place| sizes.register(place, first_result);
     let wave =
         |Wave { angle, sin, cos }: Wave<Place>| Wave { angle: register(angle), sin: register(sin), cos: register(cos) };
     Allocated {

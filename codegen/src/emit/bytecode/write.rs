@@ -100,7 +100,7 @@ impl<'a> Writer<'a> {
                 *row = done.first_result + row.start..done.first_result + row.end;
             }
         }
-        let register = |at: usize| (done.first_result + at) as u32;
+        let register = |place| sizes.register(place, done.first_result);
         Code {
             kernel: kernel.id,
             constants: self.constants,
@@ -320,12 +320,22 @@ impl<'a> Writer<'a> {
     }
 
     /// A result, in the next register of those.
-    fn result(&mut self, tree: &Tree) -> usize {
+    fn result(&mut self, tree: &Tree) {
         let instruction = self.operation(tree);
-        let at = self.results;
+        self.push_result(instruction);
+    }
+
+    fn push_result(&mut self, instruction: impl FnOnce(Place) -> Instruction<Place>) -> Place {
         self.results += 1;
-        self.push(instruction, Place::Result(at));
-        at
+        self.push(instruction, Place::Result(self.results - 1))
+    }
+
+    /// Where a value stands when the program ends. What it begins with stays where it is.
+    fn kept(&mut self, tree: &Tree) -> Place {
+        match self.value(tree) {
+            a @ Place::Local(_) => self.push_result(|to| Instruction::Copy { to, a }),
+            place => place,
+        }
     }
 
     fn row<'t>(&mut self, entries: impl IntoIterator<Item = &'t Tree>) -> std::ops::Range<usize> {
@@ -341,7 +351,7 @@ impl<'a> Writer<'a> {
         name: &str,
         results: &Results<Tree>,
         returned: &mut Vec<Returned>,
-        pivots: &mut Option<Vec<[usize; 2]>>,
+        pivots: &mut Option<Vec<[Place; 2]>>,
     ) {
         let rows = match results {
             Results::Scalar(value) => vec![self.row([value])],
@@ -355,7 +365,7 @@ impl<'a> Writer<'a> {
             Results::Refused(found) => {
                 *pivots = found
                     .as_ref()
-                    .map(|found| found.iter().map(|(pivot, terms)| [self.result(pivot), self.result(terms)]).collect());
+                    .map(|found| found.iter().map(|(pivot, terms)| [self.kept(pivot), self.kept(terms)]).collect());
                 return;
             }
         };

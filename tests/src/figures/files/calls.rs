@@ -5,8 +5,8 @@ use models::QuickReturn;
 use sim::{At, Erased, InPlace, Kernel, Model, Settings, States, Vectors, declared_start};
 use std::hint::black_box;
 use std::sync::Arc;
+use tests::interleaved;
 use tests::same_bits::interpreted;
-use tests::{interleaved, shortest};
 
 /// Calls that are timed together.
 const CALLS: usize = 20_000;
@@ -14,22 +14,23 @@ const CALLS: usize = 20_000;
 pub(super) fn a_call(table: &mut Table) {
     table.heading("A call of quick-return's right-hand side");
     let Some([compiled, interpreted]) = quick_return(table) else { return };
-    let [q, qd] = compiled.initial();
-    let at = At { time: 0.1, positions: &q, speeds: &qd, accelerations: &[], multipliers: &[] };
-    let calls = |model: &dyn Model| {
-        let prepared = model.prepare();
-        move || {
-            for _ in 0..CALLS {
-                prepared.call(Kernel::Dynamics, black_box(at), &mut |_, row| {
-                    black_box(row);
-                });
-            }
-        }
-    };
     let (mut first, mut second) = (calls(&*compiled), calls(&*interpreted));
     let times = interleaved(15, &mut [&mut first, &mut second]);
     let [one, other] = [times[0], times[1]].map(|time| 1e9 * time.as_secs_f64() / CALLS as f64);
     table.at_most(&format!("interpreted, in ns; compiled, through the same interface {one:.0}"), other, 250.0);
+}
+
+/// Right-hand sides at the start, one by one.
+fn calls(model: &dyn Model) -> impl FnMut() + use<> {
+    let ([q, qd], prepared) = (model.initial(), model.prepare());
+    move || {
+        let at = At { time: 0.1, positions: &q, speeds: &qd, accelerations: &[], multipliers: &[] };
+        for _ in 0..CALLS {
+            prepared.call(Kernel::Dynamics, black_box(at), &mut |_, row| {
+                black_box(row);
+            });
+        }
+    }
 }
 
 /// States that a kernel gets at once.
@@ -37,18 +38,20 @@ const MANY: usize = 10_000;
 
 pub(super) fn blocks(table: &mut Table) {
     table.heading("quick-return's right-hand side at many states at once");
-    let Some([_, interpreted]) = quick_return(table) else { return };
+    let Some([compiled, interpreted]) = quick_return(table) else { return };
     let [q, qd] = interpreted.initial();
     let times: Vec<f64> = (0..MANY).map(|state| 1e-4 * state as f64).collect();
     let repeated = |numbers: &[f64]| numbers.repeat(MANY);
     let (positions, speeds) = (repeated(&q), repeated(&qd));
     let states = States { times: &times, positions: &positions, speeds: &speeds, accelerations: &[], multipliers: &[] };
     for vectors in [Vectors::avx2(), Vectors::avx512()].into_iter().flatten() {
-        let time = shortest(25, || {
+        let mut of_many = || {
             black_box(interpreted.call_each_with(vectors, Kernel::Dynamics, black_box(&states)));
-        });
-        let nanoseconds = 1e9 * time.as_secs_f64() / MANY as f64;
-        table.at_most(&format!("interpreted, in ns a state, with {vectors}"), nanoseconds, 20.0);
+        };
+        let times = interleaved(25, &mut [&mut calls(&*compiled), &mut of_many]);
+        let nanoseconds = |work: usize, states: usize| 1e9 * times[work].as_secs_f64() / states as f64;
+        let (one, many) = (nanoseconds(0, CALLS), nanoseconds(1, MANY));
+        table.at_most(&format!("interpreted, in ns a state, with {vectors}; compiled, one state {one:.0}"), many, 20.0);
     }
 }
 
