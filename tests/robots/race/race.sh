@@ -20,12 +20,4 @@ if ! [ -x "$folder/pinocchio" ]; then
         -Wl,-rpath,"$prefix/lib" -Wl,-rpath-link,"$prefix/lib"
 fi
 cargo build --release --quiet
-robots=$prefix/share/example-robot-data/robots
-{
-    "$folder/pinocchio" "$robots/ur_description/urdf/ur5_robot.urdf" fixed
-    "$folder/pinocchio" "$robots/talos_data/robots/talos_left_arm.urdf" fixed
-    "$folder/pinocchio" "$robots/panda_description/urdf/panda.urdf" fixed
-    "$folder/pinocchio" "$robots/anymal_b_simple_description/robots/anymal.urdf" free
-    "$folder/pinocchio" "$robots/talos_data/robots/talos_reduced.urdf" free
-} >"$folder/times"
-"${CARGO_TARGET_DIR:-target}/release/race" "$folder/times"
+"${CARGO_TARGET_DIR:-target}/release/race" "$folder/pinocchio" "$prefix/share/example-robot-data/robots"

@@ -1,11 +1,14 @@
-//! Times of five robots' kernels beside those of Pinocchio, which stand in the file of the first argument.
+//! Times of five robots' kernels beside those of Pinocchio: `race PROGRAM FOLDER`, the program of `pinocchio.cpp` and the robots'
+//! files.
 //!
-//! Both are the least mean of 200 rounds over 256 states, on one core. Pinocchio's mass matrix is that of the base's velocity in
-//! its own frame, as `speed_mass_matrix` is.
+//! Both are the least mean of 200 rounds over 256 states, on one core. They take turns, since a processor may change its clock
+//! between them, and each turn is a process of its own (`race ROBOT`), since where its memory lies changes times by a third.
+//! Pinocchio's mass matrix is that of the base's velocity in its own frame, as `speed_mass_matrix` is.
 
 use sim_kernel::{Mechanism, mechanism};
 use std::hint::black_box;
-use std::process::ExitCode;
+use std::path::Path;
+use std::process::{Command, ExitCode};
 use std::time::Instant;
 
 include!("../../declared/ur5.rs");
@@ -25,6 +28,7 @@ mod derivatives {
     include!(concat!(env!("OUT_DIR"), "/talos.rs"));
 }
 
+const TURNS: usize = 5;
 const ROUNDS: usize = 200;
 const STATES: usize = 256;
 
@@ -54,75 +58,162 @@ fn state<Q: AsMut<[f64]> + Copy>(of: Q, is_free: bool, k: usize) -> [Q; 2] {
     [positions, speeds]
 }
 
-/// Forward dynamics, inverse dynamics, the mass matrix and the derivatives of forward dynamics of a robot.
+/// Nanoseconds of forward dynamics, inverse dynamics, the mass matrix and the derivatives of forward dynamics.
+type Times = [f64; 4];
+
+/// Measures those of a robot.
 macro_rules! times {
-    ($robot:ident, $mass_matrix:ident, $is_free:expr) => {{
-        let robot = $robot::default();
-        let prepared = robot.prepare();
-        let derived = derivatives::$robot::default();
-        let states: Vec<_> = (0..STATES).map(|k| state(robot.initial().positions, $is_free, k)).collect();
-        [
-            least(|k| {
-                let [q, qd] = &states[k];
-                black_box($robot::prepared_dynamics(black_box(&prepared), 0.0, q, qd));
-            }),
-            least(|k| {
-                let [q, qd] = &states[k];
-                black_box(black_box(&robot).inverse_dynamics(0.0, q, qd, qd));
-            }),
-            least(|k| {
-                let [q, _] = &states[k];
-                black_box(black_box(&robot).$mass_matrix(0.0, q));
-            }),
-            least(|k| {
-                let [q, qd] = &states[k];
-                black_box(black_box(&derived).dynamics_jacobian(0.0, q, qd));
-            }),
-        ]
-    }};
+    ($robot:ident, $mass_matrix:ident, $is_free:expr) => {
+        || -> Times {
+            let robot = $robot::default();
+            let prepared = robot.prepare();
+            let derived = derivatives::$robot::default();
+            let states: Vec<_> = (0..STATES).map(|k| state(robot.initial().positions, $is_free, k)).collect();
+            [
+                least(|k| {
+                    let [q, qd] = &states[k];
+                    black_box($robot::prepared_dynamics(black_box(&prepared), 0.0, q, qd));
+                }),
+                least(|k| {
+                    let [q, qd] = &states[k];
+                    black_box(black_box(&robot).inverse_dynamics(0.0, q, qd, qd));
+                }),
+                least(|k| {
+                    let [q, _] = &states[k];
+                    black_box(black_box(&robot).$mass_matrix(0.0, q));
+                }),
+                least(|k| {
+                    let [q, qd] = &states[k];
+                    black_box(black_box(&derived).dynamics_jacobian(0.0, q, qd));
+                }),
+            ]
+        }
+    };
 }
 
-/// What Pinocchio takes for `aba`, `rnea`, `crba` and the derivatives of `aba`, from the line that names the robot's file.
-fn of_pinocchio(text: &str, file: &str) -> Option<[f64; 4]> {
-    let line = text.lines().find(|line| line.starts_with(file))?;
+/// Pinocchio's names of what is measured.
+const ALGORITHMS: [&str; 4] = ["aba", "rnea", "crba", "derivatives of aba"];
+
+/// A robot in both.
+struct Robot {
+    name: &'static str,
+    /// Below the folder of the robots' files.
+    file: &'static str,
+    base: &'static str,
+    times: fn() -> Times,
+    /// The largest ratios to Pinocchio's times.
+    bounds: [f64; 4],
+}
+
+const ROBOTS: [Robot; 5] = [
+    Robot {
+        name: "UR5",
+        file: "ur_description/urdf/ur5_robot.urdf",
+        base: "fixed",
+        times: times!(Ur5, mass_matrix, false),
+        bounds: [0.10, 0.12, 0.2, 0.5],
+    },
+    Robot {
+        name: "Talos' arm",
+        file: "talos_data/robots/talos_left_arm.urdf",
+        base: "fixed",
+        times: times!(Talosarm, mass_matrix, false),
+        bounds: [0.22, 0.20, 0.25, 0.5],
+    },
+    Robot {
+        name: "Panda",
+        file: "panda_description/urdf/panda.urdf",
+        base: "fixed",
+        times: times!(Panda, mass_matrix, false),
+        bounds: [0.24, 0.20, 0.25, 0.5],
+    },
+    Robot {
+        name: "ANYmal",
+        file: "anymal_b_simple_description/robots/anymal.urdf",
+        base: "free",
+        times: times!(Anymal, speed_mass_matrix, true),
+        bounds: [0.27, 0.30, 0.25, 0.5],
+    },
+    Robot {
+        name: "Talos",
+        file: "talos_data/robots/talos_reduced.urdf",
+        base: "free",
+        times: times!(Talos, speed_mass_matrix, true),
+        bounds: [0.30, 0.32, 0.40, 0.8],
+    },
+];
+
+/// What a program takes for `aba`, `rnea`, `crba` and the derivatives of `aba`, from the line that it prints.
+fn times_of(command: &mut Command) -> Result<Times, String> {
+    let output = command.output().map_err(|error| format!("cannot run {command:?}: {error}"))?;
+    let line = String::from_utf8_lossy(&output.stdout);
     let of = |name: &str| {
-        let (_, rest) = line.split_once(&format!("{name} "))?;
+        let (_, rest) = [": ", ", "].iter().find_map(|before| line.split_once(&format!("{before}{name} ")))?;
         rest.split([',', ' ']).next()?.parse().ok()
     };
-    Some([of(": aba")?, of(", rnea")?, of(", crba")?, of(", derivatives of aba")?])
+    match ALGORITHMS.map(of) {
+        [Some(aba), Some(rnea), Some(crba), Some(derivatives)] => Ok([aba, rnea, crba, derivatives]),
+        _ => Err(format!("{command:?} gives no times: {}", String::from_utf8_lossy(&output.stderr))),
+    }
 }
 
-fn main() -> ExitCode {
-    let text = std::env::args().nth(1).and_then(|path| std::fs::read_to_string(path).ok());
-    let Some(text) = text else {
-        eprintln!("race: the first argument is a file with Pinocchio's times; race.sh writes it");
-        return ExitCode::from(2);
-    };
-    let robots = [
-        ("UR5", "ur5_robot", times!(Ur5, mass_matrix, false), [0.10, 0.12, 0.2, 0.5]),
-        ("Talos' arm", "talos_left_arm", times!(Talosarm, mass_matrix, false), [0.22, 0.20, 0.25, 0.5]),
-        ("Panda", "panda", times!(Panda, mass_matrix, false), [0.24, 0.20, 0.25, 0.5]),
-        ("ANYmal", "anymal", times!(Anymal, speed_mass_matrix, true), [0.27, 0.30, 0.25, 0.5]),
-        ("Talos", "talos_reduced", times!(Talos, speed_mass_matrix, true), [0.30, 0.32, 0.40, 0.8]),
-    ];
+/// The least times of both, ours first.
+fn race(program: &str, folder: &Path, robot: &Robot) -> Result<[Times; 2], String> {
+    let own = std::env::current_exe().map_err(|error| error.to_string())?;
+    let mut best = [[f64::INFINITY; 4]; 2];
+    for _ in 0..TURNS {
+        let ours = times_of(Command::new(&own).arg(robot.name))?;
+        let turn = [ours, times_of(Command::new(program).arg(folder.join(robot.file)).arg(robot.base))?];
+        for (best, times) in best.iter_mut().zip(turn) {
+            for i in 0..4 {
+                best[i] = best[i].min(times[i]);
+            }
+        }
+    }
+    Ok(best)
+}
+
+/// Races all robots, prints the ratios, and says how many are too large.
+fn race_all(program: &str, folder: &Path) -> Result<usize, String> {
     let mut missed = 0;
-    for (robot, file, times, bounds) in robots {
-        let Some(others) = of_pinocchio(&text, file) else {
-            eprintln!("race: Pinocchio's times of `{file}` are missing");
-            return ExitCode::from(2);
-        };
+    for robot in &ROBOTS {
+        let [ours, others] = race(program, folder, robot)?;
         for (i, what) in ["forward dynamics", "inverse dynamics", "mass matrix", "derivatives"].into_iter().enumerate()
         {
-            let (ratio, bound) = (times[i] / others[i], bounds[i]);
+            let (ratio, bound) = (ours[i] / others[i], robot.bounds[i]);
             let verdict = if ratio <= bound { "met" } else { "MISSED" };
             missed += usize::from(ratio > bound);
             println!(
                 "{:<32}{:>7.0} ns beside {:>6.0}: {ratio:.3}, at most {bound:.2}  {verdict}",
-                format!("{robot}: {what}"),
-                times[i],
+                format!("{}: {what}", robot.name),
+                ours[i],
                 others[i]
             );
         }
     }
-    ExitCode::from(u8::from(missed > 0))
+    Ok(missed)
+}
+
+/// Prints our times of a robot, as Pinocchio's program does.
+fn print_times(name: &str) -> Result<(), String> {
+    let robot = ROBOTS.iter().find(|robot| robot.name == name).ok_or(format!("no robot is called {name}"))?;
+    let times = ALGORITHMS.iter().zip((robot.times)()).map(|(name, time)| format!("{name} {time}"));
+    println!("{name}: {} ns", times.collect::<Vec<_>>().join(", "));
+    Ok(())
+}
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let done = match arguments.as_slice() {
+        [robot] => print_times(robot).map(|()| 0),
+        [program, folder] => race_all(program, Path::new(folder)),
+        _ => Err("expected Pinocchio's program and the folder of the robots' files; race.sh gives both".into()),
+    };
+    match done {
+        Ok(missed) => ExitCode::from(u8::from(missed > 0)),
+        Err(message) => {
+            eprintln!("race: {message}");
+            ExitCode::from(2)
+        }
+    }
 }
