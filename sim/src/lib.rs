@@ -45,7 +45,7 @@ pub use analysis::sensitivity::ForwardSensitivity;
 #[cfg(feature = "analysis")]
 pub use analysis::verify;
 pub use batch::{accelerate_each, accelerate_each_with, advance_each, solve_each};
-pub use events::{Change, Crossing, EventSearch, Occurrence, act};
+pub use events::{Change, Crossing, EventSearch, Located, Occurrence, act};
 pub use integrate::{
     Advance, Attempt, Course, DOP853, DOPRI5, Dop853, EULER, ErrorEstimate, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5,
     Step, Steps, SuddenChanges, Tableau, Weight, integrate,

@@ -12,10 +12,12 @@
 
 use crate::model::conditional::is_active;
 use crate::motion::equations::impulse;
+use crate::motion::lengths::of_constraints;
 use crate::motion::measured::check_masses;
 use crate::motion::measures::Measures;
 use crate::motion::project::project_positions;
 use crate::motion::residuals::rates;
+use crate::motion::typed::Any;
 use crate::state::failure::{Failure, What, constraint_name};
 use crate::state::saved::{Bytes, Damaged};
 use crate::state::trajectory::State;
@@ -37,12 +39,22 @@ pub struct Change<M: Mechanism> {
     pub ends: bool,
 }
 
+/// How well a state at an event is known.
+#[derive(Debug)]
+pub struct Located<'a, M: Mechanism> {
+    /// The scales of the motion.
+    pub measures: &'a Measures<M>,
+    /// The accuracy of its time, in seconds.
+    pub within: f64,
+}
+
 /// Carries out the actions of an event for this occurrence.
 ///
 /// # Errors
 /// [`What::NotFinite`], [`What::Restitution`], [`What::EventOpens`], and as the equations of an impact.
 pub fn act<M: Mechanism>(
     mechanism: &M,
+    located: &Located<M>,
     before: &State<M>,
     event: &'static Event,
     occurrence: usize,
@@ -52,11 +64,11 @@ pub fn act<M: Mechanism>(
         match step {
             Step::Stop(after) => change.ends |= occurrence >= *after,
             Step::Set(assignments) => change.set(assignments, event)?,
-            Step::Switch(switches) => change.switch(switches, event)?,
-            Step::Impact(hits) => change.hit(hits, event)?,
+            Step::Switch(switches) => change.switch(switches, located, event)?,
+            Step::Impact(hits) => change.hit(hits, located, event)?,
         }
     }
-    change.settle(event)?;
+    change.settle(located, event)?;
     change.energy_taken = kinetic_energy(mechanism, before) - kinetic_energy(&change.mechanism, &change.state);
     Ok(change)
 }
@@ -108,17 +120,17 @@ impl<M: Mechanism> Change<M> {
         check_masses(&self.mechanism, self.state.time, &self.state.positions)
     }
 
-    fn switch(&mut self, switches: &[Switch], event: &'static Event) -> Result<(), Failure> {
+    fn switch(&mut self, switches: &[Switch], located: &Located<M>, event: &'static Event) -> Result<(), Failure> {
         let mut activities = self.mechanism.activities();
         for Switch { conditional, active } in switches {
             activities[*conditional] = f64::from(u8::from(*active));
         }
         self.mechanism = self.mechanism.clone().with_activities(activities);
-        self.settle(event)
+        self.settle(located, event)
     }
 
     /// An impact on constraints that hold for its instant.
-    fn hit(&mut self, hits: &[Hit], event: &'static Event) -> Result<(), Failure> {
+    fn hit(&mut self, hits: &[Hit], located: &Located<M>, event: &'static Event) -> Result<(), Failure> {
         let values = self.values();
         let mut activities = self.mechanism.activities();
         let mut restitution = self.impulses.like(|_| 0.0);
@@ -132,15 +144,15 @@ impl<M: Mechanism> Change<M> {
             rows.for_each(|row| restitution[row] = coefficient);
         }
         let struck = self.mechanism.clone().with_activities(activities);
-        self.check_closed(&struck, event)?;
+        self.check_closed(&struck, located, event)?;
         self.push(&struck, |row, rate| (1.0 + restitution[row]) * rate)
     }
 
     /// Brings the state onto the constraints that hold.
-    fn settle(&mut self, event: &'static Event) -> Result<(), Failure> {
+    fn settle(&mut self, located: &Located<M>, event: &'static Event) -> Result<(), Failure> {
         let mechanism = self.mechanism.clone();
-        self.check_closed(&mechanism, event)?;
-        let measures = Measures::at(&mechanism, self.state.time, &self.state.positions);
+        self.check_closed(&mechanism, located, event)?;
+        let measures = Measures::after(located.measures, &mechanism, self.state.time, &self.state.positions);
         project_positions(&mechanism, &measures, self.state.time, &mut self.state.positions)?;
         let linear = mechanism.constraint_linearization(self.state.time, &self.state.positions);
         let open = rates(&mechanism, &linear, &self.state.speeds);
@@ -167,10 +179,15 @@ impl<M: Mechanism> Change<M> {
     }
 
     /// Checks that the positions satisfy the constraints, to the accuracy of locating an event.
-    fn check_closed(&self, mechanism: &M, event: &'static Event) -> Result<(), Failure> {
+    fn check_closed(&self, mechanism: &M, located: &Located<M>, event: &'static Event) -> Result<(), Failure> {
         let (time, q) = (self.state.time, &self.state.positions);
-        let (values, magnitudes) = (mechanism.constraints(time, q), mechanism.constraint_magnitudes(time, q));
-        let open = |row: &usize| !(values[*row].abs() <= LOCATED * magnitudes[*row] + 1e-9);
+        let linear = mechanism.constraint_linearization(time, q);
+        let (values, rates) = (&linear.values, rates(mechanism, &linear, &self.state.speeds));
+        let magnitudes = mechanism.constraint_magnitudes(time, q);
+        let sizes = of_constraints(&Any(mechanism), time, q.as_ref(), located.measures.coordinates().as_ref());
+        let most =
+            |row: usize| LOCATED * magnitudes[row] + CLOSED * sizes[row] + 2.0 * located.within * rates[row].abs();
+        let open = |row: &usize| !(values[*row].abs() <= most(*row));
         match (0..mechanism.m()).filter(|row| is_active(mechanism, *row)).find(open) {
             None => Ok(()),
             Some(row) => {
@@ -185,3 +202,5 @@ impl<M: Mechanism> Change<M> {
 const ROUNDING: f64 = 1e-12;
 /// The largest residual of a constraint at an event, relative to its terms, that a projection closes.
 const LOCATED: f64 = 1e-7;
+/// The same relative to its changes by those of the coordinates that count as 1: all terms of y = 0 are small at a contact.
+const CLOSED: f64 = 1e-9;

@@ -1,6 +1,6 @@
 //! Applies events to a motion: they change its mechanism and state, or end it.
 
-use super::act::{Change, act};
+use super::act::{Change, Located, act};
 use super::conditions::tolerance;
 use super::onset::Onset;
 use super::{Crossing, EventSearch, Occurrence};
@@ -221,7 +221,7 @@ impl<M: Mechanism> EventHandler<M> {
                 self.happen_at_start(motion.mechanism(), event, sample)?;
             }
         }
-        if self.search.found.len() > at { self.act_from(motion.mechanism(), at) } else { Ok(()) }
+        if self.search.found.len() > at { self.act_from(motion, at) } else { Ok(()) }
     }
 
     /// Searches a step. If an event in it changes something or ends the motion, the step counts up to the state there.
@@ -246,9 +246,9 @@ impl<M: Mechanism> EventHandler<M> {
     ///
     /// # Errors
     /// As what events do.
-    pub(crate) fn act(&mut self, mechanism: &M) -> Result<(), Failure> {
+    pub(crate) fn act(&mut self, motion: &Motion<M>) -> Result<(), Failure> {
         match self.acting.take() {
-            Some(at) => self.act_from(mechanism, at)?,
+            Some(at) => self.act_from(motion, at)?,
             None => self.has_ended = true,
         }
         Ok(())
@@ -323,8 +323,8 @@ impl<M: Mechanism> EventHandler<M> {
 
     /// Carries out the actions of the occurrences from here on, in order. One whose condition those before it turn back does not
     /// happen.
-    fn act_from(&mut self, mechanism: &M, at: usize) -> Result<(), Failure> {
-        let mut mechanism = mechanism.clone();
+    fn act_from(&mut self, motion: &Motion<M>, at: usize) -> Result<(), Failure> {
+        let mut mechanism = motion.mechanism().clone();
         let begin = self.search.found[at].state.clone();
         let (mut state, mut changes, mut index) = (begin.clone(), false, at);
         while index < self.search.found.len() {
@@ -341,7 +341,8 @@ impl<M: Mechanism> EventHandler<M> {
             self.counts[event] += 1;
             (self.last[event], self.turned[event]) = (state.time, f64::NEG_INFINITY);
             self.note_time(&mechanism, &state, name, self.counts[event])?;
-            let change = act(&mechanism, &state, described, self.counts[event])?;
+            let located = Located { measures: motion.measures(), within: tolerance(state.time, self.span) };
+            let change = act(&mechanism, &located, &state, described, self.counts[event])?;
             (mechanism, state) = (change.mechanism.clone(), change.state.clone());
             self.has_ended |= change.ends;
             self.energy_taken += change.energy_taken;

@@ -10,7 +10,7 @@ mod handler;
 mod onset;
 mod waves;
 
-pub use act::{Change, act};
+pub use act::{Change, Located, act};
 pub(crate) use conditions::{conditions, tolerance};
 pub(crate) use handler::EventHandler;
 

@@ -17,14 +17,19 @@ pub(crate) fn without_units(
 /// The scales of coordinates and constraints, n and m.
 pub(crate) fn measure(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let coordinates = of_coordinates(mechanism, time, q);
+    let constraints = of_constraints(mechanism, time, q, &coordinates);
+    (coordinates, constraints)
+}
+
+/// For each constraint the largest of its terms, or of its changes by such changes of the coordinates, m.
+pub(crate) fn of_constraints(mechanism: &dyn AnyMechanism, time: f64, q: &[f64], coordinates: &[f64]) -> Vec<f64> {
     let (terms, jacobian) = (mechanism.constraint_magnitudes(time, q), mechanism.constraint_jacobian(time, q));
     let of_row = |row: usize| {
         let changes = coordinates.iter().enumerate().map(|(j, change)| (jacobian[(row, j)] * change).abs());
         let size = changes.fold(terms[row].abs(), f64::max);
         if size > 0.0 && size.is_finite() { size } else { 1.0 }
     };
-    let constraints = (0..jacobian.nrows()).map(of_row).collect();
-    (coordinates, constraints)
+    (0..jacobian.nrows()).map(of_row).collect()
 }
 
 /// For each coordinate the change that counts as 1, in SI units: the mechanism's own length for lengths, 1 for angles and

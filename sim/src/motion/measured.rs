@@ -12,7 +12,22 @@ impl<M: Mechanism> Measures<M> {
         Measures::with_mobility(mechanism, time, q, &mobility(mechanism, time, q))
     }
 
+    /// Those after a change within a motion that has been measured.
+    pub(crate) fn after(before: &Measures<M>, mechanism: &M, time: f64, q: &M::Q) -> Measures<M> {
+        Measures::after_with_mobility(before, mechanism, (time, q), &mobility(mechanism, time, q))
+    }
+
     /// The same with known degrees of freedom.
+    pub(crate) fn after_with_mobility(
+        before: &Measures<M>,
+        mechanism: &M,
+        (time, q): (f64, &M::Q),
+        mobility: &Mobility,
+    ) -> Measures<M> {
+        Measures::with_mobility(mechanism, time, q, mobility).measuring_as(before, &Any(mechanism), (time, q))
+    }
+
+    /// Those of a mechanism at a position with known degrees of freedom.
     pub fn with_mobility(mechanism: &M, time: f64, q: &M::Q, mobility: &Mobility) -> Measures<M> {
         Measures::of(mechanism, &Any(mechanism), (time, q), mobility)
     }

@@ -8,7 +8,7 @@
 
 use crate::model::AnyMechanism;
 use crate::model::conditional::released_rows;
-use crate::motion::lengths::measure;
+use crate::motion::lengths::{measure, of_constraints};
 use crate::motion::mobility::Mobility;
 use crate::numerics::arrays::array;
 use crate::numerics::numbers::{all, larger};
@@ -56,9 +56,17 @@ impl<M: Mechanism> Measures<M> {
         }
     }
 
-    /// The same with coordinates measured as in others, of the same motion before a change.
-    pub(crate) fn measuring_as(self, before: &Measures<M>) -> Measures<M> {
-        Measures { coordinates: before.coordinates.clone(), ..self }
+    /// The same with coordinates measured as in others, of the same motion before a change: a ball that has come to the floor is
+    /// no smaller for that.
+    pub(crate) fn measuring_as(
+        self,
+        before: &Measures<M>,
+        any: &dyn AnyMechanism,
+        (time, q): (f64, &M::Q),
+    ) -> Measures<M> {
+        let coordinates = before.coordinates.clone();
+        let constraints = of_constraints(any, time, q.as_ref(), coordinates.as_ref());
+        Measures { constraints: array(self.constraints.len(), &constraints), coordinates, ..self }
     }
 
     /// All of it as bytes, or from them.

@@ -246,7 +246,7 @@ impl<M: Mechanism> Simulation<M> {
             None => self.state = step.to.state.clone(),
             Some(state) => {
                 self.state = state.clone();
-                self.events.act(self.motion.mechanism())?;
+                self.events.act(&self.motion)?;
                 self.change_phase()?;
             }
         }
@@ -309,9 +309,8 @@ impl<M: Mechanism> Simulation<M> {
     pub(super) fn go_over(&mut self, mechanism: M, state: State<M>) -> Result<(), Failure> {
         self.state = state.clone();
         let found = mobility(&mechanism, state.time, &state.positions);
-        let measures = Measures::with_mobility(&mechanism, state.time, &state.positions, &found);
-        // A ball that has come to the floor is no smaller for that.
-        self.measures = measures.measuring_as(&self.measures);
+        let at = (state.time, &state.positions);
+        self.measures = Measures::after_with_mobility(&self.measures, &mechanism, at, &found);
         self.start_anew(mechanism);
         found.check_regular(self.mechanism(), state.time, &state.positions)
     }

@@ -6,6 +6,7 @@ mod pulled;
 
 use sim::{Method, Run, Settings, Stabilisation, What, mechanism};
 use std::f64::consts::PI;
+use tests::any_model::{AnyModel, interpreted};
 use tests::run_with;
 
 const G: f64 = 9.81;
@@ -323,4 +324,37 @@ fn a_constraint_that_is_open_cannot_become_active() {
     assert!(matches!(failure.what, What::EventOpens { event: "early", constraint: "hook", .. }), "{failure}");
     assert!((failure.time - 0.9).abs() < 1e-11);
     assert!(run.trajectory.samples.last().unwrap().state.time > 0.89);
+}
+
+/// A bead that falls from a height in metres, in the time in which one falls from 1 m, and is caught at a fraction of that height.
+fn caught_at(fraction: f64, height: f64) -> Result<Run<AnyModel>, String> {
+    let (at, gravity) = (fraction * height, 9.81 * height);
+    let bead = interpreted(&format!(
+        "/// A bead above a floor.
+        Bead;
+        coordinates {{ y [m]; }}
+        parameters {{ m [kg] = 1; }}
+        bodies {{ bead: mass m at [0, y]; }}
+        loads {{ gravity [0, -{gravity:e} [m/s^2]]; }}
+        constraints {{ floor: y = 0 initially released; }}
+        initial {{ y = {height:e} [m]; }}
+        events {{ lands: y = {at:e} [m] falling {{ activate floor; }} }}"
+    ))?;
+    run_with(bead, &Settings::new(1.0)).map_err(|failure| failure.to_string())
+}
+
+/// At the floor nothing says how large this mechanism is: no coordinate and no parameter has a length, but its start had one.
+#[test]
+fn a_floor_catches_at_every_size() {
+    for height in [1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6, 1e9] {
+        let run = caught_at(0.0, height).unwrap();
+        assert!(run.trajectory.failure.is_none(), "{height} m: {:?}", run.trajectory.failure);
+        let (landed, last) = (&run.events[0].state, &run.trajectory.samples.last().unwrap().state);
+        // 1e-10 a step, and the level of rounding on the floor.
+        assert!((landed.time - (2.0 / 9.81f64).sqrt()).abs() < 1e-9, "{height} m: {}", landed.time);
+        assert!(last.positions[0].abs() <= 1e-12 * height, "{height} m: {:e}", last.positions[0]);
+        // A floor that is a hundred thousandth of the height away is not met.
+        let failure = caught_at(1e-5, height).unwrap().trajectory.failure.unwrap();
+        assert!(matches!(failure.what, What::EventOpens { event: "lands", .. }), "{height} m: {failure}");
+    }
 }
