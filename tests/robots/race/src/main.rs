@@ -157,41 +157,42 @@ fn times_of(command: &mut Command) -> Result<Times, String> {
     }
 }
 
-/// The least times of both, ours first.
-fn race(program: &str, folder: &Path, robot: &Robot) -> Result<[Times; 2], String> {
+/// The times of both, ours first.
+fn turn(own: &Path, program: &str, folder: &Path, robot: &Robot) -> Result<[Times; 2], String> {
+    let ours = times_of(Command::new(own).arg(robot.name))?;
+    Ok([ours, times_of(Command::new(program).arg(folder.join(robot.file)).arg(robot.base))?])
+}
+
+/// Races all robots in turns, prints the ratios of the least times, and says how many are too large.
+fn race(program: &str, folder: &Path) -> Result<usize, String> {
     let own = std::env::current_exe().map_err(|error| error.to_string())?;
-    let mut best = [[f64::INFINITY; 4]; 2];
+    let mut best = [[[f64::INFINITY; 4]; 2]; ROBOTS.len()];
     for _ in 0..TURNS {
-        let ours = times_of(Command::new(&own).arg(robot.name))?;
-        let turn = [ours, times_of(Command::new(program).arg(folder.join(robot.file)).arg(robot.base))?];
-        for (best, times) in best.iter_mut().zip(turn) {
-            for i in 0..4 {
-                best[i] = best[i].min(times[i]);
+        for (robot, best) in ROBOTS.iter().zip(&mut best) {
+            let times = turn(&own, program, folder, robot)?;
+            for (best, time) in best.as_flattened_mut().iter_mut().zip(times.as_flattened()) {
+                *best = best.min(*time);
             }
         }
     }
-    Ok(best)
+    Ok(ROBOTS.iter().zip(&best).map(|(robot, [ours, others])| print_ratios(robot, ours, others)).sum())
 }
 
-/// Races all robots, prints the ratios, and says how many are too large.
-fn race_all(program: &str, folder: &Path) -> Result<usize, String> {
+/// How many ratios are too large.
+fn print_ratios(robot: &Robot, ours: &Times, others: &Times) -> usize {
     let mut missed = 0;
-    for robot in &ROBOTS {
-        let [ours, others] = race(program, folder, robot)?;
-        for (i, what) in ["forward dynamics", "inverse dynamics", "mass matrix", "derivatives"].into_iter().enumerate()
-        {
-            let (ratio, bound) = (ours[i] / others[i], robot.bounds[i]);
-            let verdict = if ratio <= bound { "met" } else { "MISSED" };
-            missed += usize::from(ratio > bound);
-            println!(
-                "{:<32}{:>7.0} ns beside {:>6.0}: {ratio:.3}, at most {bound:.2}  {verdict}",
-                format!("{}: {what}", robot.name),
-                ours[i],
-                others[i]
-            );
-        }
+    for (i, what) in ["forward dynamics", "inverse dynamics", "mass matrix", "derivatives"].into_iter().enumerate() {
+        let (ratio, bound) = (ours[i] / others[i], robot.bounds[i]);
+        let verdict = if ratio <= bound { "met" } else { "MISSED" };
+        missed += usize::from(ratio > bound);
+        println!(
+            "{:<32}{:>7.0} ns beside {:>6.0}: {ratio:.3}, at most {bound:.2}  {verdict}",
+            format!("{}: {what}", robot.name),
+            ours[i],
+            others[i]
+        );
     }
-    Ok(missed)
+    missed
 }
 
 /// Prints our times of a robot, as Pinocchio's program does.
@@ -206,7 +207,7 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let done = match arguments.as_slice() {
         [robot] => print_times(robot).map(|()| 0),
-        [program, folder] => race_all(program, Path::new(folder)),
+        [program, folder] => race(program, Path::new(folder)),
         _ => Err("expected Pinocchio's program and the folder of the robots' files; race.sh gives both".into()),
     };
     match done {
