@@ -266,7 +266,7 @@ impl<M: Mechanism> EventHandler<M> {
     /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and
     /// continues through zero. If the event has just happened, this requires that it was an impact, which should have
     /// turned it back, that the constraint it switched on is released again, that the condition had turned back since, or
-    /// that it returns to zero within an instant. One that releases a constraint because of a force happens also if its
+    /// that it returns to zero within an instant or without having left it by more than rounding. One that releases a constraint because of a force happens also if its
     /// condition is beyond zero: a contact that a blow has closed does not pull.
     fn is_due(&self, mechanism: &M, onset: &Onset<M>, index: usize, time: f64) -> bool {
         let described = &mechanism.description().events[index];
@@ -281,7 +281,10 @@ impl<M: Mechanism> EventHandler<M> {
                 let hits = described.steps.iter().any(|step| matches!(step, event::Step::Impact(_)));
                 hits || switches(mechanism, described, true) || time - self.turned[index] < self.instant()
             }
-            true => sign == -through && onset.returns_after(index) < self.instant(),
+            true => {
+                let soon = onset.returns_after(index) < self.instant() || onset.hides_return(index);
+                sign == -through && soon
+            }
             false => sign == through,
         };
         !described.steps.is_empty() && onset.holds(index) && goes_on

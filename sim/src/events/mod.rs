@@ -71,6 +71,8 @@ impl<M: Mechanism> Occurrence<M> {
 const MOST_HALVINGS: usize = 8;
 /// The number of occurrences in one part of a step that counts as chatter.
 const MOST_IN_A_PART: usize = 64;
+/// A condition returns soon if it is farthest within this part of a step.
+const SOON: f64 = 0.1;
 /// How close to zero, relative to its largest value, a condition has to turn to touch it.
 const TOUCH: f64 = 1e-9;
 
@@ -93,6 +95,8 @@ pub struct EventSearch<M: Mechanism> {
     largest: M::Events,
     /// The onset of conditions at the beginning, if events change the motion.
     onset: Option<Onset<M>>,
+    /// A crossing found at the very start, by a condition that leaves to the other side: rounding, unless it stays across.
+    at_start: Option<Occurrence<M>>,
 }
 
 impl<M: Mechanism> EventSearch<M> {
@@ -107,6 +111,7 @@ impl<M: Mechanism> EventSearch<M> {
             before: None,
             largest: M::Events::repeat(events, 0.0),
             onset: None,
+            at_start: None,
         }
     }
 
@@ -146,7 +151,7 @@ impl<M: Mechanism> EventSearch<M> {
 
     /// All of it as bytes, or from them; `blank` is filled by each occurrence that is read.
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes, blank: &Change<M>) -> Result<(), Damaged> {
-        let EventSearch { found, span: _, begin, last, before, largest, onset } = self;
+        let EventSearch { found, span: _, begin, last, before, largest, onset, at_start: _ } = self;
         let none =
             || Occurrence { event: 0, name: "", crossing: Crossing::Rising, state: blank.state.clone(), change: None };
         let zeros = begin.like(|_| 0.0);
@@ -168,15 +173,31 @@ impl<M: Mechanism> EventSearch<M> {
         }
         let from = match self.last.take() {
             Some(last) => last.starting(step)?,
-            None => {
-                self.note_sizes(step);
-                self.first_point(Point::of(step.motion, step.from, step.length())?)
-            }
+            None => self.search_first_return(step)?,
         };
         let to = Point::of(step.motion, step.to, step.length())?;
         let most = parts(step).max(self.waves(&from, &to).0);
         self.last = Some(self.search_parts(step, from, to, [most, most])?);
         Ok(())
+    }
+
+    /// The first point of a step without one before it. Where a condition leaves zero there and will soon be back, as after a small
+    /// bounce, it is searched as far as to where that condition is farthest.
+    fn search_first_return(&mut self, step: &mut Step<M>) -> Result<Point<M>, Failure> {
+        self.note_sizes(step);
+        let first = self.first_point(Point::of(step.motion, step.from, step.length())?);
+        let returns = |onset: &Onset<M>| {
+            let events = (0..self.begin.len()).filter(|event| onset.holds(*event));
+            events.fold(f64::INFINITY, |first, event| first.min(onset.returns_after(event)))
+        };
+        let farthest = first.time + self.onset.as_ref().map_or(f64::INFINITY, returns) / 2.0;
+        match farthest > first.time && farthest < first.time + SOON * step.length() {
+            true => {
+                let next = point(step, farthest, step.length())?;
+                self.search_part(step, &first, next)
+            }
+            false => Ok(first),
+        }
     }
 
     /// Searches an interval in so many parts, of about so many in the whole step, and those in which a condition turns out to be
@@ -222,7 +243,12 @@ impl<M: Mechanism> EventSearch<M> {
             if !may_reach_zero(event, from, &to) {
                 continue;
             }
+            let of_event = self.found.len();
             self.search_one(step, event, from, &to, MOST_HALVINGS).map_err(|failure| failure.in_event(name))?;
+            let at_start = self.at_start.take().filter(|_| from.values[event].abs() == f64::MIN_POSITIVE);
+            if self.found.len() == of_event && crosses(ends(event, from, &to).0) {
+                self.found.extend(at_start);
+            }
             if self.found.len() - first > MOST_IN_A_PART {
                 let what = What::Chattering { event: name, count: self.found.len() - first };
                 let begins = &self.found[first].state;
@@ -345,8 +371,12 @@ impl<M: Mechanism> EventSearch<M> {
             Direction::Rising => crossing == Crossing::Rising,
             Direction::Falling => crossing == Crossing::Falling,
         };
-        if counts && state.time - self.begin[event] > 2.0 * tolerance(state.time, self.span) {
-            self.found.push(Occurrence { event, name: described.name, crossing, state, change: None });
+        let is_after_start = state.time - self.begin[event] > 2.0 * tolerance(state.time, self.span);
+        let occurrence = Occurrence { event, name: described.name, crossing, state, change: None };
+        match (counts, is_after_start) {
+            (true, true) => self.found.push(occurrence),
+            (true, false) => self.at_start = Some(occurrence),
+            (false, _) => {}
         }
     }
 }

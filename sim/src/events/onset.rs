@@ -102,6 +102,12 @@ impl<M: Mechanism> Onset<M> {
         let leaves_slowly = self.rates[event].abs() * self.times[0] <= self.significant[event];
         if time >= 0.0 && !leaves_slowly { time } else { f64::INFINITY }
     }
+
+    /// Whether a condition that leaves zero here and returns goes no further than the last digit of its terms in between.
+    pub(crate) fn hides_return(&self, event: usize) -> bool {
+        let farthest = self.rates[event].powi(2) / (2.0 * self.seconds[event].abs());
+        self.returns_after(event).is_finite() && farthest <= f64::EPSILON / ROUNDING * self.significant[event]
+    }
 }
 
 /// Derivatives are differences over this part of what is changed.

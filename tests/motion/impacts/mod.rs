@@ -1,6 +1,7 @@
 //! Events that change the motion: impacts, constraints that are switched, parameters and states that are set; against closed
 //! forms and equations by hand.
 
+mod accumulating;
 mod bouncing;
 mod pulled;
 

@@ -1,0 +1,55 @@
+//! Bounces that become ever smaller: the run ends where their times accumulate, and nothing goes through what it bounces on.
+
+use sim::{Settings, What};
+use tests::any_model::interpreted;
+use tests::{Random, run_with};
+
+/// A mass that is pushed onto a slider with a prescribed course, 5 mm behind it, in units of which a metre has so many.
+fn pushed_onto_a_slider(random: &mut Random, scale: f64) -> String {
+    let mut between = |least: f64, most: f64| random.between(least, most);
+    let (rod, restitution, force) = (between(30.0, 45.0), between(0.1, 0.9), between(10.0, 40.0));
+    let start = 10.0 + rod + 5.0 + between(2.0, 15.0);
+    let length = |millimetres: f64| format!("{:e} [m]", 1e-3 * scale * millimetres);
+    format!(
+        "/// A mass on a slider.
+        Pushed;
+        coordinates {{ x [m]; u [m]; }}
+        parameters {{ w [rad/s] = 100; m [g] = 50; }}
+        let r = {}; let l = {}; let s = r*cos(w*t) + sqrt(l^2 - r^2*sin(w*t)^2);
+        bodies {{ slider: mass m at [x, 0]; pushed: mass 2*m at [u, 0]; }}
+        constraints {{ drive: x = s; touch: u - x = {} initially released; }}
+        loads {{ force [-{:e} [N], 0] at [u, 0]; }}
+        initial {{ guess x = {}; u = {}; dot(u) = 0; }}
+        events {{ hit: u - x = {} falling {{ impact touch restitution {restitution}; }} }}",
+        length(10.0),
+        length(rod),
+        length(5.0),
+        scale * force,
+        length(rod),
+        length(start),
+        length(5.0),
+    )
+}
+
+/// Where a bounce is lost, its mass goes through the slider as if there were none.
+#[test]
+fn small_bounces_are_not_lost() {
+    let (mut random, mut accumulating) = (Random(7), 0);
+    for scale in [1e-3, 1.0, 1e3] {
+        for _ in 0..25 {
+            let declaration = pushed_onto_a_slider(&mut random, scale);
+            let run = run_with(interpreted(&declaration).unwrap(), &Settings::new(0.12)).unwrap();
+            for sample in &run.trajectory.samples {
+                let gap = sample.state.positions[1] - sample.state.positions[0] - 5e-3 * scale;
+                // Times of events are known to 1e-12 s, at speeds of 1 m/s, and rows to the tolerance of 1e-10.
+                assert!(gap > -1e-9 * scale, "{gap:e} m at t = {} s\n{declaration}", sample.state.time);
+            }
+            match run.trajectory.failure.map(|failure| failure.what) {
+                Some(What::Accumulating { event: "hit", .. }) => accumulating += 1,
+                Some(what) => panic!("{what}\n{declaration}"),
+                None => {}
+            }
+        }
+    }
+    assert!(accumulating > 50, "{accumulating} of 75");
+}
