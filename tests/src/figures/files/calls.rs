@@ -36,6 +36,9 @@ fn calls(model: &dyn Model) -> impl FnMut() + use<> {
 /// States that a kernel gets at once.
 const MANY: usize = 10_000;
 
+/// Calls with many states, of which the fastest counts: a processor takes half a second to come to its clock.
+const ROUNDS: usize = 400;
+
 pub(super) fn blocks(table: &mut Table) {
     table.heading("quick-return's right-hand side at many states at once");
     let Some([compiled, interpreted]) = quick_return(table) else { return };
@@ -48,7 +51,7 @@ pub(super) fn blocks(table: &mut Table) {
         let mut of_many = || {
             black_box(interpreted.call_each_with(vectors, Kernel::Dynamics, black_box(&states)));
         };
-        let times = interleaved(25, &mut [&mut calls(&*compiled), &mut of_many]);
+        let times = interleaved(ROUNDS, &mut [&mut calls(&*compiled), &mut of_many]);
         let nanoseconds = |work: usize, states: usize| 1e9 * times[work].as_secs_f64() / states as f64;
         let (one, many) = (nanoseconds(0, CALLS), nanoseconds(1, MANY));
         table.at_most(&format!("interpreted, in ns a state, with {vectors}; compiled, one state {one:.0}"), many, 20.0);
