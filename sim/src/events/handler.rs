@@ -266,8 +266,9 @@ impl<M: Mechanism> EventHandler<M> {
     /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and
     /// continues through zero. If the event has just happened, this requires that it was an impact, which should have
     /// turned it back, that the constraint it switched on is released again, that the condition had turned back since, or
-    /// that it returns to zero within an instant or without having left it by more than rounding. One that releases a constraint because of a force happens also if its
-    /// condition is beyond zero: a contact that a blow has closed does not pull.
+    /// that it returns to zero within an instant or without having left it by more than rounding. One that releases a
+    /// constraint because of a force happens also if its condition is beyond zero: a contact that a blow has closed does not
+    /// pull.
     fn is_due(&self, mechanism: &M, onset: &Onset<M>, index: usize, time: f64) -> bool {
         let described = &mechanism.description().events[index];
         let Some(through) = through(described) else { return false };

@@ -22,6 +22,8 @@ pub(crate) struct Onset<M: Mechanism> {
     pub(crate) noise: M::Events,
     /// The rounding of the change of a condition in either time.
     significant: M::Events,
+    /// The rounding of a condition itself, where its terms cancel.
+    last_digits: M::Events,
     /// The times over which first and second derivatives are differences.
     times: [f64; 2],
     tolerance: f64,
@@ -33,6 +35,8 @@ const OFFSET: f64 = 4e-12;
 const LARGE: f64 = 1e6;
 /// Rounding of a condition relative to its terms.
 const ROUNDING: f64 = 1e-14;
+/// The same of one condition alone, some units in the last place.
+const LAST_DIGITS: f64 = 8.0 * f64::EPSILON;
 
 impl<M: Mechanism> Onset<M> {
     /// By differences over parts of the time scale of the motion, or of the span of the run. In 1e-5 of it third derivatives
@@ -45,7 +49,7 @@ impl<M: Mechanism> Onset<M> {
         let beside =
             |time: f64| Ok([conditions(motion, &moved(sample, time))?, conditions(motion, &moved(sample, -time))?]);
         let ([ahead, behind], [far_ahead, far_behind]) = (beside(d)?, beside(e)?);
-        let terms = terms(motion, &sample.state, &values)?;
+        let [terms, own_terms] = terms(motion, &sample.state, &values)?;
         let others = other_terms(motion, sample, &values, scale)?;
         let floor = |event: usize| f64::min(1.0, LARGE * (terms[event] + others[event]));
         Ok(Onset {
@@ -54,6 +58,7 @@ impl<M: Mechanism> Onset<M> {
             seconds: values.like(|i| (far_ahead[i] - 2.0 * values[i] + far_behind[i]) / (e * e)),
             noise: values.like(|i| OFFSET * terms[i].max(floor(i))),
             significant: values.like(|i| ROUNDING * terms[i]),
+            last_digits: values.like(|i| LAST_DIGITS * own_terms[i]),
             times,
             tolerance: tolerance(sample.state.time, span),
         })
@@ -61,14 +66,14 @@ impl<M: Mechanism> Onset<M> {
 
     /// None known yet.
     pub(crate) fn blank(none: &M::Events) -> Onset<M> {
-        let [values, rates, seconds, noise, significant] = std::array::from_fn(|_| none.clone());
-        Onset { values, rates, seconds, noise, significant, times: [0.0; 2], tolerance: 0.0 }
+        let [values, rates, seconds, noise, significant, last_digits] = std::array::from_fn(|_| none.clone());
+        Onset { values, rates, seconds, noise, significant, last_digits, times: [0.0; 2], tolerance: 0.0 }
     }
 
     /// All of it as bytes, or from them.
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
-        let Onset { values, rates, seconds, noise, significant, times, tolerance } = self;
-        for numbers in [values, rates, seconds, noise, significant] {
+        let Onset { values, rates, seconds, noise, significant, last_digits, times, tolerance } = self;
+        for numbers in [values, rates, seconds, noise, significant, last_digits] {
             bytes.numbers(numbers.as_mut())?;
         }
         bytes.numbers(times)?;
@@ -103,10 +108,10 @@ impl<M: Mechanism> Onset<M> {
         if time >= 0.0 && !leaves_slowly { time } else { f64::INFINITY }
     }
 
-    /// Whether a condition that leaves zero here and returns goes no further than the last digit of its terms in between.
+    /// Whether a condition that leaves zero here and returns goes no further than its rounding in between.
     pub(crate) fn hides_return(&self, event: usize) -> bool {
         let farthest = self.rates[event].powi(2) / (2.0 * self.seconds[event].abs());
-        self.returns_after(event).is_finite() && farthest <= f64::EPSILON / ROUNDING * self.significant[event]
+        self.returns_after(event).is_finite() && farthest <= self.last_digits[event]
     }
 }
 
@@ -120,21 +125,24 @@ fn change<M: Mechanism>(motion: &Motion<M>, state: &State<M>, values: &M::Events
 }
 
 /// The size of the terms of each condition: the sum of |its derivative by a coordinate times the coordinate|, or times the
-/// change that counts as 1, where that is more.
+/// change that counts as 1, where that is more; and the same sum with the coordinates alone.
 pub(super) fn terms<M: Mechanism>(
     motion: &Motion<M>,
     state: &State<M>,
     values: &M::Events,
-) -> Result<M::Events, Failure> {
+) -> Result<[M::Events; 2], Failure> {
     let mut terms = values.like(|i| values[i].abs());
+    let mut own_terms = terms.clone();
     for j in 0..motion.mechanism().n() {
-        let size = state.positions[j].abs().max(motion.measures().coordinates()[j]);
+        let own_size = state.positions[j].abs();
+        let size = own_size.max(motion.measures().coordinates()[j]);
         let mut nearby = state.clone();
         nearby.positions[j] += PART * size;
         let by_position = change(motion, &nearby, values)?;
         terms = terms.like(|i| terms[i] + by_position[i]);
+        own_terms = own_terms.like(|i| own_terms[i] + own_size / size * by_position[i]);
     }
-    Ok(terms)
+    Ok([terms, own_terms])
 }
 
 /// The size of the other terms of each condition, by speeds, by time and by loads, in a motion of this time scale.

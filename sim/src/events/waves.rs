@@ -23,7 +23,7 @@ impl<M: Mechanism> EventSearch<M> {
     pub(super) fn note_sizes(&mut self, step: &Step<M>) {
         let state = &step.from.state;
         let sizes = conditions(step.motion, state).and_then(|values| terms(step.motion, state, &values));
-        if let Ok(sizes) = sizes {
+        if let Ok([sizes, _]) = sizes {
             self.largest = self.largest.like(|i| self.largest[i].max(LEAST_WAVE * sizes[i]));
         }
     }
