@@ -10,6 +10,7 @@ mod info;
 mod inputs;
 mod provenance;
 mod run_files;
+mod warnings;
 mod watch;
 
 use serde_json::Value;

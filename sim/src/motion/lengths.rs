@@ -54,6 +54,11 @@ const SHORTEST: f64 = 0.01;
 /// rotor. Without angles it is the largest length in the start, or the median one among the parameters, whichever is less: the
 /// radius of the earth says little of a pendulum. Otherwise it is 1 m.
 pub(crate) fn own_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> f64 {
+    known_length(mechanism, time, q).unwrap_or(1.0)
+}
+
+/// The same, if anything tells it.
+pub(crate) fn known_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Option<f64> {
     let coordinates = mechanism.description().coordinates;
     let is_length: Vec<bool> = coordinates.iter().map(|coordinate| coordinate.position.is_length).collect();
     let start = || {
@@ -72,7 +77,7 @@ pub(crate) fn own_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> 
         &|| lesser(of_parameters(mechanism), start(), NEAREST),
         &start,
     ];
-    sources.iter().map(|length| length()).find(|length| *length > 0.0 && length.is_finite()).unwrap_or(1.0)
+    sources.iter().map(|length| length()).find(|length| *length > 0.0 && length.is_finite())
 }
 
 /// A length, or that of the start if it is less without being rounding.

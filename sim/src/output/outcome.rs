@@ -4,10 +4,12 @@
 use crate::analysis::kinematics::Kinematics;
 use crate::events::{Crossing, Occurrence};
 use crate::integrate::{Steps, SuddenChanges};
+use crate::motion::lengths::known_length;
 use crate::motion::mobility::Mobility;
+use crate::motion::typed::Any;
 use crate::run::{DOUBTFUL_BALANCE, Run};
 use crate::state::failure::Failure;
-use crate::state::settings::Settings;
+use crate::state::settings::{Settings, Stepping};
 use crate::state::trajectory::Sample;
 use sim_kernel::{Array, Description, Mechanism};
 
@@ -37,6 +39,8 @@ pub(crate) struct Outcome {
     pub(crate) energy_balance: f64,
     pub(crate) energy_taken: f64,
     pub(crate) integration_seconds: f64,
+    /// Where nothing tells the mechanism's own length, the farthest that a length comes from 0, in metres.
+    pub(crate) farthest_unmeasured: Option<f64>,
 }
 
 /// The event that is to end a run.
@@ -61,7 +65,24 @@ impl Outcome {
     pub(crate) fn warnings(&self) -> Vec<String> {
         let doubtful = !(self.energy_balance < DOUBTFUL_BALANCE);
         let energy = || "energy does not balance: take smaller steps before you trust these numbers".to_owned();
-        self.over_sudden_changes().into_iter().chain(doubtful.then(energy)).collect()
+        let others = [self.over_sudden_changes(), self.without_a_length(), doubtful.then(energy)];
+        others.into_iter().flatten().collect()
+    }
+
+    /// What tolerances mean where no length is declared, if the motion is small.
+    fn without_a_length(&self) -> Option<String> {
+        let (Some(farthest), Stepping::Adaptive(tolerance)) = (self.farthest_unmeasured, self.settings.stepping) else {
+            return None;
+        };
+        let is_small = farthest > 0.0 && tolerance.absolute > SMALL * tolerance.relative * farthest;
+        let finer = tolerance.relative * farthest;
+        is_small.then(|| {
+            format!(
+                "no parameter and no start is a length, so lengths are measured by 1 m: they stay within {farthest:.1e} m, and a step \
+                 may be wrong by {:.1e} m; give a parameter or the start a length, or take `--atol {finer:.0e}`",
+                tolerance.absolute
+            )
+        })
     }
 
     /// What equal steps over sudden changes may have missed.
@@ -69,7 +90,7 @@ impl Outcome {
         let SuddenChanges { steps, first, .. } = self.steps.sudden_changes?;
         let led = if steps == 1 { "one equal step leads".to_owned() } else { format!("{steps} equal steps lead") };
         Some(format!(
-            "{led} over a sudden change of what acts on the mechanism, the first at {first:.9} s: such a step is less accurate, and              does not see what begins and ends within it; steps with a tolerance (`--rtol`) end at such times"
+            "{led} over a sudden change of what acts on the mechanism, the first at {first:.9} s: such a step is less accurate, and does not see what begins and ends within it; steps with a tolerance (`--rtol`) end at such times"
         ))
     }
 }
@@ -146,8 +167,25 @@ impl<M: Mechanism> Recorded for Run<M> {
             energy_balance: self.energy_balance,
             energy_taken: self.energy_taken,
             integration_seconds: self.integration_time.as_secs_f64(),
+            farthest_unmeasured: farthest_unmeasured(self),
         }
     }
+}
+
+/// The absolute tolerance is large beside this many times what is allowed relative to the largest length.
+const SMALL: f64 = 1e3;
+
+fn farthest_unmeasured<M: Mechanism>(run: &Run<M>) -> Option<f64> {
+    let samples = &run.trajectory.samples;
+    let start = &samples.first()?.state;
+    let coordinates = run.mechanism.description().coordinates;
+    let lengths: Vec<usize> = (0..coordinates.len()).filter(|j| coordinates[*j].position.is_length).collect();
+    let is_known = known_length(&Any(&run.mechanism), start.time, start.positions.as_ref()).is_some();
+    if lengths.is_empty() || is_known {
+        return None;
+    }
+    let all = samples.iter().flat_map(|sample| lengths.iter().map(|j| sample.state.positions[*j].abs()));
+    Some(all.fold(0.0, f64::max))
 }
 
 impl<M: Mechanism> Rows for Run<M> {
