@@ -2,7 +2,7 @@
 //! `dynamics`: the two share the factorisation and nothing of the differentiation. Where a declaration has no kernel made, the
 //! trait has dual numbers too, and there is nothing to compare.
 
-use crate::mechanisms::all_mechanisms;
+use crate::all::all_mechanisms;
 use nalgebra::DMatrix;
 use sim::{Array, Compiled, Dual, FixedArray, Mechanism};
 use tests::Random;

@@ -1,11 +1,11 @@
 //! The same declaration gives the same bytes, in one process and in two.
 
-use crate::mechanisms;
+use crate::all;
 use quote::quote;
 use std::process::Command;
 
 fn generated() -> String {
-    let texts = mechanisms::all().into_iter().map(|description| {
+    let texts = all::descriptions().into_iter().map(|description| {
         let tokens = codegen::generate(description.declaration.parse().unwrap(), &quote!(sim_kernel)).unwrap();
         codegen::emit::format(tokens).unwrap()
     });
@@ -41,7 +41,7 @@ fn ten_expansions_and_two_processes_give_equal_bytes() {
 /// The text that a mechanism carries is a declaration of the same mechanism.
 #[test]
 fn the_carried_text_declares_the_same_mechanism() {
-    for description in mechanisms::all() {
+    for description in all::descriptions() {
         let tokens: proc_macro2::TokenStream = description.declaration.parse().unwrap();
         assert_eq!(codegen::dsl::source_text(tokens), description.declaration, "{}", description.name);
         // The macro has seen other tokens: its own layout, and documentation as attributes.

@@ -1,6 +1,6 @@
 //! Kernels on dual numbers give the derivatives that other kernels are.
 
-use crate::mechanisms::all_mechanisms;
+use crate::all::all_mechanisms;
 use sim::{Array, Compiled, Dual, FixedArray, Lanes, Mechanism, Scalar};
 use tests::Random;
 

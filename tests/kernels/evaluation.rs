@@ -1,6 +1,6 @@
 //! The kernels that the oracle does not know, against evaluation of the expressions that they were made from.
 
-use crate::mechanisms::all_mechanisms;
+use crate::all::all_mechanisms;
 use codegen::dynamics::EquationsOfMotion;
 use codegen::model::{Shape, Start};
 use codegen::symbolic::{Expr, Symbol, evaluate};

@@ -2,7 +2,7 @@
 //! convective terms; they share the resolved model, with the velocities that constraints between speeds are written in, and
 //! the engine.
 
-use crate::mechanisms;
+use crate::all;
 use crate::oracle::OVERCONSTRAINED;
 use codegen::dynamics::{EquationsOfMotion, lagrange};
 use codegen::symbolic::{Expr, Symbol, evaluate};
@@ -16,7 +16,7 @@ const STATES: usize = 100;
 #[test]
 fn both_give_the_same_accelerations() {
     // The redundant constraints of an overconstrained loop make these equations singular.
-    for description in mechanisms::all().into_iter().filter(|description| description.name != OVERCONSTRAINED) {
+    for description in all::descriptions().into_iter().filter(|description| description.name != OVERCONSTRAINED) {
         let worst = compare(description);
         println!("{:<20} {worst:.2} eps cond(K) |a|", description.name);
         // Each side accumulates a few roundings in its terms; the solution amplifies them by the condition number.

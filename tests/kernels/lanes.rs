@@ -1,7 +1,7 @@
 //! Many states at once give what one state after the other gives, bit by bit, with all vector instructions that this
 //! processor has.
 
-use crate::mechanisms::all_mechanisms;
+use crate::all::all_mechanisms;
 use crate::oracle::OVERCONSTRAINED;
 use sim::{Array, Compiled, Dynamics, FixedArray, Lanes, Scalar, State, Vectors, accelerate, accelerate_each_with};
 use tests::Random;

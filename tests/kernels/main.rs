@@ -2,6 +2,7 @@
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
+mod all;
 mod allocation;
 mod by_hand;
 mod derivatives;

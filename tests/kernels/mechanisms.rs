@@ -1,7 +1,6 @@
 //! Mechanisms that reach every part of the language and of the derivation; with the shipped ones they are what the
 //! checks of this folder run over.
 
-use sim::Description;
 use sim::mechanism;
 
 mechanism! {
@@ -359,45 +358,4 @@ mechanism! {
     initial { guess coupler = 0.2; guess crank = 1; guess rocker = 1.4; }
     outputs { pin [N] = norm(reaction(closed)); }
     kernels { dynamics_jacobian; dynamics_sensitivity; }
-}
-
-/// Calls a macro with the types of this file's mechanisms.
-macro_rules! own_mechanisms {
-    ($callback:ident) => {
-        $callback!(
-            crate::mechanisms::Bead,
-            crate::mechanisms::Cart,
-            crate::mechanisms::Functions,
-            crate::mechanisms::Rod,
-            crate::mechanisms::Chain,
-            crate::mechanisms::Arm,
-            crate::mechanisms::Sled,
-            crate::mechanisms::Snake,
-            crate::mechanisms::Hoist,
-            crate::mechanisms::Sprung,
-            crate::mechanisms::Switched,
-            crate::mechanisms::Actuated,
-            crate::mechanisms::Chosen,
-            crate::mechanisms::Tilted,
-            crate::tabled::Tabled
-        )
-    };
-}
-pub(crate) use own_mechanisms;
-
-/// Calls a macro with the types of the shipped mechanisms, then with those of this file.
-macro_rules! all_mechanisms {
-    ($callback:ident) => {{
-        models::all_models!($callback);
-        crate::mechanisms::own_mechanisms!($callback);
-    }};
-}
-pub(crate) use all_mechanisms;
-
-/// The shipped mechanisms and those of this file.
-pub(crate) fn all() -> Vec<&'static Description> {
-    macro_rules! descriptions {
-        ($($model:ty),*) => { [$(const { &<$model as sim::Compiled>::DESCRIPTION }),*] };
-    }
-    [tests::shipped(), own_mechanisms!(descriptions).to_vec()].concat()
 }

@@ -6,7 +6,7 @@
 //! coordinates, free bodies, points `on()` them; and the sizes of units. Joints are therefore checked apart, against equations
 //! written by hand (`tests/space/joints_by_hand.rs`, `tests/motion/joints.rs`).
 
-use crate::mechanisms::all_mechanisms;
+use crate::all::all_mechanisms;
 use codegen::dsl::{self, Declaration};
 use codegen::model::Unit;
 use codegen::oracle::{Comparison, Measured, Oracle, Solution, State, residual};

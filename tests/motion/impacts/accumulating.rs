@@ -4,7 +4,8 @@ use sim::{Settings, What};
 use tests::any_model::interpreted;
 use tests::{Random, run_with};
 
-/// A mass that is pushed onto a slider with a prescribed course, 5 mm behind it, in units of which a metre has so many.
+/// A mass that is pushed onto a slider with a prescribed course, whose stop is 5 mm before it; all lengths and the force times a
+/// scale.
 fn pushed_onto_a_slider(random: &mut Random, scale: f64) -> String {
     let mut between = |least: f64, most: f64| random.between(least, most);
     let (rod, restitution, force) = (between(30.0, 45.0), between(0.1, 0.9), between(10.0, 40.0));

@@ -106,42 +106,28 @@ struct Robot {
 }
 
 const ROBOTS: [Robot; 5] = [
-    Robot {
-        name: "UR5",
-        file: "ur_description/urdf/ur5_robot.urdf",
-        base: "fixed",
-        times: times!(Ur5, mass_matrix, false),
-        bounds: [0.10, 0.12, 0.2, 0.5],
-    },
-    Robot {
-        name: "Talos' arm",
-        file: "talos_data/robots/talos_left_arm.urdf",
-        base: "fixed",
-        times: times!(Talosarm, mass_matrix, false),
-        bounds: [0.22, 0.20, 0.25, 0.5],
-    },
-    Robot {
-        name: "Panda",
-        file: "panda_description/urdf/panda.urdf",
-        base: "fixed",
-        times: times!(Panda, mass_matrix, false),
-        bounds: [0.24, 0.20, 0.25, 0.5],
-    },
-    Robot {
-        name: "ANYmal",
-        file: "anymal_b_simple_description/robots/anymal.urdf",
-        base: "free",
-        times: times!(Anymal, speed_mass_matrix, true),
-        bounds: [0.27, 0.30, 0.25, 0.5],
-    },
-    Robot {
-        name: "Talos",
-        file: "talos_data/robots/talos_reduced.urdf",
-        base: "free",
-        times: times!(Talos, speed_mass_matrix, true),
-        bounds: [0.30, 0.32, 0.40, 0.8],
-    },
+    robot("UR5", UR5, "fixed", times!(Ur5, mass_matrix, false), [0.10, 0.12, 0.2, 0.5]),
+    robot("Talos' arm", ARM, "fixed", times!(Talosarm, mass_matrix, false), [0.22, 0.20, 0.25, 0.5]),
+    robot("Panda", PANDA, "fixed", times!(Panda, mass_matrix, false), [0.24, 0.20, 0.25, 0.5]),
+    robot("ANYmal", ANYMAL, "free", times!(Anymal, speed_mass_matrix, true), [0.27, 0.30, 0.25, 0.5]),
+    robot("Talos", TALOS, "free", times!(Talos, speed_mass_matrix, true), [0.30, 0.32, 0.40, 0.8]),
 ];
+
+const UR5: &str = "ur_description/urdf/ur5_robot.urdf";
+const ARM: &str = "talos_data/robots/talos_left_arm.urdf";
+const PANDA: &str = "panda_description/urdf/panda.urdf";
+const ANYMAL: &str = "anymal_b_simple_description/robots/anymal.urdf";
+const TALOS: &str = "talos_data/robots/talos_reduced.urdf";
+
+const fn robot(
+    name: &'static str,
+    file: &'static str,
+    base: &'static str,
+    times: fn() -> Times,
+    bounds: [f64; 4],
+) -> Robot {
+    Robot { name, file, base, times, bounds }
+}
 
 /// What a program takes for `aba`, `rnea`, `crba` and the derivatives of `aba`, from the line that it prints.
 fn times_of(command: &mut Command) -> Result<Times, String> {
