@@ -1,7 +1,5 @@
-//! Mechanisms that reach every part of the language of space; with the shipped ones they are what the checks of kernels
-//! run over here.
+//! Mechanisms that reach every part of the language of space.
 
-use sim::Description;
 use sim::mechanism;
 
 mechanism! {
@@ -83,37 +81,4 @@ mechanism! {
     constraints { second_norm: p0^2 + p1^2 + p2^2 + p3^2 = 1; }
     initial { guess p0 = 0.8; guess p1 = 0.3; first_y = 0.2; dot(first_z) = 1; }
     outputs { height [m] = on(second, [0, l, 0]).z; spin [rad/s] = norm(omega(second) - omega(first)); norm_force [J] = reaction(first_norm); }
-}
-
-/// Calls a macro with the types of all mechanisms but the overconstrained ones, of which no elimination is planned, and
-/// Stewart's platform, whose six legs do not reach most random places.
-macro_rules! all_mechanisms {
-    ($callback:ident) => {
-        $callback!(
-            models::Tumbling,
-            models::TumblingQuaternion,
-            models::Top,
-            models::Gyroscope,
-            models::Cardan,
-            models::RobotArm,
-            models::RollingDisc,
-            models::SphericalPendulum,
-            models::Rssr,
-            models::Rover,
-            crate::mechanisms::Thrown,
-            crate::mechanisms::Gimbal,
-            crate::mechanisms::Leashed,
-            crate::tree::Held,
-            crate::tree::RssrOfJoints
-        )
-    };
-}
-pub(crate) use all_mechanisms;
-
-/// What they say of themselves.
-pub(crate) fn all() -> Vec<&'static Description> {
-    macro_rules! descriptions {
-        ($($model:ty),*) => { vec![$(const { &<$model as sim::Compiled>::DESCRIPTION }),*] };
-    }
-    all_mechanisms!(descriptions)
 }
