@@ -3,7 +3,8 @@
 
 use super::block_sums::BlockSum;
 use super::compact::{Body, body};
-use super::execute::{Given, refused, step};
+use super::execute::{Given, step};
+use super::one_program::Places;
 use crate::numerics::vectors::Work;
 use crate::{Results, States};
 use codegen::emit::bytecode::{Code, Instruction, Wave};
@@ -26,12 +27,11 @@ type Block = Lanes<STATES>;
 #[derive(Clone, Copy)]
 pub(super) struct OfMany<'a> {
     pub(super) code: &'a Code,
+    pub(super) places: &'a Places,
     /// What the program begins with.
     pub(super) image: &'a [f64],
     pub(super) inputs: &'a [Input],
     pub(super) tables: &'a [Table],
-    /// The rows of the results, in their order.
-    pub(super) rows: &'a [Range<usize>],
     pub(super) states: &'a States<'a>,
 }
 
@@ -40,7 +40,7 @@ impl Work for OfMany<'_> {
 
     #[inline(always)]
     fn run<const AT_ONCE: usize>(self) -> Results {
-        let OfMany { code, states, .. } = self;
+        let OfMany { code, places, states, .. } = self;
         let inputs: Vec<Input<Block>> = self.inputs.iter().map(|input| input.map(Block::from_f64)).collect();
         let given = Given::at_rest(&inputs, self.tables);
         // Programs do not write to the registers that they begin with.
@@ -48,7 +48,7 @@ impl Work for OfMany<'_> {
         registers.resize(code.registers, Block::ZERO);
         let body = body(code, |register| register);
         let sums: Vec<BlockSum> = body.sums.iter().map(|sum| BlockSum::of(sum, self.image.len())).collect();
-        let width: usize = self.rows.iter().map(ExactSizeIterator::len).sum();
+        let width: usize = places.rows.iter().map(ExactSizeIterator::len).sum();
         let count = states.times.len();
         let (mut numbers, mut refusals) = (Vec::with_capacity(width * count), Vec::new());
         for first in (0..count).step_by(STATES) {
@@ -57,14 +57,14 @@ impl Work for OfMany<'_> {
             execute::<AT_ONCE>((&body, &sums, self.image), &given, &mut registers);
             // Block by block, so that they are in the cache when they are written.
             numbers.resize((first + filled) * width, 0.0);
-            scatter(&registers, self.rows, &mut numbers[first * width..], width);
-            each_refused(code, &registers, |lane| {
+            scatter(&registers, &places.rows, &mut numbers[first * width..], width);
+            each_refused(places, &registers, |lane| {
                 if lane < filled {
                     refusals.push(first + lane);
                 }
             });
         }
-        Results { rows: self.rows.iter().map(ExactSizeIterator::len).collect(), numbers, refused: refusals }
+        Results { rows: places.rows.iter().map(ExactSizeIterator::len).collect(), numbers, refused: refusals }
     }
 }
 
@@ -104,9 +104,9 @@ fn sin_cos(Wave { angle, sin, cos }: Wave<u32>, registers: &mut [Block]) {
 
 /// Finds the states of a block that a program refuses.
 #[inline(always)]
-fn each_refused(code: &Code, registers: &[Block], mut found: impl FnMut(usize)) {
+fn each_refused(places: &Places, registers: &[Block], mut found: impl FnMut(usize)) {
     for first in (0..STATES).step_by(TOGETHER) {
-        let is_refused = refused(code, |register| Lanes::<TOGETHER>::from(registers[register as usize].part(first)));
+        let is_refused = places.refused(|register| Lanes::<TOGETHER>::from(registers[register as usize].part(first)));
         if is_refused.any() {
             (0..TOGETHER).filter(|lane| is_refused.lane(*lane)).for_each(|lane| found(first + lane));
         }

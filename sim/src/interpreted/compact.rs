@@ -119,13 +119,6 @@ impl<R> Body<R> {
     }
 }
 
-/// The program of a kernel.
-#[derive(Debug)]
-pub(super) struct OneProgram {
-    pub(super) code: Code,
-    pub(super) compact: Compact,
-}
-
 /// Instructions on registers whose numbers are as short as possible.
 #[derive(Debug)]
 pub(super) enum Compact {
@@ -135,6 +128,15 @@ pub(super) enum Compact {
 }
 
 impl Compact {
+    /// How many registers it has to be given.
+    pub(super) fn room(&self, registers: usize) -> usize {
+        match self {
+            Compact::Few(_) => u8::room(registers),
+            Compact::Many(_) => u16::room(registers),
+            Compact::Any(_) => u32::room(registers),
+        }
+    }
+
     pub(super) fn of(code: &Code) -> Compact {
         match code.registers {
             ..=0x100 => Compact::Few(body(code, |register| register as u8)),

@@ -4,7 +4,7 @@ use super::compact::{Body, Compact, Lists, Register};
 use codegen::emit::bytecode::{Code, Field, Instruction, LookUp, Wave};
 use codegen::kernel_id::Argument;
 use codegen::symbolic::Function;
-use sim_kernel::{Input, Mask, Scalar, Table, pivot_is_refused};
+use sim_kernel::{Input, Scalar, Table};
 
 /// What programs read: the state, and what the mechanism is set to.
 #[derive(Clone, Copy)]
@@ -108,26 +108,6 @@ fn load<S: Scalar>(code: &Code, given: &Given<S>, registers: &mut [S]) {
         };
         *register = numbers.get(*at).copied().unwrap_or(S::ZERO);
     }
-}
-
-/// How many registers a program has to be given.
-pub(super) fn room(code: &Code, compact: &Compact) -> usize {
-    match compact {
-        Compact::Few(_) => u8::room(code.registers),
-        Compact::Many(_) => u16::room(code.registers),
-        Compact::Any(_) => u32::room(code.registers),
-    }
-}
-
-/// Where a pivot is refused, of what stands in the registers.
-#[inline(always)]
-pub(super) fn refused<S: Scalar>(code: &Code, register: impl Fn(u32) -> S) -> S::Mask {
-    let Some(pivots) = &code.pivots else { return S::not(S::Mask::NONE) };
-    let mut refused = S::Mask::NONE;
-    for [pivot, terms] in pivots {
-        refused = refused | pivot_is_refused(register(*pivot), register(*terms));
-    }
-    refused
 }
 
 #[inline(always)]

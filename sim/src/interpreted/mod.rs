@@ -12,6 +12,7 @@ mod file;
 mod kernels;
 mod leaked;
 mod model;
+mod one_program;
 mod programs;
 mod registers;
 

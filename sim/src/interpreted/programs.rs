@@ -1,18 +1,17 @@
 //! The programs of a mechanism, derived from its declaration.
 
 use super::blocks::OfMany;
-use super::compact::{Compact, OneProgram};
-use super::execute::{Given, image, refused};
+use super::execute::{Given, image};
 use super::leaked::{Kept, kept};
+use super::one_program::OneProgram;
 use super::registers::{Number, with_registers};
 use crate::model::erased::{Found, Results, States};
 use crate::numerics::vectors::Vectors;
 use codegen::Derived;
-use codegen::emit::bytecode::{Code, codes};
+use codegen::emit::bytecode::{Order, codes};
 use codegen::kernel_id::KernelId;
 use codegen::symbolic::evaluate;
 use sim_kernel::{Description, Mask, Scalar, Table};
-use std::ops::Range;
 
 /// The programs of a mechanism, and what is told of it.
 #[derive(Debug)]
@@ -34,9 +33,10 @@ impl Programs {
         let (model, graph) = (&equations.model, &equations.graph);
         let defaults: Vec<_> = model.parameters.iter().map(|parameter| parameter.default).collect();
         let mut by_number: Vec<Option<OneProgram>> = KernelId::ALL.iter().map(|_| None).collect();
-        for code in codes(model, program) {
+        let [written, scheduled] = [Order::Written, Order::Scheduled].map(|order| codes(model, program, order));
+        for (code, scheduled) in written.into_iter().zip(scheduled) {
             let number = code.kernel as usize;
-            by_number[number] = Some(OneProgram { compact: Compact::of(&code), code });
+            by_number[number] = Some(OneProgram::new(code, scheduled));
         }
         Programs {
             description,
@@ -72,11 +72,11 @@ impl Programs {
         found: Found<S>,
     ) -> bool {
         let Some(program) = &self.programs[kernel as usize] else { return true };
-        let code = &program.code;
-        with_registers(S::room(program), |registers| {
+        let places = S::places(program);
+        with_registers(places.room, |registers| {
             S::execute(program, image, given, registers);
-            rows(code).enumerate().for_each(|(row, range)| found(row, &registers[range.clone()]));
-            refused(code, |register| registers[register as usize]).any()
+            places.rows.iter().enumerate().for_each(|(row, range)| found(row, &registers[range.clone()]));
+            places.refused(|register| registers[register as usize]).any()
         })
     }
 
@@ -87,16 +87,9 @@ impl Programs {
         given: &Given<f64>,
         states: &States,
     ) -> Option<Results> {
-        let OneProgram { code, .. } = self.programs[kernel as usize].as_ref()?;
-        let (image, rows) = (image(code, given), rows(code).cloned().collect::<Vec<_>>());
-        Some(vectors.run(OfMany {
-            code,
-            image: &image,
-            inputs: given.inputs,
-            tables: given.tables,
-            rows: &rows,
-            states,
-        }))
+        let OneProgram { code, places, .. } = self.programs[kernel as usize].as_ref()?;
+        let image = image(code, given);
+        Some(vectors.run(OfMany { code, places, image: &image, inputs: given.inputs, tables: given.tables, states }))
     }
 
     /// All results of a kernel, one after the other.
@@ -105,12 +98,4 @@ impl Programs {
         self.call(kernel, given, &mut |_, row| list.extend_from_slice(row));
         list
     }
-}
-
-/// The rows of a kernel's results: of a linearisation C, C_t, and then C_q.
-fn rows(code: &Code) -> impl Iterator<Item = &Range<usize>> {
-    let is_last = |name: &str| name == "jacobian";
-    let first = code.results.iter().filter(move |result| !is_last(&result.name));
-    let last = code.results.iter().filter(move |result| is_last(&result.name));
-    first.chain(last).flat_map(|result| &result.rows)
 }

@@ -1,7 +1,7 @@
 //! Room for the registers of a call, kept for the next one, so that calls do not allocate.
 
-use super::compact::OneProgram;
-use super::execute::{Given, execute, execute_compact, room};
+use super::execute::{Given, execute, execute_compact};
+use super::one_program::{OneProgram, Places};
 use sim_kernel::{Dual, Scalar};
 use std::cell::Cell;
 use std::thread::LocalKey;
@@ -16,8 +16,8 @@ pub(super) trait Number: Scalar {
     /// Where this thread keeps room for them.
     const ROOM: &'static LocalKey<Cell<Vec<Self>>>;
 
-    /// How many registers a program has to be given.
-    fn room(program: &OneProgram) -> usize;
+    /// The places of the form that is executed on them.
+    fn places(program: &OneProgram) -> &Places;
     /// Executes it, from an image on.
     fn execute(program: &OneProgram, image: &[Self], given: &Given<Self>, registers: &mut [Self]);
 }
@@ -25,8 +25,8 @@ pub(super) trait Number: Scalar {
 impl Number for f64 {
     const ROOM: &'static LocalKey<Cell<Vec<f64>>> = &NUMBERS;
 
-    fn room(program: &OneProgram) -> usize {
-        room(&program.code, &program.compact)
+    fn places(program: &OneProgram) -> &Places {
+        &program.compact_places
     }
     fn execute(program: &OneProgram, image: &[f64], given: &Given<f64>, registers: &mut [f64]) {
         execute_compact(&program.code, &program.compact, image, given, registers);
@@ -36,8 +36,8 @@ impl Number for f64 {
 impl Number for Dual {
     const ROOM: &'static LocalKey<Cell<Vec<Dual>>> = &DUALS;
 
-    fn room(program: &OneProgram) -> usize {
-        program.code.registers
+    fn places(program: &OneProgram) -> &Places {
+        &program.places
     }
     fn execute(program: &OneProgram, image: &[Dual], given: &Given<Dual>, registers: &mut [Dual]) {
         registers[..image.len()].copy_from_slice(image);

@@ -1,5 +1,6 @@
 //! Registers for values: one is taken again as soon as its value has been used for the last time, so that few are needed.
 
+use super::in_place::Parts;
 use super::instruction::{Access, Instruction, LookUp, Wave, Waves};
 
 /// Where a value is.
@@ -51,15 +52,11 @@ pub(super) struct Allocated {
 }
 
 /// Gives every value a register.
-pub(super) fn allocate(
-    instructions: &[Instruction<Place>],
-    (waves, look_ups): (&[Waves<Place>], &[LookUp<Place>]),
-    sizes: Sizes,
-) -> Allocated {
+pub(super) fn allocate(Parts { instructions, waves, look_ups }: &Parts, sizes: Sizes) -> Allocated {
     let (last_uses, mut homes) = (last_uses(instructions, waves, sizes.locals), Homes::new(sizes));
     // Results follow the locals, whose number is known in the end.
     let mut allocated: Vec<Instruction<Place>> = Vec::with_capacity(instructions.len());
-    let (mut waves, mut look_ups) = (waves.to_vec(), look_ups.to_vec());
+    let (mut waves, mut look_ups) = (waves.clone(), look_ups.clone());
     for (at, instruction) in instructions.iter().enumerate() {
         let ends = |local: usize| last_uses[local].is_none_or(|last| last == at);
         let mut touched: Vec<usize> = Vec::new();

@@ -7,6 +7,7 @@ mod allocate;
 mod columns;
 mod in_place;
 mod instruction;
+mod schedule;
 mod write;
 
 pub use instruction::{Access, Instruction, LookUp, Wave, Waves};
@@ -19,6 +20,15 @@ use std::ops::Range;
 pub const MINUS_ZERO: u32 = 0;
 /// The register of every program that holds 1.
 pub const ONE: u32 = 1;
+
+/// In which order the instructions stand. The results have the same bits.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Order {
+    /// That of the program, on as few registers as possible: for many states at once, whose registers are large.
+    Written,
+    /// One in which none waits long for the ones before it: for a single state.
+    Scheduled,
+}
 
 /// A kernel as instructions. Its registers are, in this order: constants, what is loaded from the receiver, what is
 /// loaded from the arguments, others, and the results.

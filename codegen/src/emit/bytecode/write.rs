@@ -3,7 +3,8 @@
 use super::allocate::{Place, Sizes, allocate};
 use super::in_place::{Parts, in_place};
 use super::instruction::{Instruction, LookUp, Wave, Waves};
-use super::{Code, Field, Returned};
+use super::schedule::scheduled;
+use super::{Code, Field, Order, Returned};
 use crate::kernel_id::{Argument, KernelId, Receiver};
 use crate::model::Model;
 use crate::program::{self, Entries, Kernel, Name, Program, Results, Statement, Tree};
@@ -11,7 +12,7 @@ use crate::symbolic::Function;
 use rustc_hash::FxHashMap;
 
 /// Every kernel of a program.
-pub fn codes(model: &Model, program: &Program) -> Vec<Code> {
+pub fn codes(model: &Model, program: &Program, order: Order) -> Vec<Code> {
     let of_mechanism: FxHashMap<&str, Field> = fields_of_mechanism(model).collect();
     let prepared = program.kernels.iter().find(|kernel| kernel.id == KernelId::Prepare);
     let of_prepared: FxHashMap<&str, Field> = prepared.into_iter().flat_map(fields_of_prepared).collect();
@@ -22,7 +23,7 @@ pub fn codes(model: &Model, program: &Program) -> Vec<Code> {
             Receiver::Mechanism => &of_mechanism,
             Receiver::Prepared => &of_prepared,
         };
-        Writer::new(fields, &inputs).code(kernel)
+        Writer::new(fields, &inputs).code(kernel, order)
     };
     program.kernels.iter().map(code).collect()
 }
@@ -76,7 +77,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn code(mut self, kernel: &Kernel) -> Code {
+    fn code(mut self, kernel: &Kernel, order: Order) -> Code {
         // MINUS_ZERO and ONE.
         self.constant(-0.0);
         self.constant(1.0);
@@ -92,9 +93,11 @@ impl<'a> Writer<'a> {
             locals: self.locals,
             results: self.results,
         };
-        let Parts { instructions, waves, look_ups } =
-            in_place(Parts { instructions: self.instructions, waves: self.waves, look_ups: self.look_ups });
-        let done = allocate(&instructions, (&waves, &look_ups), sizes);
+        let mut parts = in_place(Parts { instructions: self.instructions, waves: self.waves, look_ups: self.look_ups });
+        if order == Order::Scheduled {
+            parts.instructions = scheduled(&parts);
+        }
+        let done = allocate(&parts, sizes);
         for result in &mut returned {
             for row in &mut result.rows {
                 *row = done.first_result + row.start..done.first_result + row.end;
