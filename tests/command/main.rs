@@ -4,6 +4,7 @@
 
 mod analysis;
 mod commit;
+mod digits;
 mod failing;
 mod files;
 mod info;

@@ -5,6 +5,7 @@ use crate::cli::commands::steady::advice;
 use crate::cli::files::asked;
 use crate::cli::given::as_given;
 use crate::cli::numbers::in_units;
+use crate::cli::said::decimals;
 use crate::cli::settings::positive;
 use crate::cli::{Stop, print, unknown};
 use crate::output::formats::numpy::write_matrices;
@@ -231,24 +232,34 @@ fn report(found: &Found) -> String {
         let outputs = found.undefined.join(", ");
         text += &format!("{:<12} {outputs}: no derivative here, so rows of C and D are not numbers\n", "warning");
     }
+    let largest = found.modes.iter().map(|mode| mode.eigenvalue.norm()).fold(0.0, f64::max);
     for (k, mode) in found.modes.iter().enumerate() {
         let Mode { eigenvalue, .. } = mode;
-        text += &format!(
-            "{:<12} {:.9} {:+.9} i 1/s",
-            format!("mode {}", k + 1),
-            plain(eigenvalue.re, 9),
-            plain(eigenvalue.im, 9)
-        );
+        text += &format!("{:<12} {} 1/s", format!("mode {}", k + 1), complex(*eigenvalue, largest));
         text += &match (eigenvalue.im == 0.0, eigenvalue.re > 0.0) {
             (true, true) => ", grows\n".to_owned(),
             (true, false) => ", does not oscillate\n".to_owned(),
-            _ => format!(", {:.9} Hz, damping ratio {:.6}\n", mode.frequency(), plain(mode.damping_ratio(), 6)),
+            _ => {
+                let (frequency, ratio) = (decimals(mode.frequency(), 9), plain(mode.damping_ratio(), 6));
+                format!(", {frequency} Hz, damping ratio {ratio:.6}\n")
+            }
         };
         let entries = coordinates.iter().zip(&mode.shape);
         let entries = entries.map(|(c, entry)| format!("{} {}", c.position.name, polar(entry.norm(), entry.arg())));
         text += &format!("{:<12} {}\n", "", entries.collect::<Vec<_>>().join(", "));
     }
     text
+}
+
+/// Both parts with nine decimals; of a slow mode, of what a power of ten multiplies that suits the larger one. Beside the
+/// largest eigenvalue, what is 0 but for rounding is not slow.
+fn complex(Complex { re, im }: Complex<f64>, largest: f64) -> String {
+    let size = re.abs().max(im.abs());
+    let exponent =
+        if (1e-300..1e-3).contains(&size) && size > 1e-7 * largest { size.log10().floor() as i32 } else { 0 };
+    let part = |value: f64| plain(value / 10f64.powi(exponent), 9);
+    let text = format!("{:.9} {:+.9} i", part(re), part(im));
+    if exponent == 0 { text } else { format!("({text}) e{exponent}") }
 }
 
 /// The number, without the sign where so many digits print it as zero.

@@ -6,6 +6,7 @@ use crate::cli::files::folder;
 use crate::cli::files::written::Files;
 use crate::cli::given::as_given;
 use crate::cli::progress;
+use crate::cli::said::decimals;
 use crate::cli::settings::positive;
 use crate::cli::{Stop, unknown};
 use crate::output::show;
@@ -141,11 +142,13 @@ fn report(description: &Description, arguments: &PoincareArguments, times: &[f64
     let mut text = format!("{:<12} {}\n", "model", description.name);
     text += &format!("{:<12} {} states at `{}`", "section", times.len(), arguments.event);
     if let (Some(first), Some(last)) = (times.first(), times.last()) {
-        text += &format!(", from {first:.9} s to {last:.9} s");
+        text += &format!(", from {} s to {} s", decimals(*first, 9), decimals(*last, 9));
     }
     text += "\n";
     text += &match period {
-        Some(period) => format!("{:<12} {:.12} s, {} crossing(s) each\n", "period", period.seconds, period.crossings),
+        Some(Period { seconds, crossings }) => {
+            format!("{:<12} {} s, {crossings} crossing(s) each\n", "period", decimals(seconds, 12))
+        }
         None => format!("{:<12} none: no state recurs\n", "period"),
     };
     text

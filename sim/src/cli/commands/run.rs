@@ -7,7 +7,7 @@ use crate::cli::files::reproduction::Reproduction;
 use crate::cli::files::written::Files;
 use crate::cli::given::{as_given, held_at};
 use crate::cli::progress;
-use crate::cli::said::{counted, short};
+use crate::cli::said::{counted, decimals, short};
 use crate::output::happening::impulses;
 use crate::output::outcome::{Outcome, Recorded, Until};
 use crate::output::show::{self, About};
@@ -222,7 +222,7 @@ fn inputs(description: &Description, inputs: &[Input]) -> Option<Line> {
 fn happened(run: &Outcome) -> Vec<Line> {
     let (description, mut rows) = (run.description, Vec::new());
     match run.period {
-        Some(period) => rows.push(("period", format!("{period:.12} s"))),
+        Some(period) => rows.push(("period", format!("{} s", decimals(period, 12)))),
         None if description.events.iter().any(|event| event.name == "period") => {
             rows.push(("period", "not reached".into()))
         }
@@ -231,19 +231,22 @@ fn happened(run: &Outcome) -> Vec<Line> {
     for event in run.events.iter().filter(|event| event.name != "period").take(8) {
         let impulses = impulses(event, description)
             .into_iter()
-            .map(|(name, value, unit)| format!("; impulse of {name} {value:.6} {unit}"));
+            .map(|(name, value, unit)| format!("; impulse of {name} {} {unit}", decimals(value, 6)));
         let more: String = impulses.collect();
-        rows.push(("event", format!("{} at {:.12} s{more}", event.name, event.time)));
+        rows.push(("event", format!("{} at {} s{more}", event.name, decimals(event.time, 12))));
     }
     rows.extend(never(run).map(|line| ("until", line)));
     for (of, time) in run.dead_points.iter().take(8) {
         let of = of.join(", ");
-        rows.push(("dead point", format!("of {of} at {time:.12} s: the motion continues on another branch")));
+        rows.push((
+            "dead point",
+            format!("of {of} at {} s: the motion continues on another branch", decimals(*time, 12)),
+        ));
     }
     rows.extend(run.mobility.redundancies().into_iter().map(|line| ("redundant", line)));
     for passed in run.steps.singularities.iter().take(8) {
         let crossed = "passed straight through: another branch of the motion begins there, and reactions are unbounded";
-        rows.push(("singular", format!("`{}` at {:.9} s, {crossed}", passed.constraint, passed.time)));
+        rows.push(("singular", format!("`{}` at {} s, {crossed}", passed.constraint, decimals(passed.time, 9))));
     }
     rows
 }

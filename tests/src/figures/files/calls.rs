@@ -68,7 +68,11 @@ pub(super) fn blocks(table: &mut Table) {
         let times = interleaved(ROUNDS, &mut [&mut direct_calls(), &mut of_many]);
         let nanoseconds = |work: usize, states: usize| 1e9 * times[work].as_secs_f64() / states as f64;
         let (one, many) = (nanoseconds(0, CALLS), nanoseconds(1, MANY));
-        table.at_most(&format!("interpreted, in ns a state, with {vectors}; compiled, one state directly {one:.0}"), many, 20.0);
+        table.at_most(
+            &format!("interpreted, in ns a state, with {vectors}; compiled, one state directly {one:.0}"),
+            many,
+            20.0,
+        );
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::analysis::kinematics::quotient;
 use crate::cli::events::{idle_events, only_in_runs};
+use crate::cli::said::decimals;
 use crate::{Driven, Extreme, Extremes, Failure, Kinematics, Mobility, Range, SpecialPosition, Sweep};
 use serde_json::{Map, Value, json};
 use sim_kernel::{Description, Mechanism, Quantity};
@@ -131,7 +132,7 @@ fn without_bounds(found: &Found) -> Vec<String> {
 pub(super) fn report(found: &Found) -> String {
     let description = found.description;
     let (driven, sweep, extremes) = (found.driven(), found.sweep, found.extremes);
-    let value = |si: f64| format!("{:.6} {}", si / driven.factor, driven.unit);
+    let value = |si: f64| format!("{} {}", decimals(si / driven.factor, 6), driven.unit);
     let mut text = format!("{:<12} {}\n", "model", description.name);
     text += &format!(
         "{:<12} {} from {} to {} {}, {} positions\n",
@@ -156,7 +157,7 @@ pub(super) fn report(found: &Found) -> String {
         };
         let numbers =
             [least.value / factor, least.at / driven.factor, greatest.value / factor, greatest.at / driven.factor];
-        let numbers = numbers.map(|number| format!("{:>14}", significant(number))).join(" ");
+        let numbers = numbers.map(|number| format!("{:>14}", decimals(number, 6))).join(" ");
         text += &format!("{name:<22} {numbers}  {unit}\n");
     };
     for (driven, range) in found.drives() {
@@ -180,7 +181,7 @@ pub(super) fn report(found: &Found) -> String {
 /// What the sweep comes upon, to be read.
 fn passed(found: &Found) -> String {
     let driven = found.driven();
-    let value = |si: f64| format!("{:.6} {}", si / driven.factor, driven.unit);
+    let value = |si: f64| format!("{} {}", decimals(si / driven.factor, 6), driven.unit);
     let mut text = String::new();
     for position in found.branches {
         text += &format!("{:<12} another branch of the motion crosses at {}\n", "branches", value(position.value));
@@ -196,13 +197,5 @@ fn passed(found: &Found) -> String {
 
 /// A speed, to be read.
 fn speed(value: f64, unit: &str) -> String {
-    format!("at {value:.6} {unit}/s")
-}
-
-/// Nine significant digits.
-fn significant(value: f64) -> String {
-    // Zero has no sign here.
-    let value = value + 0.0;
-    let plain = value == 0.0 || (1e-3..1e6).contains(&value.abs());
-    if plain { format!("{value:.6}") } else { format!("{value:.6e}") }
+    format!("at {} {unit}/s", decimals(value, 6))
 }
