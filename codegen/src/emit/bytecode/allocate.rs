@@ -1,18 +1,7 @@
 //! Registers for values: one is taken again as soon as its value has been used for the last time, so that few are needed.
 
-use super::in_place::Parts;
 use super::instruction::{Access, Instruction, LookUp, Wave, Waves};
-
-/// Where a value is.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub(super) enum Place {
-    Constant(usize),
-    Field(usize),
-    Argument(usize),
-    /// A value of the program's own, by number.
-    Local(usize),
-    Result(usize),
-}
+use super::parts::{Parts, Place};
 
 /// How many registers hold constants, fields, arguments and results.
 #[derive(Clone, Copy)]

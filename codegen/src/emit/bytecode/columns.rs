@@ -1,7 +1,7 @@
 //! A system that is solved for many right-hand sides, as instructions.
 
-use super::allocate::Place;
 use super::instruction::Instruction;
+use super::parts::Place;
 use super::write::Writer;
 use crate::program::{BLOCK, Columns, ColumnsStep, Tree};
 

@@ -1,15 +1,8 @@
 //! Values that are results, computed where results stand.
 
-use super::allocate::Place;
-use super::instruction::{Instruction, LookUp, Wave, Waves};
+use super::instruction::{Instruction, LookUp, Wave};
+use super::parts::{Parts, Place};
 use rustc_hash::FxHashMap;
-
-/// A program.
-pub(super) struct Parts {
-    pub(super) instructions: Vec<Instruction<Place>>,
-    pub(super) waves: Vec<Waves<Place>>,
-    pub(super) look_ups: Vec<LookUp<Place>>,
-}
 
 /// The program without the copies of locals to results: each such local is its first result. Values have one place from their
 /// computation on, so nothing else changes.

@@ -7,6 +7,7 @@ mod allocate;
 mod columns;
 mod in_place;
 mod instruction;
+mod parts;
 mod schedule;
 mod write;
 

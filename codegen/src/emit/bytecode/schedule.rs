@@ -1,9 +1,8 @@
 //! The order of instructions. A processor that executes them one by one looks at some twenty ahead, and a number that has just
-//! been written to a register takes it several cycles to read: what depends on one another must not stand close together.
+//! been written to a register takes it several cycles to read: instructions that need each other should stand apart.
 
-use super::allocate::Place;
-use super::in_place::Parts;
 use super::instruction::{Access, Instruction};
+use super::parts::{Parts, Place};
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -100,5 +99,36 @@ fn latency<R>(instruction: &Instruction<R>, operand: usize) -> u32 {
         I::Divide { .. } => 13,
         I::SquareRoot { .. } | I::LookUp { .. } => 20,
         I::Call { .. } | I::Power { .. } | I::Atan2 { .. } | I::Waves { .. } => 60,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// x^2, x^3, x^4 and y^2, y^3, y^4, written one after the other.
+    #[test]
+    fn independent_chains_are_interleaved() {
+        let power = |argument: usize, k: usize| {
+            let a = if k == 0 { Place::Argument(argument) } else { Place::Local(3 * argument + k - 1) };
+            Instruction::Multiply { to: Place::Local(3 * argument + k), a, b: Place::Argument(argument) }
+        };
+        let [x, y] = [0, 1].map(|argument| [0, 1, 2].map(|k| power(argument, k)));
+        let parts = Parts { instructions: [x, y].concat(), waves: Vec::new(), look_ups: Vec::new() };
+        assert_eq!(scheduled(&parts), [x[0], y[0], x[1], y[1], x[2], y[2]]);
+    }
+
+    /// The quotient is needed by more that follows than the sum is.
+    #[test]
+    fn the_longest_way_to_the_end_comes_first() {
+        let [x, sum, quotient] = [Place::Argument(0), Place::Local(0), Place::Local(1)];
+        let add = Instruction::Add { to: sum, a: x, b: x };
+        let divide = Instruction::Divide { to: quotient, a: x, b: x };
+        let copy = Instruction::Copy { to: Place::Result(0), a: quotient };
+        let negate = Instruction::Negate { to: Place::Result(1), a: Place::Result(0) };
+        let multiply = Instruction::Multiply { to: Place::Result(2), a: sum, b: quotient };
+        let instructions = vec![add, divide, copy, negate, multiply];
+        let parts = Parts { instructions, waves: Vec::new(), look_ups: Vec::new() };
+        assert_eq!(scheduled(&parts)[..2], [divide, add]);
     }
 }

@@ -1,8 +1,9 @@
 //! From programs to instructions.
 
-use super::allocate::{Place, Sizes, allocate};
-use super::in_place::{Parts, in_place};
+use super::allocate::{Sizes, allocate};
+use super::in_place::in_place;
 use super::instruction::{Instruction, LookUp, Wave, Waves};
+use super::parts::{Parts, Place};
 use super::schedule::scheduled;
 use super::{Code, Field, Order, Returned};
 use crate::kernel_id::{Argument, KernelId, Receiver};
