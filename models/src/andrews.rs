@@ -3,7 +3,7 @@
 //! Source: E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, VI.9, and the IVP test set. The source's
 //! parameter e is called ee here, because e is Euler's number; n(a) = (sin a, -cos a) is written out.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// Andrews' squeezing mechanism: seven bodies, three loops.

@@ -5,7 +5,7 @@
 //! tan(theta1/2) tan(theta2/2) = sin((beta + alpha)/2)/sin((beta - alpha)/2). A loop of four hinges takes away
 //! 6*4 - 5*4 = 4 freedoms of 3, by Gruebler's count: two of its closing equations too many, and one that follows.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// Bennett's overconstrained linkage, hanging along y from two hinges, its loop cut at the fourth.

@@ -3,7 +3,7 @@
 //! Source: any textbook. Falling from a height h it lands at t = sqrt(2 h/g) (1 + 2 (e + .. + e^(n-1))) for the n-th time, and
 //! rises to h e^(2n) after that; its bounces accumulate at sqrt(2 h/g) (1 + e)/(1 - e).
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// A ball that falls on a floor and bounces, each time to a lesser height.

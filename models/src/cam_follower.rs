@@ -3,7 +3,7 @@
 //! Source: rise, dwell, return, dwell with cycloidal rise and return; R. L. Norton, Design of Machinery, chapter 8 (cam design), and
 //! chapter 15 for the forces: y = L (theta/beta - sin(2 pi theta/beta)/(2 pi)), F = m y'' + k y + F0.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// Plate cam at constant speed that lifts a roller follower against a spring. The lift is a table of the cycloidal law.

@@ -4,7 +4,7 @@
 //! cos(beta)/(1 - sin(beta)^2 cos(alpha)^2) (Seherr-Thoss, Schmelz and Aucktor, Universal Joints and Driveshafts, 2006,
 //! section 1.2).
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// A driven shaft turns another one by a universal joint.

@@ -2,7 +2,7 @@
 //!
 //! Source: classical (Barto, Sutton, Anderson 1983); swung up by its energy (Astrom, Furuta, Automatica 36, 2000).
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// A cart on a rail with a pole that stands on it, pushed by a drive.

@@ -3,7 +3,7 @@
 //! Source: Multibody Dynamics B, assignment 6 (a study of integrators), TU Delft, 2019. There gravity acts along +x and
 //! angles are from +x; here both are from the vertical, which is the same motion.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// Two equal slender bars, let go from the horizontal.

@@ -2,7 +2,7 @@
 //!
 //! Source: own problem, solved in closed form (Freudenstein's equation) and by quadrature of the energy integral.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// Four-bar linkage: crank 2 turns, coupler 3 swings rocker 4. Three uniform slender rods under gravity, let go

@@ -4,7 +4,7 @@
 //! 16, 2006), which starts upright with 1 m/s at the first pin and passes through singular positions. Here the linkage
 //! swings about the lowest position and stays clear of them: it moves as one pendulum.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// Parallel cranks side by side, joined by couplers: three four-bars in a row, which swing as one pendulum.

@@ -6,7 +6,7 @@
 //! (N - B) sin(b) p^2 - H p + m g l = 0, N the moment of inertia of gimbal, rotor and weight across the axes of both, B
 //! that of the gimbal about the rotor's. The slow precession is taken here.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// A rotor in two gimbals that precesses under a weight on the inner one and, unless `blow` is 0, nods.

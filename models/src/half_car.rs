@@ -3,7 +3,7 @@
 //! Source: classical, for small pitch (Wong, Theory of Ground Vehicles, chapter 7); a linear system, whose motion is
 //! Duhamel's integral of its modes.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// Half a car, seen from the side, drives over a bump: bounce and pitch from equilibrium.

@@ -2,7 +2,7 @@
 //!
 //! Source: classical; M_ij = m l^2 (n + 1/2 - max(i, j)) cos(phi_i - phi_j) beside the diagonal, M_ii = m l^2 (n + 1/3 - i).
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// A chain of five equal slender rods, let go from the side.

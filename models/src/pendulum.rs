@@ -2,7 +2,7 @@
 //!
 //! Source: any textbook; its period is 2 pi sqrt(l/g) / agm(1, cos(amplitude/2)), by Gauss.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// A point mass on a rod without mass, let go from rest at its amplitude.

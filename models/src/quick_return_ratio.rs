@@ -2,7 +2,7 @@
 //!
 //! Source: Multibody Dynamics B, assignment 6, TU Delft, 2019, with its constraint C6 corrected to close the loop.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// Quick-return mechanism whose slot closes by a ratio of lengths, so that its multiplier is an energy.

@@ -4,7 +4,7 @@
 //! spherical wrist), with dimensions of a small industrial arm. Its kernels are compared with the recursive Newton-Euler
 //! equations (Featherstone, Rigid Body Dynamics Algorithms, 2008, section 5.3).
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// A six-axis arm with a spherical wrist, let swing from rest under the torques of its drives.

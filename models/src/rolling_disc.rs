@@ -4,7 +4,7 @@
 //! 244. With lean L from the upright, rate W of turning and component w of the angular velocity along the axis steady
 //! motion needs (C + m r^2) W w cos(L) = A W^2 sin(L) cos(L) - m g r sin(L).
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// A disc rolls in a circle, leaning inwards and, unless `nod` is 0, nodding.

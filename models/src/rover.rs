@@ -4,7 +4,7 @@
 //! Robotics, 2009, section 11.2. With wheels of radius r at distance 2 b the cart goes at r (s1 + s2)/2 and turns at
 //! r (s2 - s1)/(2 b), s1 and s2 the speeds of the wheels; at constant ones it draws a circle.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// A two-wheeled cart under the torques of its motors, against their friction.

@@ -3,7 +3,7 @@
 //! Source: Hartenberg and Denavit, Kinematic Synthesis of Linkages, 1964, chapter 12; Norton, Design of Machinery, section 4.9. The
 //! coupler's length makes the rocker's angle the root of a cos(psi) + b sin(psi) = c.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// A crank drives a rocker on another axis by a coupler with two ball joints.

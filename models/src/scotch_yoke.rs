@@ -2,7 +2,7 @@
 //!
 //! Source: classical; x = r cos alpha exactly, and the speed follows from the energy.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// Scotch yoke: the pin of a crank with its flywheel drives a yoke along a guide. It turns freely, faster where the

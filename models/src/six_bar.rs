@@ -2,7 +2,7 @@
 //!
 //! Source: own dimensions; both loops are solved one after the other by intersecting circles.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// Stephenson's six-bar, third kind: a point of the coupler of a crank-rocker drives a second rocker by a link. The

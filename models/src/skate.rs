@@ -5,7 +5,7 @@
 //! omega it does not go down, but along a cycloid across the slope. With the centre of mass ahead of it on level ice,
 //! Chaplygin's sleigh (Chaplygin 1911; Bloch, section 1.7), which stops turning and goes straight.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// A skate on sloping ice, let go turning: a cycloid across the slope.

@@ -2,7 +2,7 @@
 //!
 //! Source: own problem; x = r cos theta + sqrt(l^2 - (r sin theta - offset)^2) is classical.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// Offset slider-crank: crank, connecting rod and piston under gravity, let go with the crank along the guide

@@ -4,7 +4,7 @@
 //! height is z1 + (z2 - z1) sn^2, with the roots z1 < z2 < z3 of 2 g (E - z)(l^2 - z^2) = h^2 in lengths, h the angular
 //! momentum about the vertical per mass.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// A bob on a rod that swings in all directions, pushed sideways from its lowest turn.

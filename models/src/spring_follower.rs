@@ -2,7 +2,7 @@
 //!
 //! Source: classical; a linear oscillator with a moving support, solved in closed form.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// A crank pin that turns evenly lifts a follower through a spring and a damper: motion prescribed by time alone.

@@ -5,7 +5,7 @@
 //! by 60 degrees. Legs of one length L hold the platform level, at the height sqrt(L^2 - d^2), d being how far a head is
 //! from its foot as seen from above.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// A platform on six legs that lengthen and shorten together, and swing apart.

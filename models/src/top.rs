@@ -4,7 +4,7 @@
 //! rate p of precession obeys A cos(theta) p^2 - C w p + m g l = 0, A about the pivot, w the component of the angular
 //! velocity along the axis. The slow precession is taken here.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// A heavy symmetric top on a fixed point that precesses and, unless `nod` is 0, nods.

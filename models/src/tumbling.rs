@@ -6,7 +6,7 @@
 //! 30 degrees here, it turns about its third axis; close to it, it stays for long near the intermediate axis, and turns over
 //! again and again.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// A free rigid body that tumbles, by Euler's angles.

@@ -4,7 +4,7 @@
 //! Source: Landau and Lifshitz, Mechanics, 3rd ed. 1976, section 37; quaternions as in Goldstein, Poole and Safko, Classical
 //! Mechanics, 3rd ed. 2002, section 4.5.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// A free rigid body that tumbles, by a quaternion.

@@ -3,7 +3,7 @@
 //! Source: classical; tan beta = r sin alpha/(d + r cos alpha), and the times of stroke and return are as the angles of
 //! the crank between the dead points.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 mechanism! {
     /// Whitworth's quick return: a crank that turns evenly drives a slotted link about a pivot inside the crank's circle,

@@ -8,7 +8,7 @@ use sim::{
 };
 use tests::engine::Engine;
 
-sim_kernel::mechanism! {
+sim::mechanism! {
     /// A mass on a spring.
     Oscillator;
     coordinates { x [m]; }

@@ -3,7 +3,7 @@
 use crate::forward::{check, direction, refusal};
 use sim::{ForwardSensitivity, Method, Settings, declared_start};
 
-sim_kernel::mechanism! {
+sim::mechanism! {
     /// A mass that is pushed from one time to another.
     Pushed;
     coordinates { x [m]; }
@@ -13,7 +13,7 @@ sim_kernel::mechanism! {
     initial { x = 0; dot(x) = 0; }
 }
 
-sim_kernel::mechanism! {
+sim::mechanism! {
     /// A pendulum in Cartesian coordinates, struck now and then.
     Struck;
     coordinates { x [m]; y [m]; }

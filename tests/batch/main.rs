@@ -6,7 +6,7 @@ mod forward;
 mod jumps;
 mod side_by_side;
 
-sim_kernel::mechanism! {
+sim::mechanism! {
     /// A body on which nothing acts, by Euler's angles and its angular velocity in its own frame.
     Turning;
     coordinates { psi [rad]; theta [rad]; phi [rad]; }
@@ -17,7 +17,7 @@ sim_kernel::mechanism! {
     initial { psi = 0; theta = 1; phi = 0; dot(psi) = 2; dot(theta) = 0.5; dot(phi) = 1; }
 }
 
-sim_kernel::mechanism! {
+sim::mechanism! {
     /// A parallelogram that folds: a singular position twice in each turn.
     Folding;
     coordinates { a [rad]; b [rad]; c [rad]; }
@@ -29,7 +29,7 @@ sim_kernel::mechanism! {
     initial { a = 1; dot(a) = 10; guess b = 0; guess c = 1; }
 }
 
-sim_kernel::mechanism! {
+sim::mechanism! {
     /// Rods that hang from each other, each a free body.
     Rods;
     const n = 6;

@@ -22,7 +22,7 @@ fn script() -> &'static Path {
         let script = scratch("commit").join("script");
         let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
         let mut compiler = Command::new(rustc);
-        compiler.args(["--edition", "2024", "-o"]).arg(&script).arg(source("sim"));
+        compiler.args(["--edition", "2024", "-o"]).arg(&script).arg(source("sim/runtime"));
         assert!(compiler.status().unwrap().success());
         script
     })
@@ -75,7 +75,7 @@ impl Made {
     }
 
     fn found(&self, path: &str) -> String {
-        self.find(path, "sim", &[]).0
+        self.find(path, "sim-runtime", &[]).0
     }
 }
 
@@ -87,7 +87,7 @@ impl Drop for Made {
 
 #[test]
 fn both_packages_have_the_same_script() {
-    assert_eq!(fs::read(source("sim")).unwrap(), fs::read(source("codegen/command")).unwrap());
+    assert_eq!(fs::read(source("sim/runtime")).unwrap(), fs::read(source("codegen/command")).unwrap());
 }
 
 /// The commit of the checkout, with a mark where sources differ; and whatever changes it has the script run again.
@@ -95,20 +95,20 @@ fn both_packages_have_the_same_script() {
 fn a_checkout_is_named() {
     let made = Made::new("checkout");
     made.git(&["init", "-q"]);
-    made.package("sim");
+    made.package("sim/runtime");
     fs::write(made.folder.join("README.md"), "").unwrap();
     let commit = made.commit(&["."]);
-    assert_eq!(made.found("sim"), commit);
+    assert_eq!(made.found("sim/runtime"), commit);
     fs::write(made.folder.join("README.md"), "No source.").unwrap();
-    fs::write(made.folder.join("sim/src/new.rs"), "// Not tracked.").unwrap();
-    assert_eq!(made.found("sim"), commit);
-    fs::write(made.folder.join("sim/src/lib.rs"), "// Changed.").unwrap();
-    assert_eq!(made.found("sim"), format!("{commit}-dirty"));
+    fs::write(made.folder.join("sim/runtime/src/new.rs"), "// Not tracked.").unwrap();
+    assert_eq!(made.found("sim/runtime"), commit);
+    fs::write(made.folder.join("sim/runtime/src/lib.rs"), "// Changed.").unwrap();
+    assert_eq!(made.found("sim/runtime"), format!("{commit}-dirty"));
     let next = made.commit(&["."]);
-    assert!(next != commit && made.found("sim") == next);
-    let (_, watched) = made.find("sim", "sim", &[]);
+    assert!(next != commit && made.found("sim/runtime") == next);
+    let (_, watched) = made.find("sim/runtime", "sim-runtime", &[]);
     let branch = made.git(&["symbolic-ref", "HEAD"]);
-    for place in [".git/HEAD", ".git/logs/HEAD", &format!(".git/{branch}"), "sim/src"] {
+    for place in [".git/HEAD", ".git/logs/HEAD", &format!(".git/{branch}"), "sim/runtime/src"] {
         assert!(
             watched.iter().any(|path| Path::new(path) == made.folder.canonicalize().unwrap().join(place)),
             "{place}: {watched:?}"
@@ -139,31 +139,31 @@ fn a_library_that_writes_no_files_is_not_named() {
 fn other_repositories_are_not_asked() {
     let made = Made::new("others");
     made.git(&["init", "-q"]);
-    made.package("vendor/linkwright/sim");
-    made.package("sim");
+    made.package("vendor/linkwright/sim/runtime");
+    made.package("sim/runtime");
     made.commit(&["vendor"]);
     // Copied into another's tree, tracked or not; and as an archive of a registry.
-    assert_eq!(made.found("vendor/linkwright/sim"), "unknown");
-    assert_eq!(made.found("sim"), "unknown");
-    let text = "{\n  \"git\": {\n    \"sha1\": \"0123456789abcdef0123456789abcdef01234567\"\n  },\n  \"path_in_vcs\": \"sim\"\n}";
-    fs::write(made.folder.join("sim/.cargo_vcs_info.json"), text).unwrap();
-    assert_eq!(made.found("sim"), "0123456789ab");
+    assert_eq!(made.found("vendor/linkwright/sim/runtime"), "unknown");
+    assert_eq!(made.found("sim/runtime"), "unknown");
+    let text = "{\n  \"git\": {\n    \"sha1\": \"0123456789abcdef0123456789abcdef01234567\"\n  },\n  \"path_in_vcs\": \"sim/runtime\"\n}";
+    fs::write(made.folder.join("sim/runtime/.cargo_vcs_info.json"), text).unwrap();
+    assert_eq!(made.found("sim/runtime"), "0123456789ab");
     // Nor is one that a hook names, as if what lies here were of it.
-    made.commit(&["sim/Cargo.toml", "sim/build.rs"]);
+    made.commit(&["sim/runtime/Cargo.toml", "sim/runtime/build.rs"]);
     let elsewhere = Made::new("elsewhere");
-    elsewhere.package("sim");
+    elsewhere.package("sim/runtime");
     let [repository, tree] =
         [made.folder.join(".git"), elsewhere.folder.clone()].map(|path| path.display().to_string());
     let hooked = [("GIT_DIR", repository.as_str()), ("GIT_WORK_TREE", tree.as_str())];
-    assert_eq!(elsewhere.find("sim", "sim", &hooked).0, "unknown");
+    assert_eq!(elsewhere.find("sim/runtime", "sim-runtime", &hooked).0, "unknown");
 }
 
 /// Without a repository the variable says it, if it says anything sensible.
 #[test]
 fn a_variable_stands_in() {
     let made = Made::new("variable");
-    made.package("sim");
-    let said = |text: &str| made.find("sim", "sim", &[("LINKWRIGHT_COMMIT", text)]).0;
+    made.package("sim/runtime");
+    let said = |text: &str| made.find("sim/runtime", "sim-runtime", &[("LINKWRIGHT_COMMIT", text)]).0;
     assert_eq!(said("v0.2.0-3-g0123456"), "v0.2.0-3-g0123456");
     for text in ["", "a b", "a\nb", "\u{e4}", "<script>"] {
         assert_eq!(said(text), "unknown", "{text:?}");

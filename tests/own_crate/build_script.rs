@@ -10,7 +10,7 @@ name = "generated"
 edition = "2024"
 
 [dependencies]
-sim-kernel = { path = "WORKSPACE/sim/kernel", default-features = false }
+sim-kernel = { path = "WORKSPACE/sim/kernel" }
 
 [build-dependencies]
 codegen = { path = "WORKSPACE/codegen", default-features = false }

@@ -100,7 +100,7 @@ fn made(cases: &[Case]) -> PathBuf {
     fs::create_dir_all(folder.join("src")).unwrap();
     let manifest = format!(
         "[package]\nname = \"fuzz\"\nedition = \"2024\"\n[dependencies]\n\
-         sim-kernel = {{ path = {:?}, default-features = false }}\n[workspace]\n",
+         sim-kernel = {{ path = {:?} }}\n[workspace]\n",
         workspace.join("sim/kernel")
     );
     fs::write(folder.join("Cargo.toml"), manifest).unwrap();

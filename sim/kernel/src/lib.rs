@@ -32,14 +32,3 @@ pub use scalar::{Mask, Scalar};
 pub use speeds::{GeneralizedSpeeds, SpeedDynamics};
 pub use table::Table;
 pub use wave::give_sin_cos;
-
-#[cfg(feature = "macros")]
-#[doc(hidden)]
-pub use mechanism_macros::mechanism_at as __mechanism_at;
-
-/// Declares a mechanism: see the language reference, `LANGUAGE.md` at the project's root.
-#[cfg(feature = "macros")]
-#[macro_export]
-macro_rules! mechanism {
-    ($($declaration:tt)*) => { $crate::__mechanism_at! { $crate; $($declaration)* } };
-}

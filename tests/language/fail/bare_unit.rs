@@ -1,4 +1,4 @@
-sim_kernel::mechanism! {
+mechanism_macros::mechanism! {
     pub Bare;
     coordinates { x [m]; }
     parameters { g = 9.81 m/s^2; m kg = 2; }

@@ -1,4 +1,4 @@
-sim_kernel::mechanism! {
+mechanism_macros::mechanism! {
     pub Ball;
     coordinates { y [m]; }
     parameters { m [kg] = 1; h [m] = 1; }

@@ -1,4 +1,4 @@
-sim_kernel::mechanism! {
+mechanism_macros::mechanism! {
     coordinates { x [m]; }
     bodies { point: mass 1 at [x, 0]; }
 }

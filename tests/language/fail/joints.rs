@@ -1,4 +1,4 @@
-sim_kernel::mechanism! {
+mechanism_macros::mechanism! {
     pub Engine;
     parameters { r [m] = 0.15; l [m] = 0.45; m [kg] = 1; }
     bodies {

@@ -1,4 +1,4 @@
-sim_kernel::mechanism! {
+mechanism_macros::mechanism! {
     pub Several;
     coordinates { x [m]; y [mtr]; }
     parameters { m [kg] = 2; }

@@ -1,4 +1,4 @@
-sim_kernel::mechanism! {
+mechanism_macros::mechanism! {
     pub Spinner;
     coordinates { psi [rad]; theta [rad]; phi [rad]; }
     parameters { m [kg] = 1; l [m] = 0.2; A [kg*m^2] = 0.01; }

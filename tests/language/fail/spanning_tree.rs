@@ -1,4 +1,4 @@
-sim_kernel::mechanism! {
+mechanism_macros::mechanism! {
     pub Arm;
     parameters { m [kg] = 1; l [m] = 0.2; A [kg*m^2] = 0.01; g [m/s^2] = 9.81; }
     bodies {

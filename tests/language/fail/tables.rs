@@ -1,4 +1,4 @@
-sim_kernel::mechanism! {
+mechanism_macros::mechanism! {
     pub Valve;
     coordinates { alpha [rad]; y [mm]; }
     parameters { m [kg] = 0.2; r [mm] = 18; J [kg*m^2] = 0.003; }

@@ -1,4 +1,4 @@
-sim_kernel::mechanism! {
+mechanism_macros::mechanism! {
     pub Twice;
     coordinates { x [m]; y [m]; }
     parameters { m [kg] = 2; x [m] = 1; }

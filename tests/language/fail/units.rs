@@ -1,4 +1,4 @@
-sim_kernel::mechanism! {
+mechanism_macros::mechanism! {
     pub Units;
     coordinates { phi [rad]; x [mm]; }
     parameters { l [m] = 1; m [kg] = 2; g [m/s^2] = 9.81; }

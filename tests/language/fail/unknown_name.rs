@@ -1,4 +1,4 @@
-sim_kernel::mechanism! {
+mechanism_macros::mechanism! {
     pub Pendulum;
     coordinates { phi [rad]; }
     parameters { length [m] = 1; m [kg] = 2; }

@@ -1,12 +1,12 @@
 //! Names that what is generated uses too: as mechanisms, coordinates, parameters, inputs, outputs and intermediate results.
 
-use sim_kernel::mechanism;
+use mechanism_macros::mechanism;
 
 /// A mechanism of this name, in a module of its own, with these names for what it has.
 macro_rules! named {
     ($($module:ident $name:ident [$q:ident $p:ident $i:ident $l:ident $o:ident];)*) => { $(
         mod $module {
-            sim_kernel::mechanism! {
+            mechanism_macros::mechanism! {
                 pub $name;
                 coordinates { $q [rad]; phi [rad]; }
                 parameters { $p [m] = 1; m [kg] = 2; }

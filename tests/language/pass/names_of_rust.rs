@@ -7,7 +7,7 @@ const N: f64 = 1.0;
 #[allow(dead_code)]
 struct P;
 
-sim_kernel::mechanism! {
+mechanism_macros::mechanism! {
     /// A spring pendulum, in numbers without units.
     pub Names;
     coordinates { r#type; q; N; r#gen; }

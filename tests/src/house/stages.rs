@@ -41,7 +41,7 @@ pub const CRATES: &[Crate] = &[
         apart: &[],
     },
     Crate {
-        folder: "sim/src",
+        folder: "sim/runtime/src",
         stages: &[
             "numerics",
             "state",

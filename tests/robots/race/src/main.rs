@@ -5,7 +5,8 @@
 //! between them, and each turn is a process of its own (`race ROBOT`), since where its memory lies changes times by a third.
 //! Pinocchio's mass matrix is that of the base's velocity in its own frame, as `speed_mass_matrix` is.
 
-use sim_kernel::{Mechanism, mechanism};
+use mechanism_macros::mechanism;
+use sim_kernel::Mechanism;
 use std::hint::black_box;
 use std::path::Path;
 use std::process::{Command, ExitCode};
@@ -19,7 +20,7 @@ include!("../../declared/talos.rs");
 
 /// The same robots with the derivatives of forward dynamics.
 mod derivatives {
-    use sim_kernel::mechanism;
+    use mechanism_macros::mechanism;
 
     include!(concat!(env!("OUT_DIR"), "/ur5.rs"));
     include!(concat!(env!("OUT_DIR"), "/talosarm.rs"));

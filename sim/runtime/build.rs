@@ -1,5 +1,5 @@
-//! Finds the commit that is built, which stands in every file that the program writes. The packages of the commands `sim` and
-//! `codegen` have the same script, each its own, as it is published with them.
+//! Finds the commit that is built, which stands in every file that the program writes. The packages `sim-runtime` and
+//! `codegen-command` have the same script, each its own, as it is published with them.
 //!
 //! It is that of the checkout in which this package is a member, with `-dirty` if its sources differ from it; else the one that
 //! the package was published from; else what the variable LINKWRIGHT_COMMIT says; else `unknown`. A repository of somebody
@@ -12,9 +12,18 @@ use std::process::Command;
 fn package(name: &str) -> (&'static str, &'static [&'static str]) {
     match name {
         "codegen-command" => ("codegen/command/", &["codegen/command/src", "codegen/src"]),
-        _ => {
-            ("sim/", &["sim/src", "sim/assets", "sim/kernel/src", "mechanism-macros/src", "codegen/src", "models/src"])
-        }
+        _ => (
+            "sim/runtime/",
+            &[
+                "sim/src",
+                "sim/runtime/src",
+                "sim/runtime/assets",
+                "sim/kernel/src",
+                "mechanism-macros/src",
+                "codegen/src",
+                "models/src",
+            ],
+        ),
     }
 }
 

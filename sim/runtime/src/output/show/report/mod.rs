@@ -1,7 +1,7 @@
 //! The report of a run or a sweep: one page with the mechanism in motion, plots, tables and equations, that needs no network.
 //!
 //! Tables and equations are written here, as HTML; the motion and the curves travel as packed floats and are drawn by
-//! the page's own script (`sim/assets/report`). The same run gives the same bytes.
+//! the page's own script (`sim/runtime/assets/report`). The same run gives the same bytes.
 
 mod data;
 mod html;

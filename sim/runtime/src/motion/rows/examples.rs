@@ -1,6 +1,6 @@
 //! Mechanisms with sparse rows, for tests.
 
-sim_kernel::mechanism! {
+mechanism_macros::mechanism! {
     /// Eight rods that hang from each other, each a free body.
     pub(crate) Chain;
     const n = 8;
@@ -13,7 +13,7 @@ sim_kernel::mechanism! {
     }
 }
 
-sim_kernel::mechanism! {
+mechanism_macros::mechanism! {
     /// Ten cylinders on one crank, each with an eccentric of its own, so that rows of other parts do not look alike.
     pub(crate) Engine;
     const n = 10;
@@ -28,7 +28,7 @@ sim_kernel::mechanism! {
     }
 }
 
-sim_kernel::mechanism! {
+mechanism_macros::mechanism! {
     /// The same, its crank driven twice: the first part takes the whole column, but for rounding.
     pub(crate) Driven;
     const n = 10;
