@@ -1,7 +1,7 @@
 //! 7. Kernels without the runtime: what a controller calls on a real-time target.
 //!
 //! `controller` uses `core` and generated code only: no allocation, no standard library. In a crate with `#![no_std]`
-//! it stands as it is, with `sim-kernel` as the one dependency.
+//! it stands as it is: `sim-kernel` is all that it needs at run time, and `mechanism-macros` declares its mechanism.
 //!
 //! `cargo run --release --example 07_kernels_alone`
 

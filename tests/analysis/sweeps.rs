@@ -102,6 +102,28 @@ fn the_stroke_and_time_ratio_of_a_slider_crank() {
     assert!((speed(fastest.at) - fastest.value).abs() < 1e-14 && slower.iter().all(|slow| *slow < fastest.value.abs()));
 }
 
+mechanism! {
+    /// A wheel that turns another one half as fast, with a pen on each, and a pen that is always on the line between the hubs.
+    Geared;
+    coordinates { a [rad]; b [rad]; }
+    parameters { r [m] = 0.1; J [kg*m^2] = 1; }
+    bodies { fast: inertia J, angle a; slow: inertia J, angle b; }
+    joints { teeth: gear fast radius r to slow radius 2*r; }
+    outputs { on_fast [m] = r*sin(a); on_slow [m] = 2*r*sin(b); still = a + 2*b; }
+}
+
+/// After one turn of the fast wheel the slow one is half a turn further: its pen has no time ratio, and neither has what moves by
+/// rounding alone.
+#[test]
+fn a_time_ratio_needs_a_motion_that_returns() {
+    let found = driven(Geared::default(), "a", [0.1, 0.1 + TAU], 1.0, 100);
+    let ratios = &found.extremes.time_ratios;
+    assert!((ratios[0].unwrap().ratio - 1.0).abs() < 1e-9);
+    assert_eq!(ratios[1..], [None, None]);
+    let twice = driven(Geared::default(), "b", [0.1, 0.1 + TAU], 1.0, 100);
+    assert!((twice.extremes.time_ratios[1].unwrap().ratio - 1.0).abs() < 1e-9);
+}
+
 /// The rocker turns back where the crank is at a right angle to it: the smaller part of the turn is 2 acos(O2A / O4O2).
 #[test]
 fn the_time_ratio_of_quick_return() {

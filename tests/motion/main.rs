@@ -30,6 +30,7 @@ mod simulation;
 mod singular;
 mod singular_start;
 mod six_bar;
+mod slipping;
 mod small;
 mod sparse;
 mod statics;

@@ -196,3 +196,26 @@ fn equal_steps_over_sudden_changes_are_counted() {
     }
     assert_eq!(changes(&Settings::adaptive(Method::Dopri5, 1.0, 1e-8)), None);
 }
+
+mechanism! {
+    /// A mass with drag, pushed by one half of a sine.
+    Rectified;
+    coordinates { x [m]; }
+    parameters { m [kg] = 2; F [N] = 10; c [N*s/m] = 0.7; }
+    bodies { block: mass m at [x, 0]; }
+    loads { force F*max(0, sin(3 [rad/s]*t)) on x; force -c*dot(x) on x; }
+    initial { x = 0.3; dot(x) = 20; }
+}
+
+/// A step that ends at a sudden change may be far shorter than the next one, which its polynomial must not foretell.
+#[test]
+fn work_is_right_after_a_short_step() {
+    for tolerance in [1e-4, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11] {
+        let run = run_with(Rectified::default(), &Settings::adaptive(Method::Radau5, 2.0, tolerance)).unwrap();
+        let samples = &run.trajectory.samples;
+        let [first, last] = [samples.first().unwrap(), samples.last().unwrap()];
+        let gained = last.state.speeds[0].powi(2) - first.state.speeds[0].powi(2);
+        // Of 258 J, by some ten steps of that tolerance.
+        assert!((last.state.work - gained).abs() < 1e3 * tolerance, "{tolerance}: {} {gained}", last.state.work);
+    }
+}

@@ -60,6 +60,18 @@ pub(crate) fn moved<M: Mechanism>(sample: &Sample<M>, d: f64) -> State<M> {
     }
 }
 
+/// The same, with accelerations that change: those of there as well, where the equations of motion have them.
+pub(super) fn bent<M: Mechanism>(motion: &Motion<M>, sample: &Sample<M>, d: f64) -> State<M> {
+    let mut state = moved(sample, d);
+    let Ok(there) = motion.sample(state.clone()) else { return state };
+    let change = sample.accelerations.like(|i| there.accelerations[i] - sample.accelerations[i]);
+    if change.iter().all(|change| change.is_finite()) {
+        state.positions = state.positions.like(|i| state.positions[i] + d * d / 6.0 * change[i]);
+        state.speeds = state.speeds.like(|i| state.speeds[i] + d / 2.0 * change[i]);
+    }
+    state
+}
+
 impl<M: Mechanism> Point<M> {
     /// None known yet.
     pub(super) fn blank(none: &M::Events) -> Point<M> {

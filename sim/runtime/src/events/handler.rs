@@ -103,7 +103,7 @@ fn through(described: &Event) -> Option<f64> {
 /// Whether a condition holds at a start and leaves against the direction in which its event counts.
 fn turns_back<M: Mechanism>(mechanism: &M, onset: &Onset<M>, index: usize) -> bool {
     let through = through(&mechanism.description().events[index]);
-    through.is_some_and(|through| onset.holds(index) && onset.sign(index) == -through)
+    through.is_some_and(|through| onset.holds(index) && onset.leaving(index) == -through)
 }
 
 impl<M: Mechanism> EventHandler<M> {
@@ -265,7 +265,7 @@ impl<M: Mechanism> EventHandler<M> {
 
     /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and
     /// continues through zero. If the event has just happened, this requires that it was an impact, which should have
-    /// turned it back, that the constraint it switched on is released again, that the condition had turned back since, or
+    /// turned it back, that a constraint it switched has been switched back, that the condition had turned back since, or
     /// that it returns to zero within an instant or without having left it by more than rounding. One that releases a
     /// constraint because of a force happens also if its condition is beyond zero: a contact that a blow has closed does not
     /// pull.
@@ -275,18 +275,18 @@ impl<M: Mechanism> EventHandler<M> {
         if described.on_forces && switches(mechanism, described, false) && onset.is_beyond(index, through) {
             return true;
         }
-        let sign = onset.sign(index);
         let just_happened = time - self.last[index] < self.instant();
         let goes_on = match just_happened {
-            true if sign == through => {
+            true if onset.leaving(index) == through => {
                 let hits = described.steps.iter().any(|step| matches!(step, event::Step::Impact(_)));
-                hits || switches(mechanism, described, true) || time - self.turned[index] < self.instant()
+                let is_undone = [true, false].into_iter().any(|on| switches(mechanism, described, on));
+                hits || is_undone || time - self.turned[index] < self.instant()
             }
             true => {
                 let soon = onset.returns_after(index) < self.instant() || onset.hides_return(index);
-                sign == -through && soon
+                onset.leaving(index) == -through && soon
             }
-            false => sign == through,
+            false => onset.sign(index) == through,
         };
         !described.steps.is_empty() && onset.holds(index) && goes_on
     }

@@ -7,12 +7,14 @@
 mod act;
 mod conditions;
 mod handler;
+mod occurrence;
 mod onset;
 mod waves;
 
 pub use act::{Change, Located, act};
 pub(crate) use conditions::{conditions, tolerance};
 pub(crate) use handler::EventHandler;
+pub use occurrence::{Crossing, Occurrence};
 
 use crate::integrate::Step;
 use crate::numerics::insertion::sort_few;
@@ -26,46 +28,6 @@ use onset::Onset;
 use sim_kernel::event::Direction;
 use sim_kernel::{Array, Mechanism};
 use waves::{DIVIDED_AGAIN, MOST_PARTS, parts, point};
-
-/// The direction in which a condition, left - right, passes zero.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Crossing {
-    /// From below.
-    Rising,
-    /// From above.
-    Falling,
-    /// It touches zero and turns back.
-    Touching,
-}
-
-/// A condition that came to hold.
-#[derive(Clone, Debug)]
-pub struct Occurrence<M: Mechanism> {
-    /// Which event, by index.
-    pub event: usize,
-    /// The event's name.
-    pub name: &'static str,
-    /// How.
-    pub crossing: Crossing,
-    /// Time, positions and speeds, before any change.
-    pub state: State<M>,
-    /// Its change, if it has actions.
-    pub change: Option<Change<M>>,
-}
-
-impl<M: Mechanism> Occurrence<M> {
-    fn transfer(&mut self, bytes: &mut Bytes, blank: &Change<M>) -> Result<(), Damaged> {
-        const CROSSINGS: [Crossing; 3] = [Crossing::Rising, Crossing::Falling, Crossing::Touching];
-        let events = blank.mechanism.description().events;
-        bytes.index(&mut self.event, events.len())?;
-        self.name = events[self.event].name;
-        let mut crossing = CROSSINGS.iter().position(|crossing| *crossing == self.crossing).unwrap_or(0);
-        bytes.index(&mut crossing, CROSSINGS.len())?;
-        self.crossing = CROSSINGS[crossing];
-        bytes.state(&mut self.state)?;
-        bytes.option(&mut self.change, || blank.clone(), |bytes, change| change.transfer(bytes))
-    }
-}
 
 /// The number of halvings of a step, below which a condition is not resolved.
 const MOST_HALVINGS: usize = 8;
@@ -246,7 +208,7 @@ impl<M: Mechanism> EventSearch<M> {
             let of_event = self.found.len();
             self.search_one(step, event, from, &to, MOST_HALVINGS).map_err(|failure| failure.in_event(name))?;
             let at_start = self.at_start.take().filter(|_| from.values[event].abs() == f64::MIN_POSITIVE);
-            if self.found.len() == of_event && crosses(ends(event, from, &to).0) {
+            if self.found.len() == of_event && crosses(ends(event, from, &to).0) && self.returns(mechanism, event) {
                 self.found.extend(at_start);
             }
             if self.found.len() - first > MOST_IN_A_PART {
@@ -257,6 +219,15 @@ impl<M: Mechanism> EventSearch<M> {
         }
         sort_few(&mut self.found[first..], |a, b| a.state.time.total_cmp(&b.state.time));
         Ok(to)
+    }
+
+    /// Whether a crossing at the very start is the return of a condition that was left there, and not how it leaves: it has a
+    /// direction, or it has just happened.
+    fn returns(&self, mechanism: &M, event: usize) -> bool {
+        let begin = self.begin[event];
+        let at_begin = |found: &&Occurrence<M>| begin - found.state.time <= 2.0 * tolerance(begin, self.span);
+        mechanism.description().events[event].direction != Direction::Both
+            || self.found.iter().rev().take_while(at_begin).any(|found| found.event == event)
     }
 
     /// Whether a condition is zero throughout a step, up to the tolerance of constraints: it keeps the sign that it had.
@@ -385,7 +356,7 @@ impl<M: Mechanism> EventSearch<M> {
 fn started<M: Mechanism>(point: &Point<M>, event: usize, onset: Option<&Onset<M>>, span: f64) -> f64 {
     let is_zero = point.values[event].abs() <= 2.0 * tolerance(point.time, span) * point.rates[event].abs();
     let sign = match onset {
-        Some(onset) if onset.holds(event) => onset.sign(event),
+        Some(onset) if onset.holds(event) => onset.leaving(event),
         _ if is_zero => point.rates[event],
         _ => 0.0,
     };

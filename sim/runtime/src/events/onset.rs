@@ -5,7 +5,7 @@
 //! nothing holds. A condition that stays below the tolerance of constraints through a step keeps its sign, so that a
 //! contact that is held does not land again.
 
-use super::conditions::{conditions, moved, tolerance};
+use super::conditions::{bent, conditions, moved, tolerance};
 use crate::motion::Motion;
 use crate::state::failure::Failure;
 use crate::state::saved::{Bytes, Damaged};
@@ -46,9 +46,9 @@ impl<M: Mechanism> Onset<M> {
         let scale = span.min(1.0 / fast.max(sharp.sqrt()));
         let times @ [d, e] = [1e-5 * scale, 1e-4 * scale];
         let values = conditions(motion, &sample.state)?;
-        let beside =
-            |time: f64| Ok([conditions(motion, &moved(sample, time))?, conditions(motion, &moved(sample, -time))?]);
-        let ([ahead, behind], [far_ahead, far_behind]) = (beside(d)?, beside(e)?);
+        let [ahead, behind] = [conditions(motion, &moved(sample, d))?, conditions(motion, &moved(sample, -d))?];
+        let [far_ahead, far_behind] =
+            [conditions(motion, &bent(motion, sample, e))?, conditions(motion, &bent(motion, sample, -e))?];
         let [terms, own_terms] = terms(motion, &sample.state, &values)?;
         let others = other_terms(motion, sample, &values, scale)?;
         let floor = |event: usize| f64::min(1.0, LARGE * (terms[event] + others[event]));
@@ -90,8 +90,18 @@ impl<M: Mechanism> Onset<M> {
         sign * self.values[event] > self.noise[event]
     }
 
-    /// The sign of a condition from here on, if it holds here: that of its first derivative, or of its second.
+    /// The sign of a condition from here on, if it holds here: as it leaves, or beyond its return if that comes within the
+    /// accuracy of times. A force that has just overcome another is rounding here, and so is the direction in which it moves
+    /// at first.
     pub(crate) fn sign(&self, event: usize) -> f64 {
+        match self.rates[event].abs() <= self.tolerance * self.seconds[event].abs() {
+            true if self.leaving(event) != 0.0 => self.seconds[event].signum(),
+            _ => self.leaving(event),
+        }
+    }
+
+    /// The sign of a condition just after this, if it holds here: that of its first derivative, or of its second.
+    pub(crate) fn leaving(&self, event: usize) -> f64 {
         let (rate, second, least) = (self.rates[event], self.seconds[event], self.significant[event]);
         match () {
             _ if rate.abs() * self.times[0] > least => rate.signum(),

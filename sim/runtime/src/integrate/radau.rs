@@ -42,6 +42,8 @@ const MOST_ITERATIONS: usize = 10;
 /// Changes that no longer decrease are rounding, which stiffness amplifies, if they are below this fraction of the
 /// tolerance.
 const STAGNANT: f64 = 0.05;
+/// The polynomial of a step is followed ahead by at most so many times its length.
+const FARTHEST: f64 = 10.0;
 /// The accuracy of the equations of equal steps.
 const TIGHT: Tolerance = Tolerance::new(1e-12);
 
@@ -133,8 +135,8 @@ impl<M: Mechanism> Radau5<M> {
     /// The prediction of the next step's stages by the polynomial of the last one.
     fn foretell(&mut self, from: &Sample<M>, h: f64) {
         let last = self.last;
-        // A refused step predicts nothing.
-        if last == 0.0 || self.reached != from.state.time {
+        // A refused step predicts nothing, and a short one, as up to a sudden change, nothing of a much longer one.
+        if last == 0.0 || self.reached != from.state.time || h > FARTHEST * last {
             self.stages.fill(Rates::zero(from.accelerations.len()));
             return;
         }

@@ -125,6 +125,12 @@ fn slope(mechanism: &dyn Differentiable, output: usize, [time, dt]: [f64; 2], q:
     mechanism.outputs_along(At::moving(moving(time, dt), &q, &[]), None)[output].derivative
 }
 
+/// The derivatives of an output by each coordinate.
+pub(super) fn changes(mechanism: &dyn Differentiable, output: usize, time: f64, q: &[f64]) -> Vec<f64> {
+    let unit = |j: usize| (0..q.len()).map(|k| f64::from(u8::from(j == k))).collect::<Vec<f64>>();
+    (0..q.len()).map(|j| slope(mechanism, output, [time, 0.0], q, &unit(j))).collect()
+}
+
 /// The derivative of an output by a speed.
 fn speed_slope(mechanism: &dyn Differentiable, output: usize, time: f64, q: &[f64], by: usize) -> f64 {
     let q: Vec<Dual> = q.iter().map(|q| Dual::constant(*q)).collect();

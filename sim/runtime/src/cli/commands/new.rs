@@ -23,8 +23,20 @@ const FILES: [(&str, &str); 6] = [
 const HERE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// Names that Cargo refuses, or those of the crate's own dependencies.
-const TAKEN: [&str; 12] =
-    ["sim", "sim-kernel", "sim-runtime", "mechanism-macros", "codegen", "test", "core", "std", "alloc", "proc-macro", "build", "deps"];
+const TAKEN: [&str; 12] = [
+    "sim",
+    "sim-kernel",
+    "sim-runtime",
+    "mechanism-macros",
+    "codegen",
+    "test",
+    "core",
+    "std",
+    "alloc",
+    "proc-macro",
+    "build",
+    "deps",
+];
 
 /// Creates a crate with a mechanism.
 pub(in crate::cli) fn new(arguments: &NewArguments, voice: Voice) -> Result<(), Stop> {

@@ -1,0 +1,81 @@
+//! Dry friction whose limit is the same at rest and in motion: where it is just overcome the force on a block is rounding, and
+//! so is the direction in which it moves at first.
+
+use sim::{Settings, What};
+use tests::any_model::interpreted;
+use tests::{Random, run_with};
+
+/// A block that a growing force pulls, held by friction up to a limit; the condition under which it is caught again.
+fn pulled(limit: f64, caught: &str) -> String {
+    format!(
+        "/// A block that is pulled.
+        Pulled;
+        coordinates {{ x [m]; }}
+        parameters {{ m [kg] = 1; limit [N] = {limit:?}; s = 0; }}
+        bodies {{ block: mass m at [x, 0]; }}
+        loads {{ force [10 [N/s]*t - s*limit, 0] at [x, 0]; }}
+        constraints {{ stick: dot(x) = 0 initially active; }}
+        initial {{ x = 0; }}
+        events {{
+            slip: reaction(stick) = limit rising {{ release stick; set s = 1; }}
+            halt: {caught} {{ activate stick; set s = 0; }}
+        }}"
+    )
+}
+
+/// From then on x'' = 10 (t - t0)/m.
+#[test]
+fn a_block_slips_where_friction_is_overcome() {
+    let mut random = Random(3);
+    for caught in ["dot(x) = 0", "dot(x) = 0 falling", "s*dot(x) = 0 falling"] {
+        for _ in 0..25 {
+            let limit = random.between(0.5, 8.0);
+            let slipping = 2.0 - limit / 10.0;
+            let run = run_with(interpreted(&pulled(limit, caught)).unwrap(), &Settings::new(2.0)).unwrap();
+            let end = run.trajectory.samples.last().unwrap();
+            // Twice the tolerance of the run, at speeds of up to 20 m/s.
+            assert!((end.state.speeds[0] - 5.0 * slipping.powi(2)).abs() < 4e-9, "{limit} N, {caught}: {end:?}");
+            assert_eq!(run.events.len(), 1, "{limit} N, {caught}");
+        }
+    }
+}
+
+/// A one-way clutch lets go where the force changes its sign and holds again where the motion would turn back: at rest
+/// x = 0 and t = 0, F (1 - cos w t)/(m w) from there on, and so once in each period.
+#[test]
+fn a_one_way_clutch_lets_go_and_holds_in_each_period() {
+    let mut random = Random(4);
+    for _ in 0..25 {
+        let [force, rate] = [random.between(1.0, 20.0), random.between(2.0, 9.0)];
+        let declaration = format!(
+            "/// A one-way clutch.
+            Clutch;
+            coordinates {{ x [m]; }}
+            parameters {{ m [kg] = 1; F [N] = {force:?}; w [rad/s] = {rate:?}; }}
+            bodies {{ block: mass m at [x, 0]; }}
+            loads {{ force F*(sin(w*t) - 0.5) on x; }}
+            constraints {{ held: dot(x) = 0 initially active; }}
+            initial {{ x = 0; }}
+            events {{
+                free: reaction(held) = 0 rising {{ release held; }}
+                hold: dot(x) = 0 falling {{ activate held; }}
+            }}"
+        );
+        let run = run_with(interpreted(&declaration).unwrap(), &Settings::new(5.0)).unwrap();
+        let begins = (0..).map(|k| (std::f64::consts::FRAC_PI_6 + std::f64::consts::TAU * f64::from(k)) / rate);
+        let expected: Vec<f64> = begins.take_while(|time| *time < 5.0).collect();
+        let found: Vec<f64> =
+            run.events.iter().filter(|event| event.name == "free").map(|event| event.state.time).collect();
+        assert_eq!(found.len(), expected.len(), "F = {force}, w = {rate}: {found:?}");
+        // Times of events are located to 1e-12 s.
+        assert!(found.iter().zip(&expected).all(|(found, expected)| (found - expected).abs() < 1e-11), "{found:?}");
+    }
+}
+
+/// An event that catches a block again in the instant in which it slips: the two undo each other, and the run says so.
+#[test]
+fn what_is_caught_again_at_once_slips_again() {
+    let declaration = pulled(2.0, "s*dot(x) = 0 rising");
+    let failure = run_with(interpreted(&declaration).unwrap(), &Settings::new(2.0)).unwrap().trajectory.failure;
+    assert!(matches!(failure.map(|failure| failure.what), Some(What::Accumulating { .. })));
+}
