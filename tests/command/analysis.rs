@@ -3,6 +3,7 @@
 use crate::{fresh, sim, stderr, stdout, summary};
 use serde_json::Value;
 use std::fs;
+use std::path::Path;
 
 #[test]
 fn kinematics_writes_table_summary_and_figures_against_the_crank_angle() {
@@ -127,4 +128,34 @@ fn poincare_finds_the_period_and_draws_the_section() {
     let never = sim(&["poincare", "pendulum", "--event", "bottom", "--initial", "phi=0", "--t-end", "1", "--out", out]);
     assert!(!never.status.success() && stderr(&never).contains("has not happened"), "{}", stderr(&never));
     assert!(stderr(&sim(&["poincare", "pendulum", "--event", "botom"])).contains("did you mean `bottom`"));
+}
+
+/// A sweep begins, and holds a further degree of freedom, where the mechanism is, and not where its guesses would have it: a crank
+/// of 60 mm and a rod of 150 mm carry the point at 60 sin 100 deg + 150 sin of the angle at which the rods meet.
+#[test]
+fn a_sweep_begins_where_the_mechanism_is() {
+    let folder = fresh("begins");
+    fs::create_dir_all(&folder).unwrap();
+    let (file, out) = (folder.join("five.mech"), folder.join("out"));
+    let five = "pub Five; coordinates { a [deg]; b [deg]; c [deg]; d [deg]; } parameters { r [mm] = 60; l [mm] = 150; f [mm] = 120; }
+        let P = r*[cos(a), sin(a)] + l*[cos(c), sin(c)];
+        bodies { ca: inertia 1 [kg*m^2], angle a; cb: inertia 1 [kg*m^2], angle b; pen: mass 1 [kg] at P; rod: inertia 1 [kg*m^2], angle d; }
+        joints { tip: pin P to [f, 0] + r*[cos(b), sin(b)] + l*[cos(d), sin(d)]; }
+        initial { a = 100; b = 80; guess c = 50; guess d = 130; }
+        outputs { px [mm] = P.x; py [mm] = P.y; }";
+    fs::write(&file, five).unwrap();
+    let [file, out] = [&file, &out].map(|path| path.to_str().unwrap());
+    let output =
+        sim(&["kinematics", file, "--drive", "px", "--from", "60", "--to", "70", "--hold", "py", "--out", out]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    // Both cranks are symmetric about x = 60 mm: the rod spans what lies between its crank and that line.
+    let crank = 100f64.to_radians();
+    let height = 60.0 * crank.sin() + (150f64.powi(2) - (60.0 - 60.0 * crank.cos()).powi(2)).sqrt();
+    let text = fs::read_to_string(Path::new(out).join("trajectory.csv")).unwrap();
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+    let column = lines.next().unwrap().split(',').position(|name| name == "py [mm]").unwrap();
+    for line in lines {
+        let held: f64 = line.split(',').nth(column).unwrap().parse().unwrap();
+        assert!((held - height).abs() < 1e-9, "{held} {height}");
+    }
 }

@@ -1,7 +1,7 @@
 //! Dry friction whose limit is the same at rest and in motion: where it is just overcome the force on a block is rounding, and
 //! so is the direction in which it moves at first.
 
-use sim::{Settings, What};
+use sim::{Method, Settings, What};
 use tests::any_model::interpreted;
 use tests::{Random, run_with};
 
@@ -78,4 +78,30 @@ fn what_is_caught_again_at_once_slips_again() {
     let declaration = pulled(2.0, "s*dot(x) = 0 rising");
     let failure = run_with(interpreted(&declaration).unwrap(), &Settings::new(2.0)).unwrap().trajectory.failure;
     assert!(matches!(failure.map(|failure| failure.what), Some(What::Accumulating { .. })));
+}
+
+/// A latch that holds 3 N, whose load jumps from 1 N to 5 N at 1 s.
+#[test]
+fn a_latch_lets_go_where_its_load_jumps_past_its_limit() {
+    for condition in
+        ["reaction(latch) = 3 [N] rising", "reaction(latch) = 3 [N]", "abs(reaction(latch)) = 3.5 [N] rising"]
+    {
+        let declaration = format!(
+            "/// A latch.
+            Latch;
+            coordinates {{ x [m]; }}
+            parameters {{ m [kg] = 1; }}
+            bodies {{ block: mass m at [x, 0]; }}
+            loads {{ force if t < 1 [s] then 1 [N] else 5 [N] on x; }}
+            constraints {{ latch: x = 0 initially active; }}
+            events {{ snap: {condition} {{ release latch; }} }}"
+        );
+        for method in [Method::Dop853, Method::Dopri5, Method::Radau5] {
+            let settings = Settings::adaptive(method, 2.0, 1e-10);
+            let run = run_with(interpreted(&declaration).unwrap(), &settings).unwrap();
+            let end = run.trajectory.samples.last().unwrap();
+            // x = 5 (t - 1)^2/2, from a time known to 1e-12 s and a first step that may begin just before the jump.
+            assert!((end.state.positions[0] - 2.5).abs() < 1e-7, "{condition}, {}: {end:?}", method.name());
+        }
+    }
 }

@@ -25,7 +25,7 @@ use crate::state::saved::{Bytes, Damaged};
 use crate::state::trajectory::State;
 use conditions::{Point, crosses, ends, is_root, may_reach_zero, turns_back, value};
 use onset::Onset;
-use sim_kernel::event::Direction;
+use sim_kernel::event::{self, Direction, Event};
 use sim_kernel::{Array, Mechanism};
 use waves::{DIVIDED_AGAIN, MOST_PARTS, parts, point};
 
@@ -42,7 +42,7 @@ const TOUCH: f64 = 1e-9;
 /// dense output.
 ///
 /// A condition that holds at the very start, to that tolerance, does not count, and neither does a change of sign
-/// by a jump or a pole, or where the condition is not finite.
+/// by a jump or a pole, unless it releases a constraint because of a force, or where the condition is not finite.
 #[derive(Clone, Debug)]
 pub struct EventSearch<M: Mechanism> {
     /// The occurrences found.
@@ -329,8 +329,10 @@ impl<M: Mechanism> EventSearch<M> {
         };
         let state = step.at(time)?;
         let crossing = if values[0] < 0.0 { Crossing::Rising } else { Crossing::Falling };
-        if is_root(conditions(step.motion, &state)?[event], values) {
-            self.push(step.motion.mechanism(), event, crossing, state);
+        let mechanism = step.motion.mechanism();
+        let counts_jumps = releases(&mechanism.description().events[event]);
+        if counts_jumps || is_root(conditions(step.motion, &state)?[event], values) {
+            self.push(mechanism, event, crossing, state);
         }
         Ok(())
     }
@@ -350,6 +352,15 @@ impl<M: Mechanism> EventSearch<M> {
             (false, _) => {}
         }
     }
+}
+
+/// Whether an event releases a constraint because of a force: a latch lets go where its load jumps past its limit.
+fn releases(described: &Event) -> bool {
+    let switches = described.steps.iter().filter_map(|step| match step {
+        event::Step::Switch(switches) => Some(*switches),
+        _ => None,
+    });
+    described.on_forces && switches.flatten().any(|switch| !switch.active)
 }
 
 /// The value of a condition where a search starts: a condition that holds there is being left, not crossed.

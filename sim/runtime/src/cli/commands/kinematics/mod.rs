@@ -12,7 +12,7 @@ use crate::cli::quantity::parse_quantity;
 use crate::cli::signals;
 use crate::cli::{Stop, unknown};
 use crate::output::show::{self, SWEEP_FIGURES};
-use crate::{Driven, Kinematics, Start, Sweep, Table, What, kinematics_until};
+use crate::{Driven, Kinematics, Start, Sweep, Table, What, assemble, kinematics_until};
 use found::{Found, report, summary};
 use serde_json::Value;
 use sim_kernel::{Array, Description, Mechanism, Quantity};
@@ -133,9 +133,11 @@ pub(in crate::cli) fn kinematics_command<M: Mechanism>(
 /// The sweep as it is asked for.
 fn asked<M: Mechanism>(mechanism: &M, arguments: &KinematicsArguments) -> Result<(M, Start<M>, Sweep), Stop> {
     let (mechanism, start) = as_given(mechanism, &arguments.set, &arguments.initial)?;
-    let now = |driven: Driven| driven.value(&mechanism, 0.0, &start.positions);
+    // Guesses are no places where the mechanism can be. One that cannot be assembled as it is given may be on the way.
+    let positions = assemble(&mechanism, &start).map_or_else(|_| start.positions.clone(), |state| state.positions);
+    let now = |driven: Driven| driven.value(&mechanism, 0.0, &positions);
     let speeds: Vec<Option<f64>> = start.speed_given.iter().zip(start.speeds.iter()).map(given).collect();
-    let prescribed = prescribed_coordinate(&mechanism, &start.positions);
+    let prescribed = prescribed_coordinate(&mechanism, &positions);
     let sweep = arguments.sweep(mechanism.description(), &now, &speeds, prescribed)?;
     Ok((mechanism, start, sweep))
 }
