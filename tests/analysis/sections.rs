@@ -107,3 +107,33 @@ fn the_return_map_of_a_conservative_mechanism_stays_on_its_energy() {
     // A mechanism without events has no sections, and says so on the command line.
     assert!(DoublePendulum::<f64>::DESCRIPTION.events.is_empty());
 }
+
+mechanism! {
+    /// Two oscillators without a common period, of which one swings by half a micrometre beside the other's metre; and two in angles
+    /// of less than a microradian.
+    Apart;
+    coordinates { big [m]; small [nm]; a [rad]; b [rad]; }
+    bodies {
+        first: mass 1 [kg] at [big, 0];
+        second: mass 1 [kg] at [0, small];
+        third: inertia 1 [kg*m^2], angle a;
+        fourth: inertia 1 [kg*m^2], angle b;
+    }
+    loads {
+        spring 1 [N/m], rest 100 [m] on big;
+        spring 2.3 [N/m], rest 0 on small;
+        spring 1 [N*m], rest 0 on a;
+        spring 0.37 [N*m], rest 0 on b;
+    }
+    initial { big = 101; small = 500; a = 3e-7; b = 3e-7; }
+    events { top: dot(big) = 0; angle: dot(a) = 0; }
+}
+
+#[test]
+fn what_does_not_repeat_in_small_coordinates_has_no_period() {
+    let apart = Apart::default();
+    for event in ["top", "angle"] {
+        let found = section(apart, &declared_start(&apart), event, Some(Crossing::Falling), 20);
+        assert!(found.period.is_none(), "{event}: {:?}", found.period);
+    }
+}

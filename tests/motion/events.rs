@@ -98,3 +98,29 @@ fn an_event_ends_the_run_at_its_time() {
     assert_eq!(times(&run, "fast").len(), 3);
     assert_eq!(run.trajectory.failure, None);
 }
+
+mechanism! {
+    /// A mass that passes half a metre in half a second, and a clock: what both do happens at once.
+    Simultaneous;
+    coordinates { c [m]; }
+    parameters { m [kg] = 1; first = 0; second = 0; }
+    bodies { mass: mass m at [c, 0]; }
+    initial { c = 0; dot(c) = 1; }
+    events {
+        clock: t = 0.5 [s] rising { set first = first + 1; }
+        there: c = 0.5 [m] { set second = second + 1; }
+        seen: c = 0.5 [m] rising;
+    }
+}
+
+/// Equal steps that end there leave the mass before or behind by rounding.
+#[test]
+fn what_happens_at_once_happens() {
+    for steps in 1..=250 {
+        let run = run_with(Simultaneous::default(), &Settings::equal_steps(Method::Rk4, 2.0, steps)).unwrap();
+        for name in ["clock", "there", "seen"] {
+            let count = run.events.iter().filter(|event| event.name == name).count();
+            assert_eq!(count, 1, "{name} in {steps} steps");
+        }
+    }
+}

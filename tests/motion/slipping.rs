@@ -105,3 +105,32 @@ fn a_latch_lets_go_where_its_load_jumps_past_its_limit() {
         }
     }
 }
+
+/// A block that only a wall holds: where the force turns away from it, it leaves, and does not land in the same instant.
+#[test]
+fn a_block_leaves_a_wall_where_the_force_turns() {
+    let mut random = Random(5);
+    for _ in 0..25 {
+        let [force, rate] = [random.between(2.0, 20.0), random.between(2.0, 9.0)];
+        let declaration = format!(
+            "/// A block on a wall.
+            Wall;
+            coordinates {{ x [m]; }}
+            parameters {{ m [kg] = 0.3; F [N] = {force:?}; w [rad/s] = {rate:?}; }}
+            bodies {{ block: mass m at [x, 0]; }}
+            loads {{ force F*(sin(w*t) - 0.5) on x; }}
+            constraints {{ wall: x = 0 initially active; }}
+            initial {{ x = 0; }}
+            events {{
+                leaves: reaction(wall) = 0 rising {{ release wall; }}
+                lands: x = 0 falling {{ activate wall; }}
+            }}"
+        );
+        let run = run_with(interpreted(&declaration).unwrap(), &Settings::new(2.0)).unwrap();
+        assert_eq!(run.trajectory.failure, None, "F = {force}, w = {rate}");
+        let leaves = std::f64::consts::FRAC_PI_6 / rate;
+        // With s = w (t - t0), x is proportional to s cos(pi/6) - sin(s + pi/6) + 1/2 - s^2/4, which is positive up to s = 4.6.
+        let next = run.events.get(1).map_or(f64::INFINITY, |event| event.state.time);
+        assert!((run.events[0].state.time - leaves).abs() < 1e-11 && next > leaves + 4.5 / rate, "{next} s");
+    }
+}

@@ -13,9 +13,10 @@ use crate::state::trajectory::{Phase, State, Trajectory};
 use sim_kernel::{Description, Mechanism};
 use std::f64::consts::TAU;
 
-/// The tolerance within which two states are the same, relative to a motion's extent and to the speeds that lead
-/// through it.
+/// The tolerance within which two states are the same, relative to the extent of each coordinate's own motion and to the
+/// speeds that lead through it; and what the motion of a small one may be off by, relative to the largest of its kind.
 const SAME: f64 = 1e-6;
+const NOISE: f64 = 1e-9;
 
 /// The specification of a section.
 #[derive(Clone, Copy, Debug)]
@@ -115,12 +116,13 @@ fn period(description: &'static Description, states: &[At<f64>]) -> Option<Perio
         (0..description.coordinates.len()).map(|j| Driven::Coordinate(j).turn(description).is_some()).collect();
     let [of_angles, of_others] = [true, false].map(|kind| Extent::of(states, usual, |j| is_angle[j] == kind));
     let of_angles = Extent { positions: 1.0, speeds: of_angles.speeds.max(1.0 / usual) };
+    let own: Vec<Extent> = (0..is_angle.len()).map(|j| Extent::of(states, usual, |i| i == j)).collect();
     let is_same = |a: &At<f64>, b: &At<f64>| {
-        is_angle.iter().enumerate().all(|(j, is_angle)| {
+        is_angle.iter().zip(&own).enumerate().all(|(j, (is_angle, own))| {
             let (apart, faster) = (b.positions[j] - a.positions[j], b.speeds[j] - a.speeds[j]);
             match is_angle {
-                true => of_angles.is_nothing(apart - TAU * (apart / TAU).round(), faster),
-                false => of_others.is_nothing(apart, faster),
+                true => own.within(&of_angles).is_nothing(&of_angles, apart - TAU * (apart / TAU).round(), faster),
+                false => own.is_nothing(&of_others, apart, faster),
             }
         })
     };
@@ -149,8 +151,15 @@ impl Extent {
         Extent { positions: positions.max(speeds * between), speeds: speeds.max(positions / between) }
     }
 
-    /// Whether a difference of positions and one of speeds are too small to tell states apart.
-    fn is_nothing(&self, positions: f64, speeds: f64) -> bool {
-        positions.abs() <= SAME * self.positions && speeds.abs() <= SAME * self.speeds
+    /// No more than another: an angle may go round many times.
+    fn within(&self, other: &Extent) -> Extent {
+        Extent { positions: self.positions.min(other.positions), speeds: self.speeds.min(other.speeds) }
+    }
+
+    /// Whether a difference of positions and one of speeds of a coordinate with this extent are too small to tell states apart,
+    /// beside what all of its kind have.
+    fn is_nothing(&self, kind: &Extent, positions: f64, speeds: f64) -> bool {
+        positions.abs() <= SAME * self.positions + NOISE * kind.positions
+            && speeds.abs() <= SAME * self.speeds + NOISE * kind.speeds
     }
 }

@@ -54,6 +54,8 @@ pub struct EventSearch<M: Mechanism> {
     last: Option<Point<M>>,
     /// The values of conditions just before the mechanism was changed, if it has been since.
     before: Option<M::Events>,
+    /// Those at the start of the last step.
+    stepped_from: M::Events,
     largest: M::Events,
     /// The onset of conditions at the beginning, if events change the motion.
     onset: Option<Onset<M>>,
@@ -71,15 +73,32 @@ impl<M: Mechanism> EventSearch<M> {
             begin: M::Events::repeat(events, begin),
             last: None,
             before: None,
+            stepped_from: M::Events::repeat(events, 0.0),
             largest: M::Events::repeat(events, 0.0),
             onset: None,
             at_start: None,
         }
     }
 
-    /// Continues from a time at which the motion has changed.
+    /// Continues from a time at which the motion has changed. A condition on its way through zero there, to rounding, still counts.
     pub(crate) fn restart(&mut self, begin: f64, onset: Option<Onset<M>>) {
-        (self.begin, self.last, self.before, self.onset) = (self.begin.like(|_| begin), None, None, onset);
+        let arrives = |event: usize| onset.as_ref().is_some_and(|onset| self.arrives(event, onset, begin));
+        let begins = self.begin.like(|event| if arrives(event) { f64::NEG_INFINITY } else { begin });
+        (self.begin, self.last, self.before, self.onset) = (begins, None, None, onset);
+        self.stepped_from = self.stepped_from.like(|_| 0.0);
+    }
+
+    /// Whether a condition that the last step has led up to zero, and not through it, goes through from here on: another event
+    /// has happened just before it.
+    fn arrives(&self, event: usize, onset: &Onset<M>, begin: f64) -> bool {
+        let from = self.stepped_from[event];
+        let has_come = from.abs() > onset.noise[event] && onset.leaving(event) == -from.signum();
+        has_come && onset.holds(event) && !self.has_just_happened(event, begin)
+    }
+
+    fn has_just_happened(&self, event: usize, begin: f64) -> bool {
+        let at_begin = |found: &&Occurrence<M>| begin - found.state.time <= 2.0 * tolerance(begin, self.span);
+        self.found.iter().rev().take_while(at_begin).any(|found| found.event == event)
     }
 
     /// Continues after a change of the mechanism: unaffected conditions are tracked on, and others from here, as from a
@@ -103,7 +122,8 @@ impl<M: Mechanism> EventSearch<M> {
                     if before.is_some() {
                         self.begin[event] = point.time;
                     }
-                    point.values[event] = started(&point, event, self.onset.as_ref(), self.span);
+                    let side = if self.begin[event] == f64::NEG_INFINITY { -1.0 } else { 1.0 };
+                    point.values[event] = side * started(&point, event, self.onset.as_ref(), self.span);
                 }
             }
         }
@@ -113,7 +133,7 @@ impl<M: Mechanism> EventSearch<M> {
 
     /// All of it as bytes, or from them; `blank` is filled by each occurrence that is read.
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes, blank: &Change<M>) -> Result<(), Damaged> {
-        let EventSearch { found, span: _, begin, last, before, largest, onset, at_start: _ } = self;
+        let EventSearch { found, span: _, begin, last, before, stepped_from: _, largest, onset, at_start: _ } = self;
         let none =
             || Occurrence { event: 0, name: "", crossing: Crossing::Rising, state: blank.state.clone(), change: None };
         let zeros = begin.like(|_| 0.0);
@@ -137,6 +157,7 @@ impl<M: Mechanism> EventSearch<M> {
             Some(last) => last.starting(step)?,
             None => self.search_first_return(step)?,
         };
+        self.stepped_from = from.values.clone();
         let to = Point::of(step.motion, step.to, step.length())?;
         let most = parts(step).max(self.waves(&from, &to).0);
         self.last = Some(self.search_parts(step, from, to, [most, most])?);
@@ -224,10 +245,8 @@ impl<M: Mechanism> EventSearch<M> {
     /// Whether a crossing at the very start is the return of a condition that was left there, and not how it leaves: it has a
     /// direction, or it has just happened.
     fn returns(&self, mechanism: &M, event: usize) -> bool {
-        let begin = self.begin[event];
-        let at_begin = |found: &&Occurrence<M>| begin - found.state.time <= 2.0 * tolerance(begin, self.span);
-        mechanism.description().events[event].direction != Direction::Both
-            || self.found.iter().rev().take_while(at_begin).any(|found| found.event == event)
+        let has_direction = mechanism.description().events[event].direction != Direction::Both;
+        has_direction || self.has_just_happened(event, self.begin[event])
     }
 
     /// Whether a condition is zero throughout a step, up to the tolerance of constraints: it keeps the sign that it had.

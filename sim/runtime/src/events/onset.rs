@@ -18,6 +18,8 @@ pub(crate) struct Onset<M: Mechanism> {
     values: M::Events,
     rates: M::Events,
     seconds: M::Events,
+    /// The second derivatives with accelerations that change, which conditions on speeds have.
+    bends: M::Events,
     /// The tolerance of constraints and rounding.
     pub(crate) noise: M::Events,
     /// The rounding of the change of a condition in either time.
@@ -46,9 +48,12 @@ impl<M: Mechanism> Onset<M> {
         let scale = span.min(1.0 / fast.max(sharp.sqrt()));
         let times @ [d, e] = [1e-5 * scale, 1e-4 * scale];
         let values = conditions(motion, &sample.state)?;
-        let [ahead, behind] = [conditions(motion, &moved(sample, d))?, conditions(motion, &moved(sample, -d))?];
-        let [far_ahead, far_behind] =
-            [conditions(motion, &bent(motion, sample, e))?, conditions(motion, &bent(motion, sample, -e))?];
+        let beside = |moved: &dyn Fn(f64) -> State<M>, time: f64| -> Result<[M::Events; 2], Failure> {
+            Ok([conditions(motion, &moved(time))?, conditions(motion, &moved(-time))?])
+        };
+        let [ahead, behind] = beside(&|time| moved(sample, time), d)?;
+        let [far_ahead, far_behind] = beside(&|time| moved(sample, time), e)?;
+        let [bent_ahead, bent_behind] = beside(&|time| bent(motion, sample, time), e)?;
         let [terms, own_terms] = terms(motion, &sample.state, &values)?;
         let others = other_terms(motion, sample, &values, scale)?;
         let floor = |event: usize| f64::min(1.0, LARGE * (terms[event] + others[event]));
@@ -56,6 +61,7 @@ impl<M: Mechanism> Onset<M> {
             values: values.clone(),
             rates: values.like(|i| (ahead[i] - behind[i]) / (2.0 * d)),
             seconds: values.like(|i| (far_ahead[i] - 2.0 * values[i] + far_behind[i]) / (e * e)),
+            bends: values.like(|i| (bent_ahead[i] - 2.0 * values[i] + bent_behind[i]) / (e * e)),
             noise: values.like(|i| OFFSET * terms[i].max(floor(i))),
             significant: values.like(|i| ROUNDING * terms[i]),
             last_digits: values.like(|i| LAST_DIGITS * own_terms[i]),
@@ -66,14 +72,14 @@ impl<M: Mechanism> Onset<M> {
 
     /// None known yet.
     pub(crate) fn blank(none: &M::Events) -> Onset<M> {
-        let [values, rates, seconds, noise, significant, last_digits] = std::array::from_fn(|_| none.clone());
-        Onset { values, rates, seconds, noise, significant, last_digits, times: [0.0; 2], tolerance: 0.0 }
+        let [values, rates, seconds, bends, noise, significant, last_digits] = std::array::from_fn(|_| none.clone());
+        Onset { values, rates, seconds, bends, noise, significant, last_digits, times: [0.0; 2], tolerance: 0.0 }
     }
 
     /// All of it as bytes, or from them.
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
-        let Onset { values, rates, seconds, noise, significant, last_digits, times, tolerance } = self;
-        for numbers in [values, rates, seconds, noise, significant, last_digits] {
+        let Onset { values, rates, seconds, bends, noise, significant, last_digits, times, tolerance } = self;
+        for numbers in [values, rates, seconds, bends, noise, significant, last_digits] {
             bytes.numbers(numbers.as_mut())?;
         }
         bytes.numbers(times)?;
@@ -94,8 +100,8 @@ impl<M: Mechanism> Onset<M> {
     /// accuracy of times. A force that has just overcome another is rounding here, and so is the direction in which it moves
     /// at first.
     pub(crate) fn sign(&self, event: usize) -> f64 {
-        match self.rates[event].abs() <= self.tolerance * self.seconds[event].abs() {
-            true if self.leaving(event) != 0.0 => self.seconds[event].signum(),
+        match self.rates[event].abs() <= self.tolerance * self.bends[event].abs() {
+            true if self.leaving(event) != 0.0 => self.bends[event].signum(),
             _ => self.leaving(event),
         }
     }

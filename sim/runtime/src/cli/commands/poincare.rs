@@ -149,7 +149,7 @@ fn report(description: &Description, arguments: &PoincareArguments, times: &[f64
         Some(Period { seconds, crossings }) => {
             format!("{:<12} {} s, {crossings} crossing(s) each\n", "period", decimals(seconds, 12))
         }
-        None => format!("{:<12} none: no state recurs\n", "period"),
+        None => format!("{:<12} none: the states do not repeat from the first on\n", "period"),
     };
     text
 }
