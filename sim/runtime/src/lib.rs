@@ -1,4 +1,4 @@
-//! The runtime of mechanisms declared with [`mechanism!`]: assemble a start, integrate on the constraints, locate
+//! The runtime of mechanisms declared with `mechanism!`: assemble a start, integrate on the constraints, locate
 //! events, record, write and draw.
 //!
 //! Every function that can fail returns an error that says what, when and where; results up to then are kept.
