@@ -134,3 +134,60 @@ fn a_block_leaves_a_wall_where_the_force_turns() {
         assert!((run.events[0].state.time - leaves).abs() < 1e-11 && next > leaves + 4.5 / rate, "{next} s");
     }
 }
+
+/// A block that slides up an incline until friction holds it, while a clock ticks.
+fn on_an_incline(slope: f64, speed: f64) -> String {
+    format!(
+        "/// A block on an incline.
+        Incline;
+        coordinates {{ x [m]; y [m]; }}
+        parameters {{ slope = {slope:?}; m [kg] = 2; limit [N] = 20; push [N] = 1; s = 1; next [s] = 0.1; }}
+        let P = [x, y];
+        let u = [cos(slope), sin(slope)];
+        bodies {{ block: mass m at P; }}
+        loads {{ gravity [0, -9.81 [m/s^2]]; force (push*sin(5 [rad/s]*t) - s*limit)*u at P; }}
+        constraints {{
+            plane: inner(P, [-sin(slope), cos(slope)]) = 0;
+            held: inner(dot(P), u) = 0 initially released;
+        }}
+        initial {{ x = 0; guess y = 0; dot(x) = {speed:?}; }}
+        events {{
+            halt: inner(dot(P), u) = 0 falling {{ activate held; set s = 0; }}
+            tick: t = next rising {{ set next = next + 0.1 [s]; }}
+        }}"
+    )
+}
+
+/// Two wheels that rub until they roll on each other, beside the same clock.
+fn wheels(radius: f64, speed: f64) -> String {
+    format!(
+        "/// Two wheels.
+        Wheels;
+        coordinates {{ a [rad]; b [rad]; }}
+        parameters {{ r [m] = {radius:?}; R [m] = 0.3; J [kg*m^2] = 0.1; f [N] = 5; T [N*m] = 0.1; s = 1; next [s] = 0.1; }}
+        bodies {{ one: inertia J, angle a; other: inertia 2*J, angle b; }}
+        constraints {{ held: r*dot(a) + R*dot(b) = 0 initially released; }}
+        loads {{ torque T*cos(3 [rad/s]*t) - s*f*r on one; torque -s*f*R on other; }}
+        initial {{ dot(a) = {:?}; dot(b) = 0.3; }}
+        events {{
+            halt: r*dot(a) + R*dot(b) = 0 falling {{ activate held; set s = 0; }}
+            tick: t = next rising {{ set next = next + 0.1 [s]; }}
+        }}",
+        5.0 * speed
+    )
+}
+
+/// What has come to rest does so once, though the speed that is held at zero is rounding at every tick.
+#[test]
+fn what_is_held_does_not_halt_again() {
+    let mut random = Random(6);
+    for _ in 0..25 {
+        let [size, speed] = [random.between(0.2, 0.6), random.between(0.5, 2.0)];
+        for declaration in [on_an_incline(size, speed), wheels(size, speed)] {
+            let run = run_with(interpreted(&declaration).unwrap(), &Settings::new(3.0)).unwrap();
+            assert_eq!(run.trajectory.failure, None);
+            let halts = run.events.iter().filter(|event| event.name == "halt").count();
+            assert_eq!(halts, 1, "{declaration}");
+        }
+    }
+}

@@ -2,6 +2,7 @@
 
 use super::act::{Change, Located, act};
 use super::conditions::tolerance;
+use super::described::{any_acts, is_done, switches, through};
 use super::onset::Onset;
 use super::{Crossing, EventSearch, Occurrence};
 use crate::integrate::Step;
@@ -11,7 +12,7 @@ use crate::state::failure::{Failure, What};
 use crate::state::saved::{Bytes, Damaged};
 use crate::state::settings::{Settings, StopAt};
 use crate::state::trajectory::{Sample, State};
-use sim_kernel::event::{self, Direction, Event};
+use sim_kernel::event::{self, Direction};
 use sim_kernel::{Array, Mechanism};
 use std::collections::VecDeque;
 
@@ -49,12 +50,6 @@ pub(crate) struct EventHandler<M: Mechanism> {
     has_ended: bool,
 }
 
-/// Whether any event does something.
-#[inline(always)]
-fn any_acts(events: &[Event]) -> bool {
-    events.iter().any(|event| !event.steps.is_empty())
-}
-
 /// Whether a condition that crosses zero by the speeds of one state turns back by those of another, at the same time and place.
 fn is_turned_back<M: Mechanism>(
     mechanism: &M,
@@ -79,25 +74,6 @@ fn is_turned_back<M: Mechanism>(
     };
     let [before, after] = states.map(change);
     !described.on_forces && before > 0.0 && after < -TURNED * before
-}
-
-/// Whether an event switches a constraint on that is released, or off that holds.
-fn switches<M: Mechanism>(mechanism: &M, event: &Event, on: bool) -> bool {
-    let activities = mechanism.activities();
-    let mut switches = event.steps.iter().flat_map(|step| match step {
-        event::Step::Switch(switches) => *switches,
-        _ => &[],
-    });
-    switches.any(|switch| switch.active == on && (activities[switch.conditional] == 1.0) != on)
-}
-
-/// The sign of the rate with which a condition crosses zero in an event's direction, if it has one.
-fn through(described: &Event) -> Option<f64> {
-    match described.direction {
-        Direction::Rising => Some(1.0),
-        Direction::Falling => Some(-1.0),
-        Direction::Both => None,
-    }
 }
 
 /// Whether a condition holds at a start and leaves against the direction in which its event counts.
@@ -268,10 +244,13 @@ impl<M: Mechanism> EventHandler<M> {
     /// turned it back, that a constraint it switched has been switched back, that the condition had turned back since, or
     /// that it returns to zero within an instant or without having left it by more than rounding. One that releases a
     /// constraint because of a force happens also if its condition is beyond zero: a contact that a blow has closed does not
-    /// pull.
+    /// pull. What holds already does not land again: its condition stays where it is.
     fn is_due(&self, mechanism: &M, onset: &Onset<M>, index: usize, time: f64) -> bool {
         let described = &mechanism.description().events[index];
         let Some(through) = through(described) else { return false };
+        if is_done(mechanism, described) && onset.stays(index) {
+            return false;
+        }
         if described.on_forces && switches(mechanism, described, false) && onset.is_beyond(index, through) {
             return true;
         }

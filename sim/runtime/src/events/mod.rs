@@ -6,26 +6,25 @@
 
 mod act;
 mod conditions;
+mod described;
 mod handler;
+mod locate;
 mod occurrence;
 mod onset;
 mod waves;
 
 pub use act::{Change, Located, act};
-pub(crate) use conditions::{conditions, tolerance};
+pub(crate) use conditions::tolerance;
 pub(crate) use handler::EventHandler;
 pub use occurrence::{Crossing, Occurrence};
 
 use crate::integrate::Step;
 use crate::numerics::insertion::sort_few;
-use crate::numerics::root::{find_minimum, find_root};
 use crate::state::failure::{Failure, What};
-use crate::state::interpolate::cubic;
 use crate::state::saved::{Bytes, Damaged};
-use crate::state::trajectory::State;
-use conditions::{Point, crosses, ends, is_root, may_reach_zero, turns_back, value};
+use conditions::{Point, crosses, ends, may_reach_zero, value};
 use onset::Onset;
-use sim_kernel::event::{self, Direction, Event};
+use sim_kernel::event::Direction;
 use sim_kernel::{Array, Mechanism};
 use waves::{DIVIDED_AGAIN, MOST_PARTS, parts, point};
 
@@ -35,8 +34,9 @@ const MOST_HALVINGS: usize = 8;
 const MOST_IN_A_PART: usize = 64;
 /// A condition returns soon if it is farthest within this part of a step.
 const SOON: f64 = 0.1;
-/// How close to zero, relative to its largest value, a condition has to turn to touch it.
-const TOUCH: f64 = 1e-9;
+
+/// Before every time.
+const ARRIVES: f64 = f64::NEG_INFINITY;
 
 /// All that has happened along a motion, in the order of time, located to max(1e-12 s, 4 ulp of t) on the projected
 /// dense output.
@@ -49,7 +49,7 @@ pub struct EventSearch<M: Mechanism> {
     pub found: Vec<Occurrence<M>>,
     /// The length of the motion in seconds.
     span: f64,
-    /// The time from which each condition counts.
+    /// The time from which each condition counts; `ARRIVES` for one on its way through zero where the motion has changed.
     begin: M::Events,
     last: Option<Point<M>>,
     /// The values of conditions just before the mechanism was changed, if it has been since.
@@ -83,7 +83,7 @@ impl<M: Mechanism> EventSearch<M> {
     /// Continues from a time at which the motion has changed. A condition on its way through zero there, to rounding, still counts.
     pub(crate) fn restart(&mut self, begin: f64, onset: Option<Onset<M>>) {
         let arrives = |event: usize| onset.as_ref().is_some_and(|onset| self.arrives(event, onset, begin));
-        let begins = self.begin.like(|event| if arrives(event) { f64::NEG_INFINITY } else { begin });
+        let begins = self.begin.like(|event| if arrives(event) { ARRIVES } else { begin });
         (self.begin, self.last, self.before, self.onset) = (begins, None, None, onset);
         self.stepped_from = self.stepped_from.like(|_| 0.0);
     }
@@ -122,8 +122,9 @@ impl<M: Mechanism> EventSearch<M> {
                     if before.is_some() {
                         self.begin[event] = point.time;
                     }
-                    let side = if self.begin[event] == f64::NEG_INFINITY { -1.0 } else { 1.0 };
-                    point.values[event] = side * started(&point, event, self.onset.as_ref(), self.span);
+                    let value = started(&point, event, self.onset.as_ref(), self.span);
+                    // Still on the side that it comes from.
+                    point.values[event] = if self.begin[event] == ARRIVES { -value } else { value };
                 }
             }
         }
@@ -258,128 +259,6 @@ impl<M: Mechanism> EventSearch<M> {
         }
         Ok(is_small(value(step, (from.time + to.time) / 2.0, event)?))
     }
-
-    fn search_one(
-        &mut self,
-        step: &mut Step<M>,
-        event: usize,
-        from: &Point<M>,
-        to: &Point<M>,
-        halvings: usize,
-    ) -> Result<(), Failure> {
-        let h = to.time - from.time;
-        let (values, rates) = ends(event, from, to);
-        if halvings > 0 && !self.is_foretold(step, event, [from.time, h], values, rates)? {
-            let middle = step.sample(from.time + h / 2.0)?;
-            let middle = Point::of(step.motion, &middle, h / 2.0)?;
-            for (from, to) in [(from, &middle), (&middle, to)] {
-                if may_reach_zero(event, from, to) {
-                    self.search_one(step, event, from, to, halvings - 1)?;
-                }
-            }
-            return Ok(());
-        }
-        match () {
-            _ if crosses(values) => self.locate(step, event, [from.time, to.time], values),
-            _ if turns_back(values, rates) => self.touch(step, event, [from.time, to.time], values),
-            _ => Ok(()),
-        }
-    }
-
-    /// Whether the cubic of both ends predicts the value at two places between them, to a hundredth.
-    fn is_foretold(
-        &self,
-        step: &mut Step<M>,
-        event: usize,
-        [from, h]: [f64; 2],
-        values: [f64; 2],
-        rates: [f64; 2],
-    ) -> Result<bool, Failure> {
-        for fraction in [0.5, 0.29] {
-            let found = value(step, from + fraction * h, event)?;
-            let size = values[0].abs().max(values[1].abs()).max(found.abs());
-            if !((found - cubic(values, rates, fraction)).abs() <= 0.01 * size + TOUCH * self.largest[event]) {
-                return Ok(false);
-            }
-        }
-        Ok(true)
-    }
-
-    /// A condition that heads for zero at both ends: twice through it, touching it, or missing it.
-    fn touch(
-        &mut self,
-        step: &mut Step<M>,
-        event: usize,
-        [from, to]: [f64; 2],
-        values: [f64; 2],
-    ) -> Result<(), Failure> {
-        let sign = values[0].signum();
-        let (fraction, least) =
-            find_minimum(&mut |fraction| Ok(sign * value(step, from + fraction * (to - from), event)?))?;
-        let turn = from + fraction * (to - from);
-        if least < -TOUCH * self.largest[event] {
-            self.locate(step, event, [from, turn], [values[0], sign * least])?;
-            return self.locate(step, event, [turn, to], [sign * least, values[1]]);
-        }
-        if least.abs() <= TOUCH * self.largest[event] {
-            let state = step.at(turn)?;
-            self.push(step.motion.mechanism(), event, Crossing::Touching, state);
-        }
-        Ok(())
-    }
-
-    fn locate(
-        &mut self,
-        step: &mut Step<M>,
-        event: usize,
-        [from, to]: [f64; 2],
-        values: [f64; 2],
-    ) -> Result<(), Failure> {
-        let (h, tolerance) = (to - from, tolerance(to, self.span));
-        // A condition may stay at zero, as the force of a one-sided spring: it happens where zero is reached.
-        let past = |value: f64| if value == 0.0 { -f64::MIN_POSITIVE.copysign(values[0]) } else { value };
-        let stays = values[1] == 0.0 && h > 2.0 * tolerance && value(step, to - 2.0 * tolerance, event)? == 0.0;
-        let time = match values[1] == 0.0 && !stays {
-            true => to,
-            false => {
-                let mut at = |fraction: f64| value(step, from + fraction * h, event).map(past);
-                from + h * find_root(values[0], past(values[1]), tolerance / h, &mut at)?
-            }
-        };
-        let state = step.at(time)?;
-        let crossing = if values[0] < 0.0 { Crossing::Rising } else { Crossing::Falling };
-        let mechanism = step.motion.mechanism();
-        let counts_jumps = releases(&mechanism.description().events[event]);
-        if counts_jumps || is_root(conditions(step.motion, &state)?[event], values) {
-            self.push(mechanism, event, crossing, state);
-        }
-        Ok(())
-    }
-
-    fn push(&mut self, mechanism: &M, event: usize, crossing: Crossing, state: State<M>) {
-        let described = &mechanism.description().events[event];
-        let counts = match described.direction {
-            Direction::Both => true,
-            Direction::Rising => crossing == Crossing::Rising,
-            Direction::Falling => crossing == Crossing::Falling,
-        };
-        let is_after_start = state.time - self.begin[event] > 2.0 * tolerance(state.time, self.span);
-        let occurrence = Occurrence { event, name: described.name, crossing, state, change: None };
-        match (counts, is_after_start) {
-            (true, true) => self.found.push(occurrence),
-            (true, false) => self.at_start = Some(occurrence),
-            (false, _) => {}
-        }
-    }
-}
-
-/// Whether an event releases a constraint because of a force: a latch lets go where its load jumps past its limit.
-fn releases(described: &Event) -> bool {
-    let switches = described.steps.iter().filter_map(|step| match step {
-        event::Step::Switch(switches) => Some(*switches),
-        _ => None,
-    });
-    described.on_forces && switches.flatten().any(|switch| !switch.active)
 }
 
 /// The value of a condition where a search starts: a condition that holds there is being left, not crossed.

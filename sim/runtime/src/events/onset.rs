@@ -96,6 +96,11 @@ impl<M: Mechanism> Onset<M> {
         sign * self.values[event] > self.noise[event]
     }
 
+    /// Whether a condition stays where it is, up to noise.
+    pub(crate) fn stays(&self, event: usize) -> bool {
+        self.rates[event].abs() * self.times[0] <= self.noise[event]
+    }
+
     /// The sign of a condition from here on, if it holds here: as it leaves, or beyond its return if that comes within the
     /// accuracy of times. A force that has just overcome another is rounding here, and so is the direction in which it moves
     /// at first.

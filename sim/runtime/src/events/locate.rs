@@ -1,0 +1,131 @@
+//! Where a condition is zero in a part of a step.
+
+use super::conditions::{Point, conditions, crosses, ends, is_root, may_reach_zero, tolerance, turns_back, value};
+use super::described::releases;
+use super::{Crossing, EventSearch, Occurrence};
+use crate::integrate::Step;
+use crate::numerics::root::{find_minimum, find_root};
+use crate::state::failure::Failure;
+use crate::state::interpolate::cubic;
+use crate::state::trajectory::State;
+use sim_kernel::Mechanism;
+use sim_kernel::event::Direction;
+
+/// How close to zero, relative to its largest value, a condition has to turn to touch it.
+const TOUCH: f64 = 1e-9;
+
+impl<M: Mechanism> EventSearch<M> {
+    /// Searches a part for one event; where the cubic of its ends does not foretell the condition, both halves of it, so often.
+    pub(super) fn search_one(
+        &mut self,
+        step: &mut Step<M>,
+        event: usize,
+        from: &Point<M>,
+        to: &Point<M>,
+        halvings: usize,
+    ) -> Result<(), Failure> {
+        let h = to.time - from.time;
+        let (values, rates) = ends(event, from, to);
+        if halvings > 0 && !self.is_foretold(step, event, [from.time, h], values, rates)? {
+            let middle = step.sample(from.time + h / 2.0)?;
+            let middle = Point::of(step.motion, &middle, h / 2.0)?;
+            for (from, to) in [(from, &middle), (&middle, to)] {
+                if may_reach_zero(event, from, to) {
+                    self.search_one(step, event, from, to, halvings - 1)?;
+                }
+            }
+            return Ok(());
+        }
+        match () {
+            _ if crosses(values) => self.locate(step, event, [from.time, to.time], values),
+            _ if turns_back(values, rates) => self.touch(step, event, [from.time, to.time], values),
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether the cubic of both ends predicts the value at two places between them, to a hundredth.
+    fn is_foretold(
+        &self,
+        step: &mut Step<M>,
+        event: usize,
+        [from, h]: [f64; 2],
+        values: [f64; 2],
+        rates: [f64; 2],
+    ) -> Result<bool, Failure> {
+        for fraction in [0.5, 0.29] {
+            let found = value(step, from + fraction * h, event)?;
+            let size = values[0].abs().max(values[1].abs()).max(found.abs());
+            if !((found - cubic(values, rates, fraction)).abs() <= 0.01 * size + TOUCH * self.largest[event]) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// A condition that heads for zero at both ends: twice through it, touching it, or missing it.
+    fn touch(
+        &mut self,
+        step: &mut Step<M>,
+        event: usize,
+        [from, to]: [f64; 2],
+        values: [f64; 2],
+    ) -> Result<(), Failure> {
+        let sign = values[0].signum();
+        let (fraction, least) =
+            find_minimum(&mut |fraction| Ok(sign * value(step, from + fraction * (to - from), event)?))?;
+        let turn = from + fraction * (to - from);
+        if least < -TOUCH * self.largest[event] {
+            self.locate(step, event, [from, turn], [values[0], sign * least])?;
+            return self.locate(step, event, [turn, to], [sign * least, values[1]]);
+        }
+        if least.abs() <= TOUCH * self.largest[event] {
+            let state = step.at(turn)?;
+            self.push(step.motion.mechanism(), event, Crossing::Touching, state);
+        }
+        Ok(())
+    }
+
+    fn locate(
+        &mut self,
+        step: &mut Step<M>,
+        event: usize,
+        [from, to]: [f64; 2],
+        values: [f64; 2],
+    ) -> Result<(), Failure> {
+        let (h, tolerance) = (to - from, tolerance(to, self.span));
+        // A condition may stay at zero, as the force of a one-sided spring: it happens where zero is reached.
+        let past = |value: f64| if value == 0.0 { -f64::MIN_POSITIVE.copysign(values[0]) } else { value };
+        let stays = values[1] == 0.0 && h > 2.0 * tolerance && value(step, to - 2.0 * tolerance, event)? == 0.0;
+        let time = match values[1] == 0.0 && !stays {
+            true => to,
+            false => {
+                let mut at = |fraction: f64| value(step, from + fraction * h, event).map(past);
+                from + h * find_root(values[0], past(values[1]), tolerance / h, &mut at)?
+            }
+        };
+        let state = step.at(time)?;
+        let crossing = if values[0] < 0.0 { Crossing::Rising } else { Crossing::Falling };
+        let mechanism = step.motion.mechanism();
+        let counts_jumps = releases(&mechanism.description().events[event]);
+        if counts_jumps || is_root(conditions(step.motion, &state)?[event], values) {
+            self.push(mechanism, event, crossing, state);
+        }
+        Ok(())
+    }
+
+    fn push(&mut self, mechanism: &M, event: usize, crossing: Crossing, state: State<M>) {
+        let described = &mechanism.description().events[event];
+        let counts = match described.direction {
+            Direction::Both => true,
+            Direction::Rising => crossing == Crossing::Rising,
+            Direction::Falling => crossing == Crossing::Falling,
+        };
+        let is_after_start = state.time - self.begin[event] > 2.0 * tolerance(state.time, self.span);
+        let occurrence = Occurrence { event, name: described.name, crossing, state, change: None };
+        match (counts, is_after_start) {
+            (true, true) => self.found.push(occurrence),
+            (true, false) => self.at_start = Some(occurrence),
+            (false, _) => {}
+        }
+    }
+}
