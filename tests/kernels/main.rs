@@ -10,6 +10,7 @@ mod determinism;
 mod dual;
 mod evaluation;
 mod growth;
+mod intervals;
 mod lagrange;
 mod lanes;
 mod mechanisms;

@@ -219,3 +219,65 @@ fn work_is_right_after_a_short_step() {
         assert!((last.state.work - gained).abs() < 1e3 * tolerance, "{tolerance}: {} {gained}", last.state.work);
     }
 }
+
+mechanism! {
+    /// Free masses, pushed for moments that conditions and tables of other forms than `t < T` tell.
+    Jolted;
+    coordinates { a [m]; b [m]; c [m]; d [m]; e_ [m]; }
+    parameters { m [kg] = 1; F [N] = 100; w [1/s] = 7; s = 0.999; late [s] = 5; length [s] = 0.001; wide [s] = 0.1; unit [s] = 1; }
+    tables { pulse = linear { 0, 0; 1e-5, 1; 2e-5, 0; } }
+    bodies {
+        a: mass m at [a, 0]; b: mass m at [b, 0]; c: mass m at [c, 0]; d: mass m at [d, 0]; e_: mass m at [e_, 0];
+    }
+    loads {
+        force if sin(w*t) > s then F else 0 on a;
+        force if (t - late)^2 < length^2 then F else 0 on b;
+        force if exp(-((t - late)/wide)^2) > 0.9999 then F else 0 on c;
+        force F*pulse(((t - late)/unit)^2) on d;
+        force F*max(0, sin(w*t) - s) on e_;
+    }
+}
+
+/// The speeds behind all of it are the impulses over the mass.
+#[test]
+fn moments_of_any_form_are_not_stepped_over() {
+    let (w, s, end) = (7.0, 0.999_f64, 20.0);
+    let half = s.acos() / w;
+    // sin(w t) is at its largest at (pi/2 + 2 pi k)/w, here 23 times, all around the last one before the end.
+    let times = ((w * end - PI / 2.0) / (2.0 * PI)).floor() + 1.0;
+    let (inner, outer) = (1e-5_f64.sqrt(), 2e-5_f64.sqrt());
+    let hat = inner.powi(3) / 3e-5 + 2.0 * (outer - inner) - (outer.powi(3) - inner.powi(3)) / 3e-5;
+    let exact = [
+        times * 2.0 * half,
+        2.0 * 0.001,
+        2.0 * 0.1 * (-0.9999_f64.ln()).sqrt(),
+        2.0 * hat,
+        times * 2.0 * ((w * half).sin() / w - s * half),
+    ];
+    for method in [Method::Dopri5, Method::Dop853, Method::Radau5] {
+        for rows in [1, 7, 1000] {
+            let settings = Settings { rows: Rows::Even(rows), ..Settings::adaptive(method, end, 1e-10) };
+            let run = run_with(Jolted::default(), &settings).unwrap();
+            assert_eq!(run.trajectory.failure, None);
+            let last = &run.trajectory.samples.last().unwrap().state;
+            for (k, exact) in exact.iter().enumerate() {
+                // Jumps are met to some ticks of time, and each pulse within the tolerance.
+                let error = (last.speeds[k] - 100.0 * exact).abs();
+                assert!(
+                    error < 1e-8 * (1.0 + 100.0 * exact),
+                    "{}, {rows} rows, {k}: {}",
+                    method.name(),
+                    last.speeds[k]
+                );
+            }
+        }
+    }
+}
+
+/// Equal steps say that they have led over all of them.
+#[test]
+fn equal_steps_over_moments_are_counted() {
+    let run = run_with(Jolted::default(), &Settings::equal_steps(Method::Rk4, 20.0, 50)).unwrap();
+    // 23 maxima of the sine, one of them at the end of a step and so in two, and what comes at 5 s.
+    assert_eq!(run.steps.sudden_changes.unwrap().steps, 25);
+}

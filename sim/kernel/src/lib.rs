@@ -11,6 +11,7 @@ mod description;
 mod dual;
 pub mod event;
 mod input;
+mod interval;
 mod lanes;
 mod mechanism;
 mod scalar;
@@ -23,6 +24,7 @@ pub use columns::{ColumnsStep, solve_columns};
 pub use description::{Coordinate, Description, Figure, Quantity, RunDefault, Shape, SparseRow, Start, Switching};
 pub use dual::Dual;
 pub use input::Input;
+pub use interval::{Interval, Possible};
 pub use lanes::{LaneMask, Lanes};
 pub use mechanism::{
     Compiled, ConstraintLinearization, Dynamics, DynamicsJacobian, DynamicsSensitivity, Initial, Kinematics, Mechanism,

@@ -69,7 +69,8 @@ pub use run::{
     Controller, DOUBTFUL_BALANCE, NotRestored, Run, Simulation, dead_points, run, run_controlled, run_while,
 };
 pub use sim_kernel::{
-    self, Array, Compiled, Description, Dual, Dynamics, FixedArray, GeneralizedSpeeds, Input, Lanes, Mechanism, Scalar,
+    self, Array, Compiled, Description, Dual, Dynamics, FixedArray, GeneralizedSpeeds, Input, Interval, Lanes,
+    Mechanism, Scalar,
 };
 pub use start::assemble::{Start, assemble, branches, declared_start};
 pub use start::derivative::Direction;

@@ -2,6 +2,7 @@
 
 mod attempt;
 mod beside;
+mod changes;
 mod control;
 mod crossing;
 mod dop853;

@@ -2,12 +2,12 @@
 
 use super::kernels::{Kernels, given, program};
 use super::programs::Programs;
-use crate::model::At;
 use crate::model::erased::{Found, Kernel, Model, Prepared, Results, States, Values, one_by_one};
+use crate::model::{At, exactly};
 use crate::numerics::vectors::Vectors;
 use codegen::Derived;
 use codegen::kernel_id::KernelId;
-use sim_kernel::{Description, Dual, Input};
+use sim_kernel::{Description, Dual, Input, Interval};
 use std::sync::Arc;
 
 /// A mechanism made of a declaration at run time.
@@ -77,6 +77,11 @@ impl Model for Interpreted {
     }
     fn call_on_duals(&self, values: &Values<Dual>, kernel: Kernel, at: At<Dual>, found: Found<Dual>) -> bool {
         Kernels { programs: &self.programs, values }.call(kernel, at, found)
+    }
+    fn call_on_intervals(&self, kernel: Kernel, at: At<Dual<Interval>>, found: Found<Dual<Interval>>) -> bool {
+        let values = self.values.map(exactly);
+        kernel != Kernel::SwitchingFunctions
+            || Kernels { programs: &self.programs, values: &values }.call(kernel, at, found)
     }
     fn prepare(&self) -> Box<dyn Prepared> {
         let (programs, inputs) = (self.programs.clone(), self.values.inputs.clone());

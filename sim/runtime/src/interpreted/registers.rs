@@ -2,13 +2,14 @@
 
 use super::execute::{Given, execute, execute_compact};
 use super::one_program::{OneProgram, Places};
-use sim_kernel::{Dual, Scalar};
+use sim_kernel::{Dual, Interval, Scalar};
 use std::cell::Cell;
 use std::thread::LocalKey;
 
 thread_local! {
     static NUMBERS: Cell<Vec<f64>> = const { Cell::new(Vec::new()) };
     static DUALS: Cell<Vec<Dual>> = const { Cell::new(Vec::new()) };
+    static INTERVALS: Cell<Vec<Dual<Interval>>> = const { Cell::new(Vec::new()) };
 }
 
 /// Numbers that programs are executed on.
@@ -33,17 +34,25 @@ impl Number for f64 {
     }
 }
 
-impl Number for Dual {
-    const ROOM: &'static LocalKey<Cell<Vec<Dual>>> = &DUALS;
+/// Numbers that nothing is laid out for.
+macro_rules! plain {
+    ($type:ty, $room:ident) => {
+        impl Number for $type {
+            const ROOM: &'static LocalKey<Cell<Vec<$type>>> = &$room;
 
-    fn places(program: &OneProgram) -> &Places {
-        &program.places
-    }
-    fn execute(program: &OneProgram, image: &[Dual], given: &Given<Dual>, registers: &mut [Dual]) {
-        registers[..image.len()].copy_from_slice(image);
-        execute::<_, false>(&program.code, given, registers);
-    }
+            fn places(program: &OneProgram) -> &Places {
+                &program.places
+            }
+            fn execute(program: &OneProgram, image: &[$type], given: &Given<$type>, registers: &mut [$type]) {
+                registers[..image.len()].copy_from_slice(image);
+                execute::<_, false>(&program.code, given, registers);
+            }
+        }
+    };
 }
+
+plain!(Dual, DUALS);
+plain!(Dual<Interval>, INTERVALS);
 
 /// Works with at least so many registers, whatever they hold.
 #[inline]

@@ -1,7 +1,7 @@
 //! A place in the motion of a type-erased mechanism.
 
 use crate::state::trajectory::{Sample, State};
-use sim_kernel::{Dual, Mechanism};
+use sim_kernel::{Dual, Interval, Mechanism};
 
 /// Time, coordinates, speeds, accelerations and multipliers, as numbers of any kind. Omitted ones are zero.
 #[derive(Clone, Copy, Debug)]
@@ -36,6 +36,11 @@ impl<'a> At<'a, f64> {
         let (accelerations, multipliers) = (sample.accelerations.as_ref(), sample.multipliers.as_ref());
         At { accelerations, multipliers, ..At::state(&sample.state) }
     }
+}
+
+/// A number as an interval that does not change.
+pub(crate) fn exactly(value: f64) -> Dual<Interval> {
+    Dual::constant(Interval::exactly(value))
 }
 
 /// Numbers that do not change.

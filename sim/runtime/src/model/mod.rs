@@ -11,7 +11,7 @@ pub(crate) mod erased;
 pub(crate) mod level;
 
 pub use at::At;
-pub(crate) use at::constants;
+pub(crate) use at::{constants, exactly};
 pub use control::Control;
 
 use crate::model::conditional::is_row_active;

@@ -5,7 +5,7 @@ use super::model::{Kernel, Model, Prepared, Values};
 use super::place::Place;
 use sim_kernel::{
     Array, ConstraintLinearization, Description, Dual, Dynamics, DynamicsJacobian, DynamicsSensitivity, Initial, Input,
-    Kinematics, Mechanism, Scalar,
+    Interval, Kinematics, Mechanism, Scalar,
 };
 use std::any::Any;
 use std::marker::PhantomData;
@@ -74,7 +74,12 @@ impl<K: Storage, S: Scalar> Erased<K, S> {
             (Some(at), Some(values)) => {
                 self.model.call_on_duals(values, kernel, at, &mut |row, numbers| enter(row, numbers, &mut found))
             }
-            _ => true,
+            _ => match at.on::<Dual<Interval>>() {
+                Some(at) => {
+                    self.model.call_on_intervals(kernel, at, &mut |row, numbers| enter(row, numbers, &mut found))
+                }
+                None => true,
+            },
         }
     }
 

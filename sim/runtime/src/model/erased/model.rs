@@ -3,7 +3,7 @@
 use super::each::{Results, States};
 use crate::model::At;
 use crate::numerics::vectors::Vectors;
-use sim_kernel::{Description, Dual, Input, Scalar};
+use sim_kernel::{Description, Dual, Input, Interval, Scalar};
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -149,6 +149,8 @@ pub trait Model: Debug + Send + Sync {
     /// As [`call`](Model::call), on dual numbers, with these values in place of its own, for the kernels that analyses differentiate:
     /// the linearised constraints and their magnitudes, dynamics, velocities and their variables, outputs and their rates. It refuses others.
     fn call_on_duals(&self, values: &Values<Dual>, kernel: Kernel, at: At<Dual>, found: Found<Dual>) -> bool;
+    /// As [`call`](Model::call), on intervals and their rates, for [`Kernel::SwitchingFunctions`]; it refuses others.
+    fn call_on_intervals(&self, kernel: Kernel, at: At<Dual<Interval>>, found: Found<Dual<Interval>>) -> bool;
     /// Its equations of motion, with all that the parameters determine computed.
     fn prepare(&self) -> Box<dyn Prepared>;
 }

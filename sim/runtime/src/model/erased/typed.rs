@@ -3,10 +3,10 @@
 use super::each::{Results, States};
 use super::model::{Found, Kernel, Model, Prepared, Values};
 use super::one_by_one::one_by_one;
-use crate::model::At;
+use crate::model::{At, exactly};
 use crate::numerics::arrays::array;
 use crate::numerics::vectors::Vectors;
-use sim_kernel::{Array, Compiled, Description, Dual, Input, Mask, Mechanism, Scalar};
+use sim_kernel::{Array, Compiled, Description, Dual, Input, Interval, Mask, Mechanism, Scalar};
 use std::sync::Arc;
 
 /// A compiled mechanism as a [`Model`].
@@ -52,6 +52,13 @@ impl<M: Compiled> Model for Typed<M> {
     }
     fn call_on_duals(&self, values: &Values<Dual>, kernel: Kernel, at: At<Dual>, found: Found<Dual>) -> bool {
         call_differentiable(&with_values(self.0.on(Dual::constant), values), kernel, at, found)
+    }
+    fn call_on_intervals(&self, kernel: Kernel, at: At<Dual<Interval>>, found: Found<Dual<Interval>>) -> bool {
+        if kernel != Kernel::SwitchingFunctions {
+            return true;
+        }
+        found(0, self.0.on(exactly).switching_functions(at.time).as_ref());
+        false
     }
     fn prepare(&self) -> Box<dyn Prepared> {
         Box::new(PreparedKernels::<M>(self.0.prepare()))
