@@ -64,6 +64,70 @@ fn a_mechanism_at_rest_is_held_by_static_forces() {
     assert!(speed[2].iter().any(|torque| torque.abs() > 0.1));
 }
 
+mechanism! {
+    /// An arm on a moving support, tied to a slide that another support moves.
+    pub Carried;
+    coordinates { phi [rad]; x [m]; }
+    parameters { m [kg] = 2; l [m] = 0.5; a [m] = 0.1; k [N/m] = 30; c [N*s/m] = 0; }
+    let pivot = [a*cos(7 [rad/s]*t + 0.4), 0];
+    let tip = pivot + l*[cos(phi), sin(phi)];
+    bodies { bob: mass m at tip; slide: mass m at [x, -1 [m]]; }
+    loads { gravity [0, -9.81 [m/s^2]]; spring k, length 0 from [x, -1 [m]] to tip; damper c from [x, -1 [m]] to tip; }
+    constraints { led: x = a*sin(5 [rad/s]*t + 0.3); }
+    outputs { along [m] = tip.x; }
+    initial { phi = 0; }
+}
+
+/// Virtual work about a support that stands where it is at time 0: m g l cos(phi) + k l (sin phi (x - x_p) + cos phi), as
+/// the spring's two ends are (x_p + l cos phi - x, 1 + l sin phi) apart.
+#[test]
+fn nothing_moves_with_time_in_a_sweep_at_rest() {
+    let arm = Carried::default();
+    let found = driven(arm, "phi", [0.0, TAU], 0.0, 36);
+    let (pivot, slide) = (arm.a * 0.4f64.cos(), arm.a * 0.3f64.sin());
+    for (k, sample) in found.trajectory.samples.iter().enumerate() {
+        let (sine, cosine) = found.values[k].sin_cos();
+        let torque = arm.m * 9.81 * arm.l * cosine + arm.k * arm.l * (sine * (slide - pivot) + cosine);
+        let stretch = pivot + arm.l * cosine - slide;
+        // Rounding of 25 N*m.
+        assert!((found.forces[0][k] - torque).abs() < 1e-13, "{k}: {} {torque}", found.forces[0][k]);
+        // The constraint does the virtual work -lambda dx.
+        assert!((sample.multipliers[0] - arm.k * stretch).abs() < 1e-13, "{k}: {}", sample.multipliers[0]);
+        assert!((found.ratios[k][0] + arm.l * sine).abs() < 1e-15, "{k}: {}", found.ratios[k][0]);
+        assert!(sample.state.speeds == [0.0; 2] && sample.state.work == 0.0 && sample.power == 0.0);
+    }
+}
+
+mechanism! {
+    /// The same arm with an output that has the speed of its support.
+    pub Watched;
+    coordinates { phi [rad]; }
+    parameters { m [kg] = 2; l [m] = 0.5; }
+    let tip = [sin(3 [rad/s]*t)*l + l*cos(phi), l*sin(phi)];
+    bodies { bob: mass m at tip; }
+    outputs { speed [m/s] = dot(tip.x); }
+    initial { phi = 0; }
+}
+
+/// A damper to a moving support pulls while the rest of the mechanism rests; the kernels do not tell its force from a load that is
+/// written in t. So does a speed in an output.
+#[test]
+fn what_may_feel_a_motion_by_time_does_not_rest() {
+    let damped = Carried { c: 0.1, ..Carried::default() };
+    let at = |mechanism: &Carried, speed: f64| {
+        kinematics(*mechanism, &declared_start(mechanism), &sweep::<Carried>("phi", [0.0, 1.0], speed, 4))
+    };
+    let named = |failure: sim::Failure| match failure.what {
+        sim::What::MovedByTime { what } => what,
+        what => panic!("{what}"),
+    };
+    assert_eq!(named(at(&damped, 0.0).unwrap_err()), "the load along `phi`");
+    assert!(at(&damped, 1.0).is_ok());
+    let watched = Watched::default();
+    let swept = kinematics(watched, &declared_start(&watched), &sweep::<Watched>("phi", [0.0, 1.0], 0.0, 4));
+    assert_eq!(named(swept.unwrap_err()), "output `speed`");
+}
+
 /// x = r cos theta + sqrt(l^2 - (r sin theta - e)^2): its stroke is sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2), with crank
 /// and rod in line at both ends.
 #[test]

@@ -183,6 +183,12 @@ pub enum What {
         /// Its name.
         output: &'static str,
     },
+    /// What may feel how fast something moves with t is not that of a mechanism at rest.
+    #[error("{what} depends on t and on speeds: what moves with t may act on it even at rest. Give the drive a speed")]
+    MovedByTime {
+        /// The load or output.
+        what: String,
+    },
     /// Constraints between speeds do not determine positions along a drive.
     #[error(
         "constraint `{constraint}` holds between speeds: where the mechanism ends up depends on its path, so no sweep can follow it. \
@@ -368,6 +374,7 @@ impl What {
             What::DriveSingular { .. } => "E-DRIVE-SINGULAR",
             What::NotDriven { .. } => "E-NOT-DRIVEN",
             What::NotOfPositions { .. } => "E-NOT-OF-POSITIONS",
+            What::MovedByTime { .. } => "E-MOVED-BY-TIME",
             What::NotHolonomic { .. } => "E-NOT-HOLONOMIC",
             What::NotAnInput { .. } => "E-NOT-AN-INPUT",
             What::NotFollowed { .. } => "E-NOT-FOLLOWED",

@@ -55,10 +55,15 @@ impl AnyPrescribed {
         }
     }
 
-    /// dy/ds of each output y that has a rate, where s is what is driven first.
+    /// dy/ds of each output y that has a rate, where s is what is driven first. While time stands still it changes nothing.
     pub(super) fn ratios(&self, system: &System) -> Vec<f64> {
-        let along = At { speeds: &self.direction, ..self.at() };
-        system.mechanism.output_rates(along).iter().map(|rate| rate / system.laws[0].rate).collect()
+        let along = |speeds| system.mechanism.output_rates(At { speeds, ..self.at() });
+        let mut rates = along(&self.direction);
+        if system.rests {
+            let by_time = along(&self.speeds);
+            rates.iter_mut().zip(by_time).for_each(|(rate, by_time)| *rate -= by_time);
+        }
+        rates.iter().map(|rate| rate / system.laws[0].rate).collect()
     }
 
     /// It with the power of loads and drives.
@@ -158,11 +163,14 @@ pub(super) fn prescribed(
     Ok(found.with_power(system))
 }
 
-/// The force that loads leave for constraints and drives: Q - T_q' M g - M q''.
+/// The force that loads leave for constraints and drives: Q - T_q' M g - M q''. At rest inertia has none, though g may have a
+/// part by t.
 fn left_over(system: &System, q: &[f64], p: f64, [qd, qdd]: [&DVector<f64>; 2]) -> Result<DVector<f64>, Failure> {
     let (mechanism, time) = (system.mechanism, system.time(p));
-    let load = mechanism.generalized_forces(time, q, qd.as_slice());
-    let rest = load - mechanism.convective_forces(time, q, qd.as_slice()) - mechanism.mass_matrix(time, q) * qdd;
+    let mut rest = mechanism.generalized_forces(time, q, qd.as_slice());
+    if !system.rests {
+        rest = rest - mechanism.convective_forces(time, q, qd.as_slice()) - mechanism.mass_matrix(time, q) * qdd;
+    }
     match rest.iter().all(|value| value.is_finite()) {
         true => Ok(rest),
         false => Err(mechanism.failure(What::NotFinite { quantity: "a load".into() }, time, q)),

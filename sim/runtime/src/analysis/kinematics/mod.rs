@@ -1,6 +1,7 @@
 //! Kinematic analysis: a mechanism with all of its freedoms driven, through a range of one of them.
 
 mod algebra;
+mod at_rest;
 mod beside;
 mod crossing;
 mod driven;
@@ -75,7 +76,8 @@ pub struct Kinematics<M: Mechanism> {
 
 /// Drives a mechanism through a range, on the branch on which it is assembled.
 ///
-/// With a speed of 0 the mechanism rests in each position, at time 0.
+/// With a speed of 0 the mechanism rests in each position, and time stands still at 0: forces are static, and what moves
+/// with t has neither speed nor acceleration.
 ///
 /// Positions by continuation along the curve of C(q, t) = 0 and the drives' conditions, in steps that adapt to its
 /// direction and not to what is recorded; velocities, accelerations and reactions exactly from the kernels, by
@@ -86,8 +88,8 @@ pub struct Kinematics<M: Mechanism> {
 /// then the reaction of that constraint.
 ///
 /// # Errors
-/// If the start cannot be assembled, if [`What::NotDriven`] or [`What::NotHolonomic`], or if the beginning of the sweep
-/// cannot be reached. A failure that ends the sweep on the way does not lose it: it stands in the trajectory.
+/// If the start cannot be assembled, if [`What::NotDriven`], [`What::NotHolonomic`] or, at rest, [`What::MovedByTime`], or
+/// if the beginning of the sweep cannot be reached. A failure that ends the sweep on the way does not lose it: it stands in the trajectory.
 pub fn kinematics<M: Mechanism>(mechanism: M, start: &Start<M>, sweep: &Sweep) -> Result<Kinematics<M>, Failure> {
     kinematics_until(&AtomicBool::new(false), mechanism, start, sweep)
 }
@@ -145,8 +147,11 @@ fn drives(swept: &Swept) -> (Vec<f64>, Vec<Vec<f64>>) {
     (values, (0..swept.system.laws.len()).map(forces).collect())
 }
 
-/// The work of loads and drives, which is the change of kinetic energy.
+/// The work of loads and drives, which is the change of kinetic energy; none at rest.
 fn work(swept: &Swept) -> Vec<f64> {
+    if swept.system.rests {
+        return vec![0.0; swept.motion.len()];
+    }
     let kinetic =
         |motion: &AnyPrescribed| swept.system.mechanism.kinetic_energy(motion.time, &motion.positions, &motion.speeds);
     let first = swept.motion.first().map_or(0.0, kinetic);

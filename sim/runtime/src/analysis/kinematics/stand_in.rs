@@ -17,7 +17,7 @@ pub(super) struct StandIn {
 }
 
 /// Times, in seconds, at which a prescribed motion differs.
-const TIMES: [f64; 3] = [0.0, 0.37, 1.91];
+pub(super) const TIMES: [f64; 3] = [0.0, 0.37, 1.91];
 /// The distances, increasing for each coordinate, at which the row is checked again.
 const AWAY: [f64; 2] = [0.1, 0.013];
 
@@ -31,11 +31,15 @@ pub(crate) fn prescribed_coordinate<M: Mechanism>(mechanism: &M, q: &M::Q) -> Op
     (0..q.len()).find_map(of)
 }
 
+/// Another position.
+pub(super) fn elsewhere(q: &[f64]) -> Vec<f64> {
+    q.iter().enumerate().map(|(j, q)| q + AWAY[0] + AWAY[1] * j as f64).collect()
+}
+
 /// The constraint that prescribes a coordinate as a function of time, and holds nothing else.
 pub(super) fn stand_in(mechanism: &dyn Differentiable, driven: Driven, law: usize, q: &[f64]) -> Option<StandIn> {
     let Driven::Coordinate(coordinate) = driven else { return None };
-    let elsewhere: Vec<f64> = q.iter().enumerate().map(|(j, q)| q + AWAY[0] + AWAY[1] * j as f64).collect();
-    let jacobians = [q, &elsewhere].map(|q| mechanism.constraint_jacobian(0.0, q));
+    let jacobians = [q, &elsewhere(q)].map(|q| mechanism.constraint_jacobian(0.0, q));
     let values = TIMES.map(|time| mechanism.constraints(time, q));
     let factor = |row: usize| jacobians[0][(row, coordinate)];
     let holds_it_alone = |row: usize| {

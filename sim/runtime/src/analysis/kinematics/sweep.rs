@@ -1,5 +1,6 @@
 //! A drive through its range: the sweep.
 
+use super::at_rest::check_at_rest;
 use super::driven::Driven;
 use super::inverse::AnyPrescribed;
 use super::path::Path;
@@ -27,8 +28,8 @@ pub struct Sweep {
     pub from: f64,
     /// To where.
     pub to: f64,
-    /// The speed; its sign is that of `to - from`, whatever is given. With 0 the mechanism rests in each position, at time
-    /// 0: forces and reactions are static.
+    /// The speed; its sign is that of `to - from`, whatever is given. With 0 the mechanism rests in each position, while time
+    /// stands still at 0: forces and reactions are static.
     pub speed: f64,
     /// Positions are recorded at the ends of so many equal intervals.
     pub steps: usize,
@@ -82,7 +83,7 @@ pub(super) struct Swept<'m> {
 /// Drives a mechanism from its assembled position to the beginning of the sweep, and through its range, on one branch.
 ///
 /// # Errors
-/// [`What::NotHolonomic`], and if the beginning of the sweep cannot be reached.
+/// [`What::MovedByTime`] at rest, and if the beginning of the sweep cannot be reached.
 pub(super) fn sweep<'m>(
     mechanism: &'m dyn Differentiable,
     assembled: Vec<f64>,
@@ -90,6 +91,9 @@ pub(super) fn sweep<'m>(
     interrupt: &AtomicBool,
 ) -> Result<Swept<'m>, Failure> {
     let (system, mobility, q) = approach(mechanism, assembled, sweep)?;
+    if sweep.is_at_rest() {
+        check_at_rest(mechanism, &q)?;
+    }
     let held = sweep.held.iter().map(|(driven, value)| Law { driven: *driven, start: *value, rate: 0.0 });
     let laws = [Law { driven: sweep.driven, start: sweep.from, rate: sweep.pace() }].into_iter().chain(held).collect();
     let system = if sweep.is_at_rest() { system.resting(laws) } else { system.running(laws) };

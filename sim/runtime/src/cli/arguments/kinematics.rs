@@ -31,8 +31,8 @@ pub(in crate::cli) struct KinematicsArguments {
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub(in crate::cli) to: Option<String>,
 
-    /// How fast it is driven; with 0 it rests in each position, at time 0, and forces are static [default: its speed at
-    /// the start, or 0 if that gives none].
+    /// How fast it is driven; with 0 it rests in each position, while time stands still at 0, and forces are static [default:
+    /// its speed at the start, or 0 if that gives none].
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub(in crate::cli) speed: Option<String>,
 
