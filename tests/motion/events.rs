@@ -124,3 +124,31 @@ fn what_happens_at_once_happens() {
         }
     }
 }
+
+mechanism! {
+    /// A planet about the sun, in metres, that starts at its aphelion.
+    Planet;
+    coordinates { x [m]; y [m]; }
+    parameters { m [kg] = 1; mu [m^3/s^2] = 1.327e20; }
+    let r = sqrt(x^2 + y^2);
+    bodies { planet: mass m at [x, y]; }
+    loads { force -m*mu/r^3*[x, y] at [x, y]; }
+    initial { x = 1.4e11; dot(y) = 2.8e4; }
+    events { perihelion: dot(r) = 0 rising; }
+}
+
+/// A perihelion in each period 2 pi sqrt(a^3/mu), with 2/r - v^2/mu = 1/a, and none at the aphelion: speeds inside a step have all
+/// their digits, though positions round to 2e-5 m.
+#[test]
+fn large_coordinates_make_no_events() {
+    let (mu, r, v) = (1.327e20, 1.4e11f64, 2.8e4f64);
+    let period = 2.0 * PI / (mu * (2.0 / r - v * v / mu).powi(3)).sqrt();
+    for (method, tolerance) in [Method::Dopri5, Method::Dop853].into_iter().flat_map(|m| [1e-9, 1e-11].map(|t| (m, t)))
+    {
+        let run = run_with(Planet::default(), &Settings::adaptive(method, 6.0 * period, tolerance)).unwrap();
+        let found: Vec<f64> = run.events.iter().map(|event| event.state.time / period).collect();
+        let expected: Vec<f64> = (0..6).map(|k| f64::from(k) + 0.5).collect();
+        // Errors of steps add up in the period, and with it in the time, over some hundred steps.
+        near(&found, &expected, 1e4 * tolerance);
+    }
+}

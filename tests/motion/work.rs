@@ -1,7 +1,7 @@
 //! The column of the work that loads and drives have done.
 
 use models::BouncingBall;
-use sim::{Column, Compiled, Method, Run, Settings, Table, mechanism};
+use sim::{Column, Compiled, Method, Rows, Run, Settings, Table, mechanism};
 use tests::run_with;
 
 mechanism! {
@@ -93,4 +93,35 @@ fn the_column_has_a_name_of_its_own() {
     let (_, table) = run::<WithCoordinate>(1.0);
     assert_eq!(names(&table)[1..], ["work [m]", "work_dot [m/s]", "work_ddot [m/s^2]", "work-done [J]"]);
     assert!(apart(&table, "work", 3.0) < 1e-9);
+}
+
+mechanism! {
+    /// A ball on a spring that stiffens, and a clock that counts its ticks.
+    pub Counted;
+    coordinates { x [m]; }
+    parameters { m [kg] = 1; k [N/m] = 40; w [1/s] = 3; count = 0; }
+    bodies { ball: mass m at [x, 0]; }
+    loads { spring k*stretch + 10 [1/m^2]*k*stretch^3, rest 0 [m] on x; }
+    events { tick: sin(w*t) = 0 rising { set count = count + 1; } }
+    initial { x = 0.5; dot(x) = 0.2; }
+}
+
+/// After each event the motion starts anew from a state inside a step. The work until then is that of the spring,
+/// -k (x^2/2 + 10 x^4/4), as accurate as the steps, whether none or nearly all have an event.
+#[test]
+fn events_inside_steps_keep_the_work() {
+    let potential = |x: f64| 40.0 * (x * x / 2.0 + 2.5 * x.powi(4));
+    let energy = potential(0.5) + 0.02;
+    for method in [Method::Dopri5, Method::Radau5, Method::Dop853] {
+        for (w, tolerance) in [0.1, 3.0, 300.0].into_iter().flat_map(|w| [1e-6, 1e-8, 1e-10, 1e-11].map(|t| (w, t))) {
+            let settings = Settings { rows: Rows::Steps, ..Settings::adaptive(method, 5.0, tolerance) };
+            let run = run_with(Counted { w, ..Counted::default() }, &settings).unwrap();
+            let states = run.trajectory.samples.iter().map(|sample| &sample.state);
+            let off = states.map(|state| (state.work + potential(state.positions[0]) - potential(0.5)).abs() / energy);
+            let worst = off.fold(run.energy_balance, f64::max);
+            // Some tolerances for all steps together, and one half for each of up to 238 events.
+            let bound = (30.0 + run.events.len() as f64 / 2.0) * tolerance;
+            assert!(worst < bound, "{method:?}, {w}, {tolerance:e}: {worst:e} after {} events", run.events.len());
+        }
+    }
 }

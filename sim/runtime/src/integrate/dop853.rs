@@ -1,5 +1,6 @@
 //! DOP853 with its dense output of order 7.
 
+use super::dense::{cubic, nested};
 use super::dop853_tableau::{DENSE_A, DENSE_C, DENSE_D, DOP853};
 use super::explicit::ExplicitRungeKutta;
 use super::method::{Advance, Attempt};
@@ -65,24 +66,14 @@ impl<M: Mechanism> Dop853<M> {
 
     fn coefficients(&mut self, motion: &Motion<M>, from: &Sample<M>, to: &Sample<M>) -> Result<[Rates<M>; 7], Failure> {
         let h = to.state.time - from.state.time;
-        let [start, end] = [from, to].map(|sample| motion.integrated(&sample.state));
-        let rates = [from, to].map(|sample| motion.rates(sample));
+        let (start, rates) = (motion.integrated(&from.state), [from, to].map(|sample| motion.rates(sample)));
         self.method.stages[12] = rates[1].clone();
         for (k, (weights, node)) in DENSE_A.iter().zip(DENSE_C).enumerate() {
             self.method.evaluate(motion, &start, h, 13 + k, (weights, node))?;
         }
-        let none = Rates::zero(from.accelerations.len());
-        let sum = |parts: [(f64, &Rates<M>); 3]| {
-            let mut sum = none.clone();
-            parts.into_iter().for_each(|(weight, part)| sum.add(weight, part));
-            sum
-        };
-        let difference = end.change_from(&start);
-        let second = sum([(h, &rates[0]), (-1.0, &difference), (0.0, &none)]);
-        let third = sum([(1.0, &difference), (-h, &rates[1]), (-1.0, &second)]);
-        let higher = DENSE_D.map(|weights| sum([(h, &self.method.combined(weights)), (0.0, &none), (0.0, &none)]));
-        let [a, b, c, d] = higher;
-        Ok([difference, second, third, a, b, c, d])
+        let [first, second, third] = cubic(motion, [from, to], rates.each_ref());
+        let [a, b, c, d] = DENSE_D.map(|weights| self.method.combined(weights).scaled(h));
+        Ok([first, second, third, a, b, c, d])
     }
 }
 
@@ -114,17 +105,8 @@ impl<M: Mechanism> Advance<M> for Dop853<M> {
         fraction: f64,
     ) -> Result<State<M>, Failure> {
         let coefficients = self.interpolant(motion, from, to)?;
-        // Nested alternately in s and 1 - s: y + s (c0 + r (c1 + s (c2 + r (c3 + ..)))).
-        let factors = [fraction, 1.0 - fraction];
-        let none = Rates::zero(from.accelerations.len());
-        let mut sum = none.clone();
-        for (k, coefficient) in coefficients.iter().enumerate().rev() {
-            sum.add(1.0, coefficient);
-            let mut scaled = none.clone();
-            scaled.add(factors[k % 2], &sum);
-            sum = scaled;
-        }
+        let change = nested(coefficients, fraction);
         let time = from.state.time + fraction * (to.state.time - from.state.time);
-        motion.state(motion.integrated(&from.state).changed(time, 1.0, &sum))
+        motion.state(motion.integrated(&from.state).changed(time, 1.0, &change))
     }
 }

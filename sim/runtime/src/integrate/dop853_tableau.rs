@@ -6,7 +6,8 @@
 use super::tableau::{ErrorEstimate, Tableau, Weight};
 
 /// Dormand and Prince's method of order 8 with estimates of order 5 and 3.
-pub const DOP853: Tableau = Tableau { a: &A, b: B, c: &C, order: 8, error: ErrorEstimate::Embedded53(ERROR5, ERROR3) };
+pub const DOP853: Tableau =
+    Tableau { a: &A, b: B, c: &C, order: 8, error: ErrorEstimate::Embedded53(ERROR5, ERROR3), dense: &[] };
 
 /// The step's weights less those of the method of order 3.
 const ERROR3: &[Weight] = &[

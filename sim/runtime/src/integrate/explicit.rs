@@ -3,12 +3,14 @@
 //! The right-hand side is compiled into the steps, and its rare cases (a refused pivot, partitioning, projected stages)
 //! take and give states by value in functions of their own, so that the states of stages stay in registers.
 
+use super::dense::{cubic, nested};
 use super::method::{Advance, Attempt};
 use super::tableau::{ErrorEstimate, MOST_STAGES, RK4, Tableau, Weight};
 use crate::motion::Motion;
 use crate::motion::field::Field;
 use crate::motion::velocity_variables::Integrated;
 use crate::state::failure::{Failure, What};
+use crate::state::interpolate::hermite;
 use crate::state::settings::Tolerance;
 use crate::state::trajectory::{Rates, Sample, State};
 use sim_kernel::{Array, Mechanism, Scalar};
@@ -26,6 +28,11 @@ impl<S: Scalar, M: Mechanism<S>> ExplicitRungeKutta<M, S> {
     pub fn new(mechanism: &M, tableau: &'static Tableau) -> ExplicitRungeKutta<M, S> {
         let stages = std::array::from_fn(|_| Rates::zero(mechanism.n()));
         ExplicitRungeKutta { tableau, is_rk4: *tableau == RK4, stages }
+    }
+
+    /// Whether states inside a step need its stages.
+    pub(super) fn has_dense_output(&self) -> bool {
+        !self.tableau.dense.is_empty()
     }
 
     /// Takes the stages of a step that was made on other numbers.
@@ -169,6 +176,28 @@ impl<M: Mechanism> Advance<M> for ExplicitRungeKutta<M> {
         tolerance: Option<&Tolerance>,
     ) -> Result<Attempt<M>, Failure> {
         self.advance(motion, from, time, tolerance)
+    }
+
+    /// Positions by the quintic of both ends. Its derivative would lose the digits of speeds to differences of large
+    /// positions, and no cubic has the work as accurately as the step: both are those of the method's own dense output, if
+    /// it has one.
+    fn inside(
+        &mut self,
+        motion: &Motion<M>,
+        from: &Sample<M>,
+        to: &Sample<M>,
+        fraction: f64,
+    ) -> Result<State<M>, Failure> {
+        let between = hermite(from, to, fraction);
+        let Some((last, _)) = self.tableau.dense.last() else { return Ok(between) };
+        let rates = [from, to].map(|sample| motion.rates(sample));
+        let [first, second, third] = cubic(motion, [from, to], rates.each_ref());
+        let [_, end] = rates;
+        self.stages[*last] = end;
+        let fourth = self.combined(self.tableau.dense).scaled(to.state.time - from.state.time);
+        let change = nested(&[first, second, third, fourth], fraction);
+        let found = motion.integrated(&from.state).changed(between.time, 1.0, &change);
+        motion.state(found.moved_to(between.positions))
     }
 }
 

@@ -42,9 +42,11 @@ impl<M: Mechanism> Integrator<M> {
         made: &ExplicitRungeKutta<N, S>,
         number: impl Fn(S) -> f64,
     ) {
-        // Other explicit methods look into a step by its ends alone.
-        if let Integrator::Dop853(method) = self {
-            method.take_stages(made, number);
+        match self {
+            Integrator::Dop853(method) => method.take_stages(made, number),
+            Integrator::Explicit(method) if method.has_dense_output() => method.take_stages(made, number),
+            // Others look into a step by its ends alone.
+            Integrator::Explicit(_) | Integrator::Radau5(_) => {}
         }
     }
 

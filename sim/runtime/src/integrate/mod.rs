@@ -5,6 +5,7 @@ mod beside;
 mod changes;
 mod control;
 mod crossing;
+mod dense;
 mod dop853;
 mod dop853_tableau;
 mod explicit;

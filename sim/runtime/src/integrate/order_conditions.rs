@@ -126,6 +126,31 @@ fn dense_output_of_dop853_has_order_seven() {
     }
 }
 
+/// The stages of DOPRI5 include the end, so its dense output needs no more. It has order 4, and at both ends that of the step.
+#[test]
+fn dense_output_of_dopri5_has_order_four() {
+    for s in [0.1, 0.37, 0.5, 0.9] {
+        let weights = dense_weights_of_dopri5(s);
+        for nodes in 1..=4 {
+            let worst = worst(DOPRI5.a, &weights, nodes, |tree| f64::powi(s, nodes as i32) / tree.gamma);
+            assert!(worst < ROUNDING, "{nodes} nodes at {s}: {worst:e}");
+        }
+        assert!(worst(DOPRI5.a, &weights, 5, |tree| s.powi(5) / tree.gamma) > 1e-6);
+    }
+}
+
+/// s (d + r (e + s (f + r D))), with d = h sum b_i k_i, e = h k_1 - d and f = d - h k_7 - e.
+fn dense_weights_of_dopri5(s: f64) -> Vec<Weight> {
+    let r = 1.0 - s;
+    let [mut d, mut last] = [[0.0; 7]; 2];
+    DOPRI5.b.iter().for_each(|(stage, weight)| d[*stage] += weight);
+    DOPRI5.dense.iter().for_each(|(stage, weight)| last[*stage] += weight);
+    let unit = |i: usize, stage: usize| f64::from(u8::from(i == stage));
+    let e = |i: usize| unit(i, 0) - d[i];
+    let f = |i: usize| d[i] - unit(i, 6) - e(i);
+    (0..7).map(|i| (i, s * (d[i] + r * (e(i) + s * (f(i) + r * last[i]))))).collect()
+}
+
 /// y(s) - y = s (d + r (e + s (f + r (D4 + s (D5 + r (D6 + s D7)))))), r = 1 - s, with d = h sum b_i k_i, e = h k_1 - d and
 /// f = d - h k_13 - e.
 fn dense_weights(s: f64) -> Vec<Weight> {

@@ -1,7 +1,8 @@
 //! An accepted step, with its dense output.
 //!
 //! Dense output uses the projected end and the right-hand side there, and each point taken from it is projected. DOP853
-//! has its own interpolant of order 7, Radau its collocation polynomial; all others use the quintic of both ends.
+//! has its own interpolant of order 7, Radau its collocation polynomial, with the work from the power at its stages; all
+//! others use the quintic of both ends, with DOPRI5's own polynomial of order 4 for speeds and work.
 
 use super::beside::better_accelerations;
 use super::method::Advance;

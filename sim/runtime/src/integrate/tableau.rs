@@ -17,6 +17,9 @@ pub struct Tableau {
     pub order: usize,
     /// The error estimate.
     pub error: ErrorEstimate,
+    /// Weights of the stages in the term s^2 (1 - s)^2 of the dense output, whose other terms follow from both ends; its
+    /// last stage is the end. Without any, the ends alone give it.
+    pub dense: &'static [Weight],
 }
 
 impl Tableau {
@@ -59,11 +62,18 @@ pub enum ErrorEstimate {
 pub(crate) const MOST_STAGES: usize = 16;
 
 /// Euler's explicit method.
-pub const EULER: Tableau = Tableau { a: &[&[]], b: &[(0, 1.0)], c: &[0.0], order: 1, error: ErrorEstimate::None };
+pub const EULER: Tableau =
+    Tableau { a: &[&[]], b: &[(0, 1.0)], c: &[0.0], order: 1, error: ErrorEstimate::None, dense: &[] };
 
 /// Heun's method of order 2: the trapezoidal rule with Euler's prediction.
-pub const HEUN: Tableau =
-    Tableau { a: &[&[], &[(0, 1.0)]], b: &[(0, 0.5), (1, 0.5)], c: &[0.0, 1.0], order: 2, error: ErrorEstimate::None };
+pub const HEUN: Tableau = Tableau {
+    a: &[&[], &[(0, 1.0)]],
+    b: &[(0, 0.5), (1, 0.5)],
+    c: &[0.0, 1.0],
+    order: 2,
+    error: ErrorEstimate::None,
+    dense: &[],
+};
 
 /// Kutta's method of order 3 (1901).
 pub const RK3: Tableau = Tableau {
@@ -72,6 +82,7 @@ pub const RK3: Tableau = Tableau {
     c: &[0.0, 0.5, 1.0],
     order: 3,
     error: ErrorEstimate::None,
+    dense: &[],
 };
 
 /// The classical method of Runge and Kutta (Kutta 1901).
@@ -81,6 +92,7 @@ pub const RK4: Tableau = Tableau {
     c: &[0.0, 0.5, 0.5, 1.0],
     order: 4,
     error: ErrorEstimate::None,
+    dense: &[],
 };
 
 /// Dormand and Prince 5(4) (Journal of Computational and Applied Mathematics 6, 1980). The last stage is at the end of
@@ -106,7 +118,19 @@ pub const DOPRI5: Tableau = Tableau {
         (5, 22.0 / 525.0),
         (6, -1.0 / 40.0),
     ]),
+    dense: DOPRI5_DENSE,
 };
 
 const DOPRI5_B: &[Weight] =
     &[(0, 35.0 / 384.0), (2, 500.0 / 1113.0), (3, 125.0 / 192.0), (4, -2187.0 / 6784.0), (5, 11.0 / 84.0)];
+
+/// Of order 4, by Shampine (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.6, and their program
+/// `dopri5.f`).
+const DOPRI5_DENSE: &[Weight] = &[
+    (0, -12_715_105_075.0 / 11_282_082_432.0),
+    (2, 87_487_479_700.0 / 32_700_410_799.0),
+    (3, -10_690_763_975.0 / 1_880_347_072.0),
+    (4, 701_980_252_875.0 / 199_316_789_632.0),
+    (5, -1_453_857_185.0 / 822_651_844.0),
+    (6, 69_997_945.0 / 29_380_423.0),
+];

@@ -32,6 +32,11 @@ impl<S: Scalar, M: Mechanism<S>> Integrated<M, S> {
         Integrated(self.0.changed(time, factor, rates))
     }
 
+    /// The same at other positions.
+    pub(crate) fn moved_to(self, positions: M::Q) -> Integrated<M, S> {
+        Integrated(State { positions, ..self.0 })
+    }
+
     /// The change from another.
     pub(crate) fn change_from(&self, from: &Integrated<M, S>) -> Rates<M, S> {
         let (a, b) = (&from.0, &self.0);
