@@ -76,6 +76,7 @@ impl<M: Compiled> Mechanism for Faulty<M> {
     type Events = M::Events;
     type EventValues = M::EventValues;
     type SwitchingFunctions = M::SwitchingFunctions;
+    type LoadConditions = M::LoadConditions;
     type Activities = M::Activities;
     type Drawing = M::Drawing;
     type QP = M::QP;
@@ -199,6 +200,9 @@ impl<M: Compiled> Mechanism for Faulty<M> {
     }
     fn event_values(&self, t: f64, q: &Self::Q, qd: &Self::Q) -> Self::EventValues {
         self.kernels().event_values(t, q, qd)
+    }
+    fn load_conditions(&self, t: f64, q: &Self::Q, qd: &Self::Q) -> Self::LoadConditions {
+        self.kernels().load_conditions(t, q, qd)
     }
     fn switching_functions(&self, t: f64) -> Self::SwitchingFunctions {
         self.kernels().switching_functions(t)

@@ -281,3 +281,46 @@ fn equal_steps_over_moments_are_counted() {
     // 23 maxima of the sine, one of them at the end of a step and so in two, and what comes at 5 s.
     assert_eq!(run.steps.sudden_changes.unwrap().steps, 25);
 }
+
+mechanism! {
+    /// A wheel that is pushed at an angle, as an engine fires, by forces that are written in several ways.
+    Fired;
+    coordinates { phi [rad]; }
+    parameters { J [kg*m^2] = 1; w [rad/s] = 1; T [N*m] = 0.1; s = 0.99; form = 0; from = 1.3; to = 1.4; }
+    bodies { wheel: inertia J, angle phi; }
+    loads {
+        torque if form < 0.5 then (if sin(phi) > s then T else 0) else 0 on phi;
+        torque if form > 0.5 then (if form < 1.5 then T*max(0, sin(phi) - s) else 0) else 0 on phi;
+        torque if form > 1.5 then (if phi > from then (if phi < to then T else 0) else 0) else 0 on phi;
+    }
+    initial { phi = 0; dot(phi) = w; }
+}
+
+/// The kinetic energy is what the load has done, which depends on the angle alone.
+#[test]
+fn pushes_at_an_angle_are_not_stepped_over() {
+    let half = 0.99_f64.acos();
+    let each = [0.1 * 2.0 * half, 0.1 * (2.0 * half.sin() - 0.99 * 2.0 * half), 0.01];
+    for method in [Method::Dopri5, Method::Dop853, Method::Radau5] {
+        for (form, each) in each.iter().enumerate() {
+            for (w, rtol) in [(1.0, 1e-10), (1.0, 1e-6), (30.0, 1e-8)] {
+                let wheel = Fired { w, form: form as f64, ..Fired::default() };
+                let settings = Settings { rows: Rows::Even(3), ..Settings::adaptive(method, 200.0 / w, rtol) };
+                let run = run_with(wheel, &settings).unwrap();
+                let last = &run.trajectory.samples.last().unwrap().state;
+                let (phi, speed) = (last.positions[0], last.speeds[0]);
+                let turns = ((phi - PI / 2.0 - half) / (2.0 * PI)).floor() + 1.0;
+                let pushes = if form == 2 { 1.0 } else { turns };
+                let gained = pushes * each / (w * w / 2.0);
+                let found = speed * speed / (w * w) - 1.0;
+                // Each jump is met by the tolerance of a step.
+                let error = (found - gained).abs();
+                assert!(
+                    error < 30.0 * turns * rtol,
+                    "{}, form {form}, {w}, {rtol}: {found} for {gained}",
+                    method.name()
+                );
+            }
+        }
+    }
+}

@@ -38,6 +38,7 @@ pub fn describe(equations: &EquationsOfMotion, program: &Program, source: &Sourc
         drawing: model.drawing.iter().map(shape).collect(),
         run: model.run.clone(),
         switching: switching(equations),
+        load_conditions: equations.load_conditions.len(),
     }
 }
 

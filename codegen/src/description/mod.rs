@@ -63,6 +63,8 @@ pub struct Description {
     pub run: Vec<RunDefault>,
     /// The functions of time alone where expressions change their form, in the order of their kernel.
     pub switching: Vec<Switching>,
+    /// The number of conditions of loads on positions and speeds.
+    pub load_conditions: usize,
 }
 
 /// A function of time alone.

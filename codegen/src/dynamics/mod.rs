@@ -108,6 +108,8 @@ pub struct EquationsOfMotion {
     pub events: Events,
     /// Functions of time alone where expressions change their form.
     pub switching: Vec<Switching>,
+    /// Conditions of loads on positions and speeds.
+    pub load_conditions: Vec<Expr>,
     /// Inverse dynamics, if requested and without intermediates.
     pub inverse: Option<Inverse>,
     /// The links that move freely.
@@ -139,6 +141,7 @@ fn derive_as(
 ) -> EquationsOfMotion {
     let Resolved { model, mut graph, displaced } = resolved;
     let (switching, rows) = (switching::switching_functions(&graph, &model), load_rows(&mut graph, &model));
+    let load_conditions = switching::load_conditions(&graph, &model, &rows);
     let speeds = speeds::derive(&mut graph, &model, &rows);
     let formulation = formulation(&mut graph, &model, rows);
     let variables = formulation.variables(&model);
@@ -184,6 +187,7 @@ fn derive_as(
         outputs,
         events,
         switching,
+        load_conditions,
         inverse,
         free_bases,
         separations,

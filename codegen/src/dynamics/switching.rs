@@ -1,9 +1,11 @@
-//! Functions of time alone at whose zeros, or at the rows of a table, expressions change their form.
+//! Functions at whose zeros, or at the rows of a table, expressions change their form: conditions of `if`, `min`, `max`, `abs`
+//! and `sign`, and arguments of tables.
 //!
-//! A step over such a time might see nothing of what begins and ends within it: the runtime ends steps there. Only
-//! conditions of `if`, `min`, `max`, `abs` and `sign`, and arguments of tables count that depend on nothing but `t` and
-//! parameters, since they are known before the motion is.
+//! A step over such a place might see nothing of what begins and ends within it. Those that depend on nothing but `t` and
+//! parameters are known before the motion is, and the runtime ends steps there; conditions of loads on the state it looks at
+//! after each step.
 
+use super::rows::LoadRow;
 use crate::model::{Dependence, Dependences, Model};
 use crate::symbolic::{Expr, Function, Graph, Node, TableId};
 
@@ -31,6 +33,25 @@ pub(super) fn switching_functions(graph: &Graph, model: &Model) -> Vec<Switching
         let is_known = found.iter().any(|known| (known.value, known.table) == (value, table));
         if !is_known && is_of_time(graph, &mut dependences, value) {
             found.push(Switching { value, table, is_affine: is_affine(graph, &mut dependences, value) });
+        }
+    }
+    found
+}
+
+/// The conditions of loads on positions and speeds, each once.
+pub(super) fn load_conditions(graph: &Graph, model: &Model, rows: &[LoadRow]) -> Vec<Expr> {
+    let mut dependences = model.dependences.clone();
+    let forces: Vec<Expr> = rows.iter().flat_map(|row| row.forces.iter().copied()).collect();
+    let mut found: Vec<Expr> = Vec::new();
+    for expr in graph.reachable(&forces) {
+        let condition = match graph.node(expr) {
+            Node::Choice(difference, _, _) => *difference,
+            Node::Call(Function::Abs | Function::Sign, argument) => *argument,
+            _ => continue,
+        };
+        let is_of_state = dependences.of(graph, condition).meets(Dependence::COORDINATE.or(Dependence::SPEED));
+        if is_of_state && !found.contains(&condition) {
+            found.push(condition);
         }
     }
     found

@@ -193,6 +193,8 @@ associated_types! {
     EventValues of Mechanism,
     /// Functions of time alone where expressions change their form.
     SwitchingFunctions of Mechanism,
+    /// Conditions of loads on positions and speeds.
+    LoadConditions of Mechanism,
     /// Constraints that events switch.
     Activities of Mechanism,
     /// Numbers of the drawing.

@@ -32,6 +32,7 @@ pub fn plan(equations: &mut EquationsOfMotion) -> Program {
     kernels.extend(speed_mass_matrix(&planner));
     kernels.extend(event_values_kernel(&planner));
     kernels.extend(switching_functions_kernel(&planner));
+    kernels.extend(load_conditions_kernel(&planner));
     kernels.extend(input_values_kernel(&planner));
     Program { kernels, sparsity }
 }
@@ -90,6 +91,13 @@ fn switching_functions_kernel(planner: &Planner) -> Option<Kernel> {
     let values: Vec<Expr> = planner.equations.switching.iter().map(|switching| switching.value).collect();
     let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(&values));
     (!values.is_empty()).then(|| planner.kernel(KernelId::SwitchingFunctions, kernel))
+}
+
+/// The conditions of loads on the state, if any.
+fn load_conditions_kernel(planner: &Planner) -> Option<Kernel> {
+    let conditions = &planner.equations.load_conditions;
+    let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(conditions));
+    (!conditions.is_empty()).then(|| planner.kernel(KernelId::LoadConditions, kernel))
 }
 
 /// The values of inputs, if there are any.

@@ -57,6 +57,8 @@ pub struct Description {
     /// The functions of time alone, in the order of [`crate::Mechanism::switching_functions`], where what acts on the mechanism
     /// changes its form: there the steps end that a method chooses.
     pub switching: &'static [Switching],
+    /// The number of [`crate::Mechanism::load_conditions`].
+    pub load_conditions: usize,
 }
 
 /// A function of time alone: the condition of an `if`, or the argument of a table.

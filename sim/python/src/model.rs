@@ -137,6 +137,7 @@ kernels! {
     velocity_variables = VelocityVariables(q, qd);
     velocities = Velocities(q, qd);
     event_values = EventValues(q, qd);
+    load_conditions = LoadConditions(q, qd);
     inverse_dynamics = InverseDynamics(q, qd, qdd);
     output_rates = OutputRates(q, qd, qdd);
     power = Power(q, qd, qdd, multipliers);

@@ -33,7 +33,7 @@ pub(super) fn description(description: &Description, path: &TokenStream) -> Toke
     let drawing = description.drawing.iter().map(|each| shape(*each, path));
     let run = description.run.iter().map(|each| run_default(each, path));
     let switching = description.switching.iter().map(|each| switching(each, path));
-    let dimension = size(description.dimension);
+    let [dimension, load_conditions] = [description.dimension, description.load_conditions].map(size);
     quote! {
         #path::Description {
             name: #name,
@@ -60,6 +60,7 @@ pub(super) fn description(description: &Description, path: &TokenStream) -> Toke
             drawing: &[#(#drawing),*],
             run: &[#(#run),*],
             switching: &[#(#switching),*],
+            load_conditions: #load_conditions,
         }
     }
 }

@@ -26,6 +26,7 @@ pub trait Compiled<S: Scalar = f64>:
         Events: FixedArray<S>,
         EventValues: FixedArray<S>,
         SwitchingFunctions: FixedArray<S>,
+        LoadConditions: FixedArray<S>,
         Activities: FixedArray<S>,
         Drawing: FixedArray<S>,
         QP: FixedArray<Self::Parameters>,

@@ -53,6 +53,8 @@ pub trait Mechanism<S: Scalar = f64>: Clone + Debug {
     type EventValues: Array<S>;
     /// Functions of time alone where expressions change their form.
     type SwitchingFunctions: Array<S>;
+    /// Conditions of loads on positions and speeds.
+    type LoadConditions: Array<S>;
     /// Constraints that events switch.
     type Activities: Array<S>;
     /// Numbers of the drawing.
@@ -215,6 +217,11 @@ pub trait Mechanism<S: Scalar = f64>: Clone + Debug {
     fn switching_functions(&self, t: S) -> Self::SwitchingFunctions {
         let _ = t;
         Self::SwitchingFunctions::repeat(0, S::from_f64(0.0))
+    }
+    /// The conditions of `if`, `min`, `max`, `abs` and `sign` in loads that depend on positions and speeds, in SI units.
+    fn load_conditions(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::LoadConditions {
+        let _ = (t, q, qd);
+        Self::LoadConditions::repeat(0, S::from_f64(0.0))
     }
     /// The numbers of each shape of the drawing, in order.
     fn drawing(&self, t: S, q: &Self::Q) -> Self::Drawing;

@@ -135,6 +135,8 @@ class Model:
         """Functions of time alone where expressions change their form."""
     def event_values(self, t: _Times, q: ArrayLike, qd: ArrayLike) -> _Array:
         """The values that actions of events need."""
+    def load_conditions(self, t: _Times, q: ArrayLike, qd: ArrayLike) -> _Array:
+        """The conditions of loads on positions and speeds."""
     def inverse_dynamics(self, t: _Times, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike) -> _Array:
         """The generalised forces that give these accelerations, (n,)."""
     def output_rates(self, t: _Times, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike) -> _Array:

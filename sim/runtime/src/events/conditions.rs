@@ -2,6 +2,7 @@
 
 use crate::integrate::Step;
 use crate::motion::Motion;
+use crate::numerics::signs;
 use crate::state::failure::Failure;
 use crate::state::saved::{Bytes, Damaged};
 use crate::state::trajectory::{Sample, State};
@@ -112,12 +113,6 @@ impl<M: Mechanism> Point<M> {
     }
 }
 
-/// A change of sign between numbers; reaching zero counts, leaving it does not.
-pub(super) fn crosses([before, after]: [f64; 2]) -> bool {
-    let finite = before.is_finite() && after.is_finite();
-    finite && before != 0.0 && (after == 0.0 || (before < 0.0) != (after < 0.0))
-}
-
 /// A condition at two points: its values, and its rates times the interval.
 #[inline]
 pub(super) fn ends<M: Mechanism>(event: usize, from: &Point<M>, to: &Point<M>) -> ([f64; 2], [f64; 2]) {
@@ -125,20 +120,11 @@ pub(super) fn ends<M: Mechanism>(event: usize, from: &Point<M>, to: &Point<M>) -
     ([from.values[event], to.values[event]], [h * from.rates[event], h * to.rates[event]])
 }
 
-/// Whether a condition may be zero between two points: it changes its sign, or its distance from zero is small relative
-/// to its change.
+/// Whether a condition may be zero between two points.
 #[inline]
 pub(super) fn may_reach_zero<M: Mechanism>(event: usize, from: &Point<M>, to: &Point<M>) -> bool {
     let (values, rates) = ends(event, from, to);
-    let least = values[0].abs().min(values[1].abs());
-    let is_finite = (values[0] + values[1]).is_finite();
-    crosses(values) || (is_finite && !(least > rates[0].abs().max(rates[1].abs())))
-}
-
-/// Whether a condition that keeps its sign heads for zero at both ends.
-pub(super) fn turns_back(values: [f64; 2], rates: [f64; 2]) -> bool {
-    let sign = values[0].signum();
-    values[0] * values[1] > 0.0 && sign * rates[0] < 0.0 && sign * rates[1] > 0.0
+    signs::may_reach_zero(values, rates)
 }
 
 /// Whether the value at the sign change is near zero; at a jump or a pole it is not.

@@ -1,10 +1,11 @@
 //! Where a condition is zero in a part of a step.
 
-use super::conditions::{Point, conditions, crosses, ends, is_root, may_reach_zero, tolerance, turns_back, value};
+use super::conditions::{Point, conditions, ends, is_root, may_reach_zero, tolerance, value};
 use super::described::releases;
 use super::{Crossing, EventSearch, Occurrence};
 use crate::integrate::Step;
 use crate::numerics::root::{find_minimum, find_root};
+use crate::numerics::signs::{crosses, turns_back};
 use crate::state::failure::Failure;
 use crate::state::interpolate::cubic;
 use crate::state::trajectory::State;

@@ -20,13 +20,14 @@ pub use occurrence::{Crossing, Occurrence};
 
 use crate::integrate::Step;
 use crate::numerics::insertion::sort_few;
+use crate::numerics::signs::crosses;
 use crate::state::failure::{Failure, What};
 use crate::state::saved::{Bytes, Damaged};
-use conditions::{Point, crosses, ends, may_reach_zero, value};
+use conditions::{Point, ends, may_reach_zero, value};
 use onset::Onset;
 use sim_kernel::event::Direction;
 use sim_kernel::{Array, Mechanism};
-use waves::{DIVIDED_AGAIN, MOST_PARTS, parts, point};
+use waves::{DIVIDED_AGAIN, MOST_PARTS, point};
 
 /// The number of halvings of a step, below which a condition is not resolved.
 const MOST_HALVINGS: usize = 8;
@@ -160,7 +161,7 @@ impl<M: Mechanism> EventSearch<M> {
         };
         self.stepped_from = from.values.clone();
         let to = Point::of(step.motion, step.to, step.length())?;
-        let most = parts(step).max(self.waves(&from, &to).0);
+        let most = step.parts_by_angles().max(self.waves(&from, &to).0);
         self.last = Some(self.search_parts(step, from, to, [most, most])?);
         Ok(())
     }

@@ -7,11 +7,10 @@ use crate::integrate::Step;
 use crate::state::failure::Failure;
 use sim_kernel::{Array, Mechanism};
 
-/// The largest change of an angle, or of the phase of a condition that goes to and fro, in a part of a step: steps of a motion
-/// that is simple may go through many turns.
+/// The largest change of the phase of a condition that goes to and fro in a part of a step.
 const MOST_CHANGE: f64 = 1.0;
 /// The largest number of parts, and of those by the rates of a condition, which are differences.
-pub(super) const MOST_PARTS: f64 = 1e6;
+pub(super) use crate::integrate::MOST_PARTS;
 const MOST_PARTS_OF_A_WAVE: f64 = 1e4;
 /// The number of further parts of a part from which it is divided again.
 pub(super) const DIVIDED_AGAIN: f64 = 3.0;
@@ -51,14 +50,4 @@ impl<M: Mechanism> EventSearch<M> {
 pub(super) fn point<M: Mechanism>(step: &mut Step<M>, time: f64, interval: f64) -> Result<Point<M>, Failure> {
     let sample = step.sample(time)?;
     Point::of(step.motion, &sample, interval)
-}
-
-/// Into how many parts of equal time a step is searched at least, for its changes of angles.
-pub(super) fn parts<M: Mechanism>(step: &Step<M>) -> f64 {
-    let (from, to) = (&step.from.state.positions, &step.to.state.positions);
-    let coordinates = step.motion.mechanism().description().coordinates.iter().enumerate();
-    let angles = coordinates.filter(|(_, coordinate)| !coordinate.position.is_length);
-    let change = angles.fold(0.0, |most: f64, (j, _)| most.max((to[j] - from[j]).abs()));
-    let parts = (change / MOST_CHANGE).ceil();
-    if parts >= 1.0 { parts.min(MOST_PARTS) } else { 1.0 }
 }

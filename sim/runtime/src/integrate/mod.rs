@@ -10,6 +10,7 @@ mod dop853;
 mod dop853_tableau;
 mod explicit;
 mod headway;
+mod hidden;
 mod integrator;
 mod method;
 #[cfg(test)]
@@ -31,6 +32,7 @@ pub use method::{Advance, Attempt};
 pub(crate) use pace::{Aim, Target};
 pub(crate) use plain::{Reached, attempt_plainly};
 pub use radau::Radau5;
+pub(crate) use step::MOST_PARTS;
 pub use step::Step;
 pub(crate) use stepper::Stepper;
 pub use switching::SuddenChanges;

@@ -132,7 +132,8 @@ impl Pace {
         }
     }
 
-    /// Takes or refuses an attempt from a sample on the way to an end, which a singular position may have surprised.
+    /// Takes or refuses an attempt from a sample on the way to an end; one that meets its tolerance is repeated if a better end is
+    /// known.
     ///
     /// # Errors
     /// That of the attempt, if steps are equal or no smaller one is left.
@@ -143,7 +144,7 @@ impl Pace {
         (from, end): (&Sample<M>, f64),
         target: &Target,
         attempted: Result<f64, Failure>,
-        is_surprised: bool,
+        better_end: Option<f64>,
     ) -> Result<bool, Failure> {
         match self {
             Pace::Equal { step, .. } => {
@@ -151,7 +152,7 @@ impl Pace {
                 *step += usize::from(target.time == target.wanted);
                 Ok(true)
             }
-            Pace::Adaptive(adaptive) => adaptive.judge(motion, (from, end), target, attempted, is_surprised),
+            Pace::Adaptive(adaptive) => adaptive.judge(motion, (from, end), target, attempted, better_end),
         }
     }
 
@@ -280,19 +281,19 @@ impl Adaptive {
         (from, end): (&Sample<M>, f64),
         target: &Target,
         attempted: Result<f64, Failure>,
-        is_surprised: bool,
+        better_end: Option<f64>,
     ) -> Result<bool, Failure> {
         let (now, time) = (from.state.time, target.time);
-        match attempted {
-            Ok(error) if error <= 1.0 && is_surprised => {
-                self.h = (time - now) / 2.0;
+        match (attempted, better_end) {
+            (Ok(error), Some(better)) if error <= 1.0 => {
+                self.h = better - now;
                 Ok(false)
             }
-            Ok(error) if error <= 1.0 => {
+            (Ok(error), None) if error <= 1.0 => {
                 self.accepted([now, time, target.wanted], error, end);
                 Ok(true)
             }
-            refused => {
+            (refused, _) => {
                 self.h = (time - now) * self.controller.rejected(refused.as_ref().ok().copied());
                 if refused.as_ref().is_ok_and(|error| *error == f64::INFINITY) && self.headway.is_short(self.h) {
                     return Err(explained(motion, &from.state, taken_back(motion, from, self.h)));

@@ -12,6 +12,12 @@ use crate::state::failure::{Failure, What};
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::Mechanism;
 
+/// The largest change of an angle in a part of a step that is searched as a whole: steps of a motion that is simple may go
+/// through many turns.
+const MOST_CHANGE: f64 = 1.0;
+/// The largest number of parts.
+pub(crate) const MOST_PARTS: f64 = 1e6;
+
 /// A step that was made.
 pub struct Step<'s, M: Mechanism> {
     /// The motion.
@@ -32,6 +38,16 @@ impl<M: Mechanism> Step<'_, M> {
     /// Its length in seconds.
     pub fn length(&self) -> f64 {
         self.to.state.time - self.from.state.time
+    }
+
+    /// Into how many parts of equal time it is searched at least, for its changes of angles.
+    pub(crate) fn parts_by_angles(&self) -> f64 {
+        let (from, to) = (&self.from.state.positions, &self.to.state.positions);
+        let coordinates = self.motion.mechanism().description().coordinates.iter().enumerate();
+        let angles = coordinates.filter(|(_, coordinate)| !coordinate.position.is_length);
+        let change = angles.fold(0.0, |most: f64, (j, _)| most.max((to[j] - from[j]).abs()));
+        let parts = (change / MOST_CHANGE).ceil();
+        if parts >= 1.0 { parts.min(MOST_PARTS) } else { 1.0 }
     }
 
     /// The state at a time inside it, on the constraints; at a singular position as the method interpolates it.

@@ -4,6 +4,7 @@
 
 use super::attempt::attempt;
 use super::crossing::Crossing;
+use super::hidden::before_several;
 use super::method::Advance;
 use super::pace::{Aim, Pace, Target};
 use super::{Course, Step, Steps};
@@ -31,6 +32,21 @@ pub(crate) struct Stepper<M: Mechanism> {
 #[inline(always)]
 fn start_and_end<M: Mechanism>([first, second]: &mut [Sample<M>; 2], from: usize) -> [&mut Sample<M>; 2] {
     if from == 0 { [first, second] } else { [second, first] }
+}
+
+/// Where a step that meets its tolerance ends better, for what it may have passed unseen.
+#[inline(always)]
+fn better_end<M: Mechanism>(
+    motion: &Motion<M>,
+    method: &mut dyn Advance<M>,
+    [from, to]: [&Sample<M>; 2],
+    crossing: &Crossing<M>,
+) -> Result<Option<f64>, Failure> {
+    if crossing.is_surprised(motion) {
+        return Ok(Some(from.state.time + (to.state.time - from.state.time) / 2.0));
+    }
+    let end_sine = motion.relative(motion.least_sine());
+    before_several(&mut Step { motion, method, from, to, begun: from, reached: to, end_sine })
 }
 
 /// The kind of the last step.
@@ -183,8 +199,11 @@ impl<M: Mechanism> Stepper<M> {
         let target = &self.target;
         let [from, to] = start_and_end(&mut self.ends, self.from);
         let is_adaptive = target.tolerance.is_some();
-        let is_surprised = is_adaptive && self.crossing.is_surprised(motion);
-        let judged = self.pace.judge(motion, (from, self.course.end), target, attempted, is_surprised);
+        let better_end = match attempted {
+            Ok(error) if is_adaptive && error <= 1.0 => better_end(motion, method, [&*from, &*to], &self.crossing)?,
+            _ => None,
+        };
+        let judged = self.pace.judge(motion, (from, self.course.end), target, attempted, better_end);
         if is_adaptive && !matches!(judged, Ok(true)) {
             steps.rejected += 1;
         }

@@ -69,7 +69,7 @@ impl<'a, S: Number> Kernels<'a, S> {
                 found(2, &[]);
             }
             Kernel::InverseDynamics => found(0, &self.inverse_dynamics(at)),
-            Kernel::EventValues | Kernel::SwitchingFunctions => found(0, &[]),
+            Kernel::EventValues | Kernel::SwitchingFunctions | Kernel::LoadConditions => found(0, &[]),
             Kernel::SpeedMassMatrix => {}
             Kernel::VelocityVariables => found(0, &self.velocity_variables(at)),
             Kernel::Velocities => found(0, &self.speeds(at)),
@@ -170,6 +170,7 @@ pub(super) fn program(kernel: Kernel) -> Option<KernelId> {
         Kernel::Events => KernelId::Events,
         Kernel::EventValues => KernelId::EventValues,
         Kernel::SwitchingFunctions => KernelId::SwitchingFunctions,
+        Kernel::LoadConditions => KernelId::LoadConditions,
         Kernel::Drawing => KernelId::Drawing,
         // Generalised speeds with zeros after them, or q'.
         Kernel::VelocityVariables => return None,

@@ -70,6 +70,7 @@ fn description(of: &made::Description, tables: &'static [Table]) -> Description 
             table: switching.table.as_ref().map(|table| &tables[table.index]),
             is_affine: switching.is_affine,
         }),
+        load_conditions: of.load_conditions,
     }
 }
 

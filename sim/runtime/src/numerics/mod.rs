@@ -8,5 +8,6 @@ pub(crate) mod nearest;
 pub(crate) mod numbers;
 pub(crate) mod power_of_two;
 pub(crate) mod root;
+pub(crate) mod signs;
 pub(crate) mod solve;
 pub(crate) mod vectors;

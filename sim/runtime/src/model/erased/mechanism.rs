@@ -173,6 +173,7 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
     type Events = Vector<K, S>;
     type EventValues = List<S>;
     type SwitchingFunctions = List<S>;
+    type LoadConditions = List<S>;
     type Activities = List<S>;
     type Drawing = List<S>;
     type QP = List<List<S>>;
@@ -376,6 +377,9 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
     }
     fn switching_functions(&self, t: S) -> List<S> {
         self.list(Kernel::SwitchingFunctions, &Place::at(t), self.description().switching.len())
+    }
+    fn load_conditions(&self, t: S, q: &Self::Q, qd: &Self::Q) -> List<S> {
+        self.list(Kernel::LoadConditions, &Place::moving(t, q, qd), self.description().load_conditions)
     }
     fn drawing(&self, t: S, q: &Self::Q) -> List<S> {
         self.found(Kernel::Drawing, &Place::of(t, q))

@@ -78,6 +78,8 @@ kernels! {
     EventValues = "event_values",
     /// A row of the functions of time alone where expressions change their form.
     SwitchingFunctions = "switching_functions",
+    /// A row of the conditions of loads on positions and speeds.
+    LoadConditions = "load_conditions",
     /// A row of the numbers of the drawing.
     Drawing = "drawing",
 }

@@ -178,6 +178,7 @@ fn call<M: Mechanism>(mechanism: &M, kernel: Kernel, at: At<f64>, found: Found<f
         Kernel::Events => found(0, mechanism.events(t, &q, &qd, &accelerations(), &multipliers()).as_ref()),
         Kernel::EventValues => found(0, mechanism.event_values(t, &q, &qd).as_ref()),
         Kernel::SwitchingFunctions => found(0, mechanism.switching_functions(t).as_ref()),
+        Kernel::LoadConditions => found(0, mechanism.load_conditions(t, &q, &qd).as_ref()),
         Kernel::Drawing => found(0, mechanism.drawing(t, &q).as_ref()),
         Kernel::ConstraintLinearization
         | Kernel::ConstraintMagnitudes

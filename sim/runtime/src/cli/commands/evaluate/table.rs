@@ -96,7 +96,8 @@ fn needs(kernel: Kernel) -> usize {
         | Kernel::DynamicsSensitivity
         | Kernel::VelocityVariables
         | Kernel::Velocities
-        | Kernel::EventValues => 2,
+        | Kernel::EventValues
+        | Kernel::LoadConditions => 2,
         Kernel::InverseDynamics | Kernel::OutputRates => 3,
         Kernel::Power | Kernel::Outputs | Kernel::Events => 4,
     }

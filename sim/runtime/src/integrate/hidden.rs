@@ -1,0 +1,220 @@
+//! Steps in which loads change their form more than once.
+//!
+//! Where a load changes its form once, the end of the step shows it, and so does the estimate of the error: every method that has
+//! one evaluates there. A load that begins and ends within a step, as a push at a certain angle of a wheel, may lie between all
+//! evaluations. Such a step is repeated: up to the first change, and from there to between the first two, where its end shows it.
+
+use super::Step;
+use crate::numerics::root::{find_minimum, find_root};
+use crate::numerics::signs::{crosses, may_reach_zero, turns_back};
+use crate::state::failure::Failure;
+use crate::state::interpolate::cubic;
+use crate::state::trajectory::Sample;
+use sim_kernel::{Array, Mechanism};
+
+/// Rates are differences over this part of the interval that is searched.
+const BESIDE: f64 = 1e-4;
+/// The number of halvings of a part of a step.
+const MOST_HALVINGS: usize = 8;
+/// How well the cubic of a condition foretells it, relative to its size, where it is not searched further.
+const FORETOLD: f64 = 0.01;
+/// A change of a coordinate, in its scale, that is rounding.
+const NOISE: f64 = 1e-12;
+/// Changes within this part of a step are one.
+const SAME: f64 = 1e-9;
+/// A step that begins within this part of its length before a change has come up to it, and one that is to come up to it ends
+/// before it by this part.
+const NEAR: f64 = 0.01;
+
+/// Where a step ends better in which loads change their form several times; nothing if they change it once at most.
+///
+/// # Errors
+/// As the dense output.
+#[inline]
+pub(super) fn before_several<M: Mechanism>(step: &mut Step<M>) -> Result<Option<f64>, Failure> {
+    if step.motion.mechanism().description().load_conditions == 0 {
+        return Ok(None);
+    }
+    Search { step, found: Vec::new() }.before_several()
+}
+
+/// A condition at both ends of an interval of time.
+struct Between {
+    condition: usize,
+    ends: [f64; 2],
+    values: [f64; 2],
+    /// Rates times the interval.
+    changes: [f64; 2],
+}
+
+struct Search<'a, 's, M: Mechanism> {
+    step: &'a mut Step<'s, M>,
+    /// Where conditions change their signs, each once.
+    found: Vec<Between>,
+}
+
+/// The conditions at a time, and their rates.
+struct Look<M: Mechanism> {
+    time: f64,
+    values: M::LoadConditions,
+    rates: M::LoadConditions,
+}
+
+impl<M: Mechanism> Search<'_, '_, M> {
+    #[cold]
+    fn before_several(mut self) -> Result<Option<f64>, Failure> {
+        let [begin, end] = [self.step.from, self.step.to].map(|sample| sample.state.time);
+        let parts = self.step.parts_by_angles();
+        let length = (end - begin) / parts;
+        let mut from = self.look(self.step.from, length);
+        for part in 1..=parts as usize {
+            let is_last = part == parts as usize;
+            let time = if is_last { end } else { begin + part as f64 * length };
+            let sample = self.step.sample(time)?;
+            let to = self.look(&sample, length);
+            for condition in 0..from.values.len() {
+                let between = Between {
+                    condition,
+                    ends: [from.time, to.time],
+                    values: [from.values[condition], to.values[condition]],
+                    changes: [from.rates[condition], to.rates[condition]].map(|rate| rate * (to.time - from.time)),
+                };
+                // A condition that is rounding, as a speed that dry friction holds at zero, tells nothing.
+                if may_reach_zero(between.values, between.changes) && !self.is_noise(&between) {
+                    self.search(between, MOST_HALVINGS)?;
+                }
+            }
+            if self.found.len() > 1
+                && let Some(better) = self.better_end()?
+            {
+                return Ok(Some(better));
+            }
+            from = to;
+        }
+        Ok(None)
+    }
+
+    fn look(&self, sample: &Sample<M>, interval: f64) -> Look<M> {
+        let (state, rates, d) = (&sample.state, sample.rates(), BESIDE * interval);
+        let conditions = |d: f64| {
+            let moved = state.changed(state.time + d, d, &rates);
+            self.step.motion.mechanism().load_conditions(moved.time, &moved.positions, &moved.speeds)
+        };
+        let [behind, values, ahead] = [-d, 0.0, d].map(conditions);
+        Look { time: state.time, rates: values.like(|i| (ahead[i] - behind[i]) / (2.0 * d)), values }
+    }
+
+    fn value(&mut self, time: f64, condition: usize) -> Result<f64, Failure> {
+        let state = self.step.at(time)?;
+        Ok(self.step.motion.mechanism().load_conditions(time, &state.positions, &state.speeds)[condition])
+    }
+
+    /// Finds changes of sign in an interval; where the cubic of its ends does not foretell the condition, in both halves.
+    fn search(&mut self, between: Between, halvings: usize) -> Result<(), Failure> {
+        let Between { condition, ends: [from, to], values, changes } = between;
+        if !may_reach_zero(values, changes) {
+            return Ok(());
+        }
+        if halvings > 0 && !self.is_foretold(&between)? {
+            let middle = from + (to - from) / 2.0;
+            let sample = self.step.sample(middle)?;
+            let look = self.look(&sample, (to - from) / 2.0);
+            let (value, change) = (look.values[condition], look.rates[condition] * (to - from) / 2.0);
+            let [first, last] = changes.map(|change| change / 2.0);
+            let halves = [
+                ([from, middle], [values[0], value], [first, change]),
+                ([middle, to], [value, values[1]], [change, last]),
+            ];
+            return halves.into_iter().try_for_each(|(ends, values, changes)| {
+                self.search(Between { condition, ends, values, changes }, halvings - 1)
+            });
+        }
+        match () {
+            _ if crosses(values) => self.note(between),
+            _ if turns_back(values, changes) => self.turn(between)?,
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// Whether the cubic of both ends predicts the value at two places between them.
+    fn is_foretold(&mut self, between: &Between) -> Result<bool, Failure> {
+        let Between { condition, ends: [from, to], values, changes } = *between;
+        for fraction in [0.5, 0.29] {
+            let found = self.value(from + fraction * (to - from), condition)?;
+            let size = values[0].abs().max(values[1].abs()).max(found.abs());
+            if !((found - cubic(values, changes, fraction)).abs() <= FORETOLD * size) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// A condition that heads for zero at both ends: twice through it, or not at all.
+    fn turn(&mut self, between: Between) -> Result<(), Failure> {
+        let Between { condition, ends: [from, to], values, changes } = between;
+        let sign = values[0].signum();
+        let (fraction, least) =
+            find_minimum(&mut |fraction| Ok(sign * self.value(from + fraction * (to - from), condition)?))?;
+        if least < 0.0 {
+            let (turn, value) = (from + fraction * (to - from), sign * least);
+            self.note(Between { condition, ends: [from, turn], values: [values[0], value], changes });
+            self.note(Between { condition, ends: [turn, to], values: [value, values[1]], changes });
+        }
+        Ok(())
+    }
+
+    /// Notes a change of sign, unless it is rounding.
+    fn note(&mut self, between: Between) {
+        if !self.is_noise(&between) {
+            self.found.push(between);
+        }
+    }
+
+    fn is_noise(&self, between: &Between) -> bool {
+        let noise = self.noise(between.condition);
+        between.values.iter().all(|value| value.abs() <= noise)
+    }
+
+    /// How much rounding of the state may change a condition: of positions, and of speeds that change these as much in the step.
+    fn noise(&self, condition: usize) -> f64 {
+        let (motion, state) = (self.step.motion, &self.step.to.state);
+        let scales = motion.measures().coordinates();
+        let value = |positions: &M::Q, speeds: &M::Q| {
+            motion.mechanism().load_conditions(state.time, positions, speeds)[condition]
+        };
+        let (now, length) = (value(&state.positions, &state.speeds), self.step.length());
+        let of = |j: usize| {
+            let beside = |of: &M::Q, by: f64| of.like(|i| if i == j { of[i] + by } else { of[i] });
+            let by = NOISE * scales[j];
+            let moved = value(&beside(&state.positions, by), &state.speeds) - now;
+            let faster = value(&state.positions, &beside(&state.speeds, by / length)) - now;
+            moved.abs() + faster.abs()
+        };
+        (0..scales.len()).map(of).sum()
+    }
+
+    /// Up to the first change, or between the first two, if those that were found are at different times: several conditions may
+    /// say the same.
+    fn better_end(&mut self) -> Result<Option<f64>, Failure> {
+        let (begin, length) = (self.step.from.state.time, self.step.length());
+        let found = std::mem::take(&mut self.found);
+        let mut times = found.iter().map(|between| self.locate(between)).collect::<Result<Vec<f64>, Failure>>()?;
+        self.found.extend(found.into_iter().take(1));
+        times.sort_by(f64::total_cmp);
+        let first = times.first().copied().unwrap_or(begin);
+        let second = times.into_iter().find(|time| time - first > SAME * length);
+        Ok(second.map(|second| match first - begin < NEAR * length {
+            true => first + (second - first) / 2.0,
+            false => first - NEAR * (first - begin),
+        }))
+    }
+
+    /// The time of a change, to a small part of the step.
+    fn locate(&mut self, between: &Between) -> Result<f64, Failure> {
+        let Between { condition, ends: [from, to], values, .. } = *between;
+        let tolerance = NOISE * self.step.length() / (to - from);
+        let mut value = |fraction: f64| self.value(from + fraction * (to - from), condition);
+        Ok(from + (to - from) * find_root(values[0], values[1], tolerance, &mut value)?)
+    }
+}
