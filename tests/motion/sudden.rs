@@ -287,11 +287,13 @@ mechanism! {
     Fired;
     coordinates { phi [rad]; }
     parameters { J [kg*m^2] = 1; w [rad/s] = 1; T [N*m] = 0.1; s = 0.99; form = 0; from = 1.3; to = 1.4; }
+    tables { fire = linear, periodic { 0, 0; 1.3, 0; 1.31, 5; 1.32, 0; 6.283185307179586, 0; } }
     bodies { wheel: inertia J, angle phi; }
     loads {
+        torque if form > 2.5 then T*fire(phi) else 0 on phi;
         torque if form < 0.5 then (if sin(phi) > s then T else 0) else 0 on phi;
         torque if form > 0.5 then (if form < 1.5 then T*max(0, sin(phi) - s) else 0) else 0 on phi;
-        torque if form > 1.5 then (if phi > from then (if phi < to then T else 0) else 0) else 0 on phi;
+        torque if form > 1.5 then (if form < 2.5 then (if phi > from then (if phi < to then T else 0) else 0) else 0) else 0 on phi;
     }
     initial { phi = 0; dot(phi) = w; }
 }
@@ -300,7 +302,7 @@ mechanism! {
 #[test]
 fn pushes_at_an_angle_are_not_stepped_over() {
     let half = 0.99_f64.acos();
-    let each = [0.1 * 2.0 * half, 0.1 * (2.0 * half.sin() - 0.99 * 2.0 * half), 0.01];
+    let each = [0.1 * 2.0 * half, 0.1 * (2.0 * half.sin() - 0.99 * 2.0 * half), 0.01, 0.1 * 0.05];
     for method in [Method::Dopri5, Method::Dop853, Method::Radau5] {
         for (form, each) in each.iter().enumerate() {
             for (w, rtol) in [(1.0, 1e-10), (1.0, 1e-6), (30.0, 1e-8)] {
@@ -313,10 +315,11 @@ fn pushes_at_an_angle_are_not_stepped_over() {
                 let pushes = if form == 2 { 1.0 } else { turns };
                 let gained = pushes * each / (w * w / 2.0);
                 let found = speed * speed / (w * w) - 1.0;
-                // Each jump is met by the tolerance of a step.
+                // Two or three changes in each turn, each met by the tolerance of a step; where a jump lies before the second
+                // stage of dopri5, the estimate is of 1/70 of the error.
                 let error = (found - gained).abs();
                 assert!(
-                    error < 30.0 * turns * rtol,
+                    error < 300.0 * turns * rtol,
                     "{}, form {form}, {w}, {rtol}: {found} for {gained}",
                     method.name()
                 );

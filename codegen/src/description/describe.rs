@@ -3,7 +3,7 @@
 use super::events::events;
 use super::{Conditional, Coordinate, Description, Figure, NamedTable, Quantity, Shape, Start, Switching, kebab_case};
 use crate::dsl::{Mark, Source};
-use crate::dynamics::EquationsOfMotion;
+use crate::dynamics::{self, EquationsOfMotion};
 use crate::kernel_id::KernelId;
 use crate::model::{self, Dimension, Level, Model, Unit};
 use crate::program::Program;
@@ -37,15 +37,14 @@ pub fn describe(equations: &EquationsOfMotion, program: &Program, source: &Sourc
         dimension: model.dimension,
         drawing: model.drawing.iter().map(shape).collect(),
         run: model.run.clone(),
-        switching: switching(equations),
-        load_conditions: equations.load_conditions.len(),
+        switching: switching(equations, &equations.switching),
+        load_conditions: switching(equations, &equations.load_conditions),
     }
 }
 
-fn switching(EquationsOfMotion { graph, switching, .. }: &EquationsOfMotion) -> Vec<Switching> {
+fn switching(EquationsOfMotion { graph, .. }: &EquationsOfMotion, all: &[dynamics::Switching]) -> Vec<Switching> {
     let named = |id: TableId| NamedTable { index: id.index(), name: graph.table(id).name.clone() };
-    let all = switching.iter();
-    all.map(|each| Switching { table: each.table.map(named), is_affine: each.is_affine }).collect()
+    all.iter().map(|each| Switching { table: each.table.map(named), is_affine: each.is_affine }).collect()
 }
 
 impl Quantity {

@@ -63,11 +63,11 @@ pub struct Description {
     pub run: Vec<RunDefault>,
     /// The functions of time alone where expressions change their form, in the order of their kernel.
     pub switching: Vec<Switching>,
-    /// The number of conditions of loads on positions and speeds.
-    pub load_conditions: usize,
+    /// Those of positions and speeds where loads do, likewise.
+    pub load_conditions: Vec<Switching>,
 }
 
-/// A function of time alone.
+/// A function at whose zeros, or at the rows of a table, expressions change their form.
 pub struct Switching {
     /// The table whose rows count; if there is none, its zeros do.
     pub table: Option<NamedTable>,

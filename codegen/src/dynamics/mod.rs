@@ -108,8 +108,8 @@ pub struct EquationsOfMotion {
     pub events: Events,
     /// Functions of time alone where expressions change their form.
     pub switching: Vec<Switching>,
-    /// Conditions of loads on positions and speeds.
-    pub load_conditions: Vec<Expr>,
+    /// Functions of positions and speeds where loads change their form.
+    pub load_conditions: Vec<Switching>,
     /// Inverse dynamics, if requested and without intermediates.
     pub inverse: Option<Inverse>,
     /// The links that move freely.

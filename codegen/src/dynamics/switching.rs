@@ -9,7 +9,7 @@ use super::rows::LoadRow;
 use crate::model::{Dependence, Dependences, Model};
 use crate::symbolic::{Expr, Function, Graph, Node, TableId};
 
-/// A function of time alone.
+/// One of them.
 pub struct Switching {
     /// Its value.
     pub value: Expr,
@@ -19,42 +19,49 @@ pub struct Switching {
     pub is_affine: bool,
 }
 
-/// All of them in a graph, each once.
+/// Those of time alone in a graph, each once.
 pub(super) fn switching_functions(graph: &Graph, model: &Model) -> Vec<Switching> {
     let mut dependences = model.dependences.clone();
     let mut found: Vec<Switching> = Vec::new();
     for node in graph.nodes() {
-        let (value, table) = match node {
-            Node::Choice(difference, _, _) => (*difference, None),
-            Node::Call(Function::Abs | Function::Sign, argument) => (*argument, None),
-            Node::Table(table, _, argument) => (*argument, Some(*table)),
-            _ => continue,
-        };
-        let is_known = found.iter().any(|known| (known.value, known.table) == (value, table));
-        if !is_known && is_of_time(graph, &mut dependences, value) {
+        if let Some((value, table)) = switched_by(node)
+            && is_new(&found, value, table)
+            && is_of_time(graph, &mut dependences, value)
+        {
             found.push(Switching { value, table, is_affine: is_affine(graph, &mut dependences, value) });
         }
     }
     found
 }
 
-/// The conditions of loads on positions and speeds, each once.
-pub(super) fn load_conditions(graph: &Graph, model: &Model, rows: &[LoadRow]) -> Vec<Expr> {
+/// Those of loads that depend on positions or speeds, each once.
+pub(super) fn load_conditions(graph: &Graph, model: &Model, rows: &[LoadRow]) -> Vec<Switching> {
     let mut dependences = model.dependences.clone();
     let forces: Vec<Expr> = rows.iter().flat_map(|row| row.forces.iter().copied()).collect();
-    let mut found: Vec<Expr> = Vec::new();
+    let mut found: Vec<Switching> = Vec::new();
     for expr in graph.reachable(&forces) {
-        let condition = match graph.node(expr) {
-            Node::Choice(difference, _, _) => *difference,
-            Node::Call(Function::Abs | Function::Sign, argument) => *argument,
-            _ => continue,
-        };
-        let is_of_state = dependences.of(graph, condition).meets(Dependence::COORDINATE.or(Dependence::SPEED));
-        if is_of_state && !found.contains(&condition) {
-            found.push(condition);
+        if let Some((value, table)) = switched_by(graph.node(expr))
+            && is_new(&found, value, table)
+            && dependences.of(graph, value).meets(Dependence::COORDINATE.or(Dependence::SPEED))
+        {
+            found.push(Switching { value, table, is_affine: false });
         }
     }
     found
+}
+
+/// What a node changes its form by.
+fn switched_by(node: &Node) -> Option<(Expr, Option<TableId>)> {
+    match node {
+        Node::Choice(difference, _, _) => Some((*difference, None)),
+        Node::Call(Function::Abs | Function::Sign, argument) => Some((*argument, None)),
+        Node::Table(table, _, argument) => Some((*argument, Some(*table))),
+        _ => None,
+    }
+}
+
+fn is_new(found: &[Switching], value: Expr, table: Option<TableId>) -> bool {
+    !found.iter().any(|known| (known.value, known.table) == (value, table))
 }
 
 fn is_of_time(graph: &Graph, dependences: &mut Dependences, expr: Expr) -> bool {

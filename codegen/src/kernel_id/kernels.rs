@@ -154,7 +154,8 @@ kernels! {
          form.";
 
     LoadConditions = mechanism("load_conditions", Speeds, named(Associated::LoadConditions)).provided(),
-        "Conditions of loads on positions and speeds, {len}, in SI units: where one is zero, a load changes its form.";
+        "Conditions of loads on positions and speeds, {len}, in SI units: where one is zero, or at a row of its table, a load \
+         changes its form.";
 
     Drawing = mechanism("drawing", Positions, named(Associated::Drawing)),
         "The numbers of each shape of the drawing, in metres and radians.";

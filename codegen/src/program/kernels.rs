@@ -95,9 +95,9 @@ fn switching_functions_kernel(planner: &Planner) -> Option<Kernel> {
 
 /// The conditions of loads on the state, if any.
 fn load_conditions_kernel(planner: &Planner) -> Option<Kernel> {
-    let conditions = &planner.equations.load_conditions;
-    let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(conditions));
-    (!conditions.is_empty()).then(|| planner.kernel(KernelId::LoadConditions, kernel))
+    let values: Vec<Expr> = planner.equations.load_conditions.iter().map(|condition| condition.value).collect();
+    let kernel = |lowering: &mut Lowering| Results::Vector(lowering.lower_all(&values));
+    (!values.is_empty()).then(|| planner.kernel(KernelId::LoadConditions, kernel))
 }
 
 /// The values of inputs, if there are any.

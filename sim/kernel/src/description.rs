@@ -57,11 +57,12 @@ pub struct Description {
     /// The functions of time alone, in the order of [`crate::Mechanism::switching_functions`], where what acts on the mechanism
     /// changes its form: there the steps end that a method chooses.
     pub switching: &'static [Switching],
-    /// The number of [`crate::Mechanism::load_conditions`].
-    pub load_conditions: usize,
+    /// The functions of positions and speeds, in the order of [`crate::Mechanism::load_conditions`], where loads change their form:
+    /// a step in which they do so more than once may miss what is between.
+    pub load_conditions: &'static [Switching],
 }
 
-/// A function of time alone: the condition of an `if`, or the argument of a table.
+/// A function where expressions change their form: the condition of an `if`, or the argument of a table.
 #[derive(Clone, Copy, Debug)]
 pub struct Switching {
     /// The table whose rows count; if there is none, the function's zeros do.

@@ -52,6 +52,17 @@ impl Table {
         after(turns).or_else(|| after(turns + self.period)).unwrap_or(f64::INFINITY)
     }
 
+    /// The last row before x, of a periodic table too; infinite before the first one.
+    pub fn last_row(&self, x: f64) -> f64 {
+        let Some(first) = self.knots.first() else { return f64::NEG_INFINITY };
+        let turns = if self.period == 0.0 { 0.0 } else { libm::floor((x - first) / self.period) * self.period };
+        let before = |turns: f64| {
+            let place = self.knots.partition_point(|row| row + turns < x);
+            place.checked_sub(1).and_then(|place| self.knots.get(place)).map(|row| row + turns)
+        };
+        before(turns).or_else(|| before(turns - self.period)).unwrap_or(f64::NEG_INFINITY)
+    }
+
     /// The piece that x is in, its start moved by whole periods.
     fn piece(&self, x: f64) -> [f64; 5] {
         let Some(first) = self.knots.first() else { return [f64::NAN; 5] };

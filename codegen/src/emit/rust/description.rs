@@ -32,8 +32,9 @@ pub(super) fn description(description: &Description, path: &TokenStream) -> Toke
     let figures = description.figures.iter().map(|each| figure(each, path));
     let drawing = description.drawing.iter().map(|each| shape(*each, path));
     let run = description.run.iter().map(|each| run_default(each, path));
-    let switching = description.switching.iter().map(|each| switching(each, path));
-    let [dimension, load_conditions] = [description.dimension, description.load_conditions].map(size);
+    let switchings = |all: &[Switching]| all.iter().map(|each| switching(each, path)).collect::<Vec<_>>();
+    let (switching, load_conditions) = (switchings(&description.switching), switchings(&description.load_conditions));
+    let dimension = size(description.dimension);
     quote! {
         #path::Description {
             name: #name,
@@ -60,7 +61,7 @@ pub(super) fn description(description: &Description, path: &TokenStream) -> Toke
             drawing: &[#(#drawing),*],
             run: &[#(#run),*],
             switching: &[#(#switching),*],
-            load_conditions: #load_conditions,
+            load_conditions: &[#(#load_conditions),*],
         }
     }
 }

@@ -218,7 +218,7 @@ pub trait Mechanism<S: Scalar = f64>: Clone + Debug {
         let _ = t;
         Self::SwitchingFunctions::repeat(0, S::from_f64(0.0))
     }
-    /// The conditions of `if`, `min`, `max`, `abs` and `sign` in loads that depend on positions and speeds, in SI units.
+    /// The functions of positions and speeds that [`Description::load_conditions`] lists, in SI units.
     fn load_conditions(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::LoadConditions {
         let _ = (t, q, qd);
         Self::LoadConditions::repeat(0, S::from_f64(0.0))

@@ -10,7 +10,7 @@ use crate::numerics::signs::{crosses, may_reach_zero, turns_back};
 use crate::state::failure::Failure;
 use crate::state::interpolate::cubic;
 use crate::state::trajectory::Sample;
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::{Array, Mechanism, Switching};
 
 /// Rates are differences over this part of the interval that is searched.
 const BESIDE: f64 = 1e-4;
@@ -32,16 +32,18 @@ const NEAR: f64 = 0.01;
 /// As the dense output.
 #[inline]
 pub(super) fn before_several<M: Mechanism>(step: &mut Step<M>) -> Result<Option<f64>, Failure> {
-    if step.motion.mechanism().description().load_conditions == 0 {
-        return Ok(None);
-    }
-    Search { step, found: Vec::new() }.before_several()
+    let conditions = step.motion.mechanism().description().load_conditions;
+    if conditions.is_empty() { Ok(None) } else { Search { step, conditions, found: Vec::new() }.before_several() }
 }
 
 /// A condition at both ends of an interval of time.
+#[derive(Clone, Copy)]
 struct Between {
     condition: usize,
+    /// The value at which its load changes its form: 0, or a row of its table.
+    level: f64,
     ends: [f64; 2],
+    /// Its values less that.
     values: [f64; 2],
     /// Rates times the interval.
     changes: [f64; 2],
@@ -49,6 +51,7 @@ struct Between {
 
 struct Search<'a, 's, M: Mechanism> {
     step: &'a mut Step<'s, M>,
+    conditions: &'static [Switching],
     /// Where conditions change their signs, each once.
     found: Vec<Between>,
 }
@@ -72,17 +75,8 @@ impl<M: Mechanism> Search<'_, '_, M> {
             let time = if is_last { end } else { begin + part as f64 * length };
             let sample = self.step.sample(time)?;
             let to = self.look(&sample, length);
-            for condition in 0..from.values.len() {
-                let between = Between {
-                    condition,
-                    ends: [from.time, to.time],
-                    values: [from.values[condition], to.values[condition]],
-                    changes: [from.rates[condition], to.rates[condition]].map(|rate| rate * (to.time - from.time)),
-                };
-                // A condition that is rounding, as a speed that dry friction holds at zero, tells nothing.
-                if may_reach_zero(between.values, between.changes) && !self.is_noise(&between) {
-                    self.search(between, MOST_HALVINGS)?;
-                }
+            for condition in 0..self.conditions.len() {
+                self.search_part(condition, [&from, &to])?;
             }
             if self.found.len() > 1
                 && let Some(better) = self.better_end()?
@@ -92,6 +86,25 @@ impl<M: Mechanism> Search<'_, '_, M> {
             from = to;
         }
         Ok(None)
+    }
+
+    /// Searches a part of the step for the changes by one condition.
+    fn search_part(&mut self, condition: usize, [from, to]: [&Look<M>; 2]) -> Result<(), Failure> {
+        let values = [from, to].map(|look| look.values[condition]);
+        for level in levels(&self.conditions[condition], values) {
+            let between = Between {
+                condition,
+                level,
+                ends: [from.time, to.time],
+                values: values.map(|value| value - level),
+                changes: [from, to].map(|look| look.rates[condition] * (to.time - from.time)),
+            };
+            // A condition that is rounding, as a speed that dry friction holds at zero, tells nothing.
+            if may_reach_zero(between.values, between.changes) && !self.is_noise(&between) {
+                self.search(between, MOST_HALVINGS)?;
+            }
+        }
+        Ok(())
     }
 
     fn look(&self, sample: &Sample<M>, interval: f64) -> Look<M> {
@@ -104,44 +117,51 @@ impl<M: Mechanism> Search<'_, '_, M> {
         Look { time: state.time, rates: values.like(|i| (ahead[i] - behind[i]) / (2.0 * d)), values }
     }
 
-    fn value(&mut self, time: f64, condition: usize) -> Result<f64, Failure> {
-        let state = self.step.at(time)?;
-        Ok(self.step.motion.mechanism().load_conditions(time, &state.positions, &state.speeds)[condition])
+    /// The value of a condition at a fraction of an interval, less its level.
+    fn value(&mut self, between: &Between, fraction: f64) -> Result<f64, Failure> {
+        let [from, to] = between.ends;
+        let state = self.step.at(from + fraction * (to - from))?;
+        let mechanism = self.step.motion.mechanism();
+        Ok(mechanism.load_conditions(state.time, &state.positions, &state.speeds)[between.condition] - between.level)
     }
 
     /// Finds changes of sign in an interval; where the cubic of its ends does not foretell the condition, in both halves.
     fn search(&mut self, between: Between, halvings: usize) -> Result<(), Failure> {
-        let Between { condition, ends: [from, to], values, changes } = between;
-        if !may_reach_zero(values, changes) {
-            return Ok(());
-        }
-        if halvings > 0 && !self.is_foretold(&between)? {
-            let middle = from + (to - from) / 2.0;
-            let sample = self.step.sample(middle)?;
-            let look = self.look(&sample, (to - from) / 2.0);
-            let (value, change) = (look.values[condition], look.rates[condition] * (to - from) / 2.0);
-            let [first, last] = changes.map(|change| change / 2.0);
-            let halves = [
-                ([from, middle], [values[0], value], [first, change]),
-                ([middle, to], [value, values[1]], [change, last]),
-            ];
-            return halves.into_iter().try_for_each(|(ends, values, changes)| {
-                self.search(Between { condition, ends, values, changes }, halvings - 1)
-            });
-        }
+        let Between { values, changes, .. } = between;
         match () {
-            _ if crosses(values) => self.note(between),
-            _ if turns_back(values, changes) => self.turn(between)?,
-            _ => {}
+            _ if !may_reach_zero(values, changes) => Ok(()),
+            _ if halvings > 0 && !self.is_foretold(&between)? => {
+                let halves = self.halves(&between)?;
+                halves.into_iter().try_for_each(|half| self.search(half, halvings - 1))
+            }
+            _ if crosses(values) => {
+                self.note(between);
+                Ok(())
+            }
+            _ if turns_back(values, changes) => self.turn(between),
+            _ => Ok(()),
         }
-        Ok(())
+    }
+
+    /// Both halves of an interval.
+    fn halves(&mut self, between: &Between) -> Result<[Between; 2], Failure> {
+        let Between { condition, level, ends: [from, to], values, changes } = *between;
+        let half = (to - from) / 2.0;
+        let sample = self.step.sample(from + half)?;
+        let look = self.look(&sample, half);
+        let (value, change) = (look.values[condition] - level, half * look.rates[condition]);
+        let part = |ends, values, changes| Between { condition, level, ends, values, changes };
+        Ok([
+            part([from, look.time], [values[0], value], [changes[0] / 2.0, change]),
+            part([look.time, to], [value, values[1]], [change, changes[1] / 2.0]),
+        ])
     }
 
     /// Whether the cubic of both ends predicts the value at two places between them.
     fn is_foretold(&mut self, between: &Between) -> Result<bool, Failure> {
-        let Between { condition, ends: [from, to], values, changes } = *between;
+        let Between { values, changes, .. } = *between;
         for fraction in [0.5, 0.29] {
-            let found = self.value(from + fraction * (to - from), condition)?;
+            let found = self.value(between, fraction)?;
             let size = values[0].abs().max(values[1].abs()).max(found.abs());
             if !((found - cubic(values, changes, fraction)).abs() <= FORETOLD * size) {
                 return Ok(false);
@@ -152,14 +172,13 @@ impl<M: Mechanism> Search<'_, '_, M> {
 
     /// A condition that heads for zero at both ends: twice through it, or not at all.
     fn turn(&mut self, between: Between) -> Result<(), Failure> {
-        let Between { condition, ends: [from, to], values, changes } = between;
+        let Between { ends: [from, to], values, .. } = between;
         let sign = values[0].signum();
-        let (fraction, least) =
-            find_minimum(&mut |fraction| Ok(sign * self.value(from + fraction * (to - from), condition)?))?;
+        let (fraction, least) = find_minimum(&mut |fraction| Ok(sign * self.value(&between, fraction)?))?;
         if least < 0.0 {
             let (turn, value) = (from + fraction * (to - from), sign * least);
-            self.note(Between { condition, ends: [from, turn], values: [values[0], value], changes });
-            self.note(Between { condition, ends: [turn, to], values: [value, values[1]], changes });
+            self.note(Between { ends: [from, turn], values: [values[0], value], ..between });
+            self.note(Between { ends: [turn, to], values: [value, values[1]], ..between });
         }
         Ok(())
     }
@@ -212,9 +231,23 @@ impl<M: Mechanism> Search<'_, '_, M> {
 
     /// The time of a change, to a small part of the step.
     fn locate(&mut self, between: &Between) -> Result<f64, Failure> {
-        let Between { condition, ends: [from, to], values, .. } = *between;
+        let Between { ends: [from, to], values, .. } = *between;
         let tolerance = NOISE * self.step.length() / (to - from);
-        let mut value = |fraction: f64| self.value(from + fraction * (to - from), condition);
-        Ok(from + (to - from) * find_root(values[0], values[1], tolerance, &mut value)?)
+        let fraction = find_root(values[0], values[1], tolerance, &mut |fraction| self.value(between, fraction))?;
+        Ok(from + fraction * (to - from))
     }
+}
+
+/// The values of a condition, on the way from one to another, at which its load changes its form: of a table the row behind, and
+/// as many ahead as matter.
+fn levels(condition: &Switching, [from, to]: [f64; 2]) -> Vec<f64> {
+    let Some(table) = condition.table else { return vec![0.0] };
+    let (ahead, behind) = if from <= to {
+        (table.next_row(from), table.last_row(from))
+    } else {
+        (table.last_row(from), table.next_row(from))
+    };
+    let further = |row: &f64| Some(if from <= to { table.next_row(*row) } else { table.last_row(*row) });
+    let rows = std::iter::successors(Some(ahead), further).take(3).chain([behind]);
+    rows.filter(|row| row.is_finite()).collect()
 }

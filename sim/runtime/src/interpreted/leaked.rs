@@ -66,12 +66,13 @@ fn description(of: &made::Description, tables: &'static [Table]) -> Description 
         dimension: of.dimension,
         drawing: each(&of.drawing, |shape| self::shape(*shape)),
         run: each(&of.run, |default| RunDefault { option: default.option, value: text(&default.value) }),
-        switching: each(&of.switching, |switching| Switching {
-            table: switching.table.as_ref().map(|table| &tables[table.index]),
-            is_affine: switching.is_affine,
-        }),
-        load_conditions: of.load_conditions,
+        switching: each(&of.switching, |switching| self::switching(switching, tables)),
+        load_conditions: each(&of.load_conditions, |switching| self::switching(switching, tables)),
     }
+}
+
+fn switching(of: &made::Switching, tables: &'static [Table]) -> Switching {
+    Switching { table: of.table.as_ref().map(|table| &tables[table.index]), is_affine: of.is_affine }
 }
 
 /// A table with its pieces, as generated code has it.

@@ -379,7 +379,7 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
         self.list(Kernel::SwitchingFunctions, &Place::at(t), self.description().switching.len())
     }
     fn load_conditions(&self, t: S, q: &Self::Q, qd: &Self::Q) -> List<S> {
-        self.list(Kernel::LoadConditions, &Place::moving(t, q, qd), self.description().load_conditions)
+        self.list(Kernel::LoadConditions, &Place::moving(t, q, qd), self.description().load_conditions.len())
     }
     fn drawing(&self, t: S, q: &Self::Q) -> List<S> {
         self.found(Kernel::Drawing, &Place::of(t, q))
