@@ -198,7 +198,7 @@ fn what_nothing_holds_has_no_equilibrium() {
     let falling = Falling::default();
     let failure = equilibrium(&falling, &declared_start(&falling)).map(|found| found.state).unwrap_err();
     assert!(
-        matches!(failure.what, What::NoEquilibrium { acceleration } if (acceleration - 9.81).abs() < 1e-12),
+        matches!(failure.what, What::NoEquilibrium { coordinate: "y", acceleration } if (acceleration - 9.81).abs() < 1e-12),
         "{failure}"
     );
 }

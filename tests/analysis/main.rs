@@ -13,5 +13,6 @@ mod peaks;
 mod pulses;
 mod sections;
 mod steady;
+mod stiff;
 mod straight;
 mod sweeps;

@@ -35,23 +35,23 @@ const MOST_DESCENTS: usize = 1000;
 const LONGEST: f64 = 0.3;
 /// A step is as good as predicted if the residual falls by at least this fraction of the prediction.
 const FORETOLD: f64 = 0.1;
-/// The number of halvings after which a step is given up.
-const MOST_HALVINGS: i32 = 20;
+/// The number of halvings after which a step is given up. A ground as stiff as 1e15 weights per step ends one only just below it.
+const MOST_HALVINGS: i32 = 100;
 /// Descent ends where Newton's step is this small, in the same scales.
 const NEAR: f64 = 0.1;
-/// The margin of stiffness added in the descent, as a fraction of all stiffness.
+/// The margin of stiffness added in the descent, as a fraction of the least stiffness.
 const STIFFER: f64 = 1e-3;
 /// A step may reverse the force along it, but at most to this fraction of it: then it has led down.
 const TURNED: f64 = 0.5;
 
 /// The equilibrium near a start.
 ///
-/// By Newton's method on q''(q, 0) = 0 over the independent coordinates, in steps that are limited and halved until the
+/// By Newton's method on M q''(q, 0) = 0 over the independent coordinates, in steps that are limited and halved until the
 /// residual falls. If that fails, as midway between two equilibria, the result is the position at which the mechanism
 /// would come to rest if it moved slowly with damping: descent in steps of (s M - K)^-1 Q, with s so large that the
-/// matrix is positive, and Newton's method from near its end. Newton's method also finds unstable equilibria. The mass
-/// matrix measures accelerations and steps, and the mechanism's own length and the radian measure steps, so the result
-/// does not depend on units.
+/// matrix is positive, and Newton's method from near its end. Newton's method also finds unstable
+/// equilibria. The mass matrix measures accelerations, and the mechanism's own length and the radian measure steps, so the
+/// result does not depend on units; each direction is as soft as it is beside its own coordinates, not beside others.
 ///
 /// # Errors
 /// If the start cannot be assembled, [`What::NoEquilibrium`], [`What::Driven`] if time moves a constraint, and [`What::SingularState`] where it is in a singular position.
@@ -100,37 +100,43 @@ enum Ended {
 }
 
 impl Ended {
-    fn at(at: Statics) -> Ended {
+    fn at(mechanism: &dyn Differentiable, at: Statics) -> Ended {
         // Far out, where a force fades, nothing accelerates either, but Newton's method would go on.
-        let is_near = at.newton_step().is_none_or(|step| at.size(&step) <= NEAR);
-        if at.is_at_rest() && is_near { Ended::AtRest(at) } else { Ended::Moving(at) }
+        if at.is_at_rest() && at.is_settled(mechanism) { Ended::AtRest(at) } else { Ended::Moving(at) }
     }
 }
 
 /// The result of Newton's method from a position on the constraints.
+///
+/// The force must fall; where it is no more than rounding, the next step with the stiffness here, in which the rounding of
+/// what is stiff does not hide what is soft. (Deuflhard, Newton Methods for Nonlinear Problems, 2004, section 3.3.)
 fn newton(mechanism: &dyn Differentiable, mut at: Statics) -> Result<Ended, Failure> {
     let mut longest = LONGEST;
     for _ in 0..MOST_STEPS {
-        let Some(whole) = at.newton_step() else { break };
-        if at.size(&whole) <= f64::EPSILON {
-            break;
-        }
-        let share = (longest / at.size(&whole)).min(1.0);
-        let residual = at.force().norm();
-        let falls = |force: &DVector<f64>| force.norm() < residual;
+        let Some(tangent) = at.tangent() else { break };
+        let Some(whole) = tangent.step(&at.force()) else { break };
+        let (size, residual) = (at.size(&whole), at.strength(&at.force()));
+        let is_rounding = at.is_at_rest();
+        let left = |force: &DVector<f64>| match is_rounding {
+            true => tangent.step(force).map_or(0.0, |next| at.size(&next) / size),
+            false => at.strength(force) / residual,
+        };
+        let share = (longest / size).min(1.0);
+        let falls = |force: &DVector<f64>| left(force) < 1.0;
         // At rounding no step is better.
-        let Some((next, force, part)) = halved(mechanism, &at, &(whole * share), &falls)? else { break };
-        let (foretold, fallen) = (share * part, 1.0 - force.norm() / residual);
+        let Some((next, force, part)) = halved(mechanism, &at, &(&whole * share), &falls)? else { break };
+        let (foretold, fallen) = (share * part, 1.0 - left(&force));
         if part == 1.0 && (fallen - foretold).abs() <= FORETOLD * foretold {
             longest *= 2.0;
         }
         at = next;
     }
-    Ok(Ended::at(at))
+    Ok(Ended::at(mechanism, at))
 }
 
 /// The position at which the mechanism comes to rest.
 fn descend(mechanism: &dyn Differentiable, mut at: Statics) -> Result<Ended, Failure> {
+    let mut longest = LONGEST;
     for _ in 0..MOST_DESCENTS {
         let (step, is_down) = at.descent(STIFFER);
         let is_near = is_down && at.newton_step().is_some_and(|step| at.size(&step) <= NEAR);
@@ -140,13 +146,16 @@ fn descend(mechanism: &dyn Differentiable, mut at: Statics) -> Result<Ended, Fai
                 return Ok(Ended::AtRest(found));
             }
         }
-        let share = (LONGEST / at.size(&step)).min(1.0);
+        let share = (longest / at.size(&step)).min(1.0);
         let along = at.force().dot(&step);
         let leads_down = |force: &DVector<f64>| force.dot(&step) >= -TURNED * along;
-        let Some((next, _, _)) = halved(mechanism, &at, &(&step * share), &leads_down)? else { break };
+        let Some((next, force, part)) = halved(mechanism, &at, &(&step * share), &leads_down)? else { break };
+        // A weight may have far to fall.
+        let is_even = part == 1.0 && force.dot(&step) >= (1.0 - FORETOLD) * along;
+        longest = LONGEST.max(longest * if is_even { 2.0 } else { part });
         at = next;
     }
-    Ok(Ended::at(at))
+    Ok(Ended::at(mechanism, at))
 }
 
 /// The first acceptable of a step, its half and so on; with the force there, and its fraction.
@@ -177,6 +186,12 @@ fn halved(
 fn nowhere(mechanism: &dyn Differentiable, stuck: &Statics, last: &Statics) -> Failure {
     let singular = [last, stuck].into_iter().find_map(|at| at.singular_nearby(mechanism));
     singular.unwrap_or_else(|| {
-        mechanism.failure(What::NoEquilibrium { acceleration: stuck.largest_acceleration() }, 0.0, &stuck.q)
+        let (coordinate, acceleration) = stuck.largest_acceleration();
+        let name = |j: usize| mechanism.description().coordinates[j].position.name;
+        let what = match stuck.hidden(mechanism) {
+            Some(j) => What::SoftBesideRounding { coordinate: name(j) },
+            None => What::NoEquilibrium { coordinate: name(coordinate), acceleration },
+        };
+        mechanism.failure(what, 0.0, &stuck.q)
     })
 }

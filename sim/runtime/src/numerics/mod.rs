@@ -2,6 +2,7 @@
 
 pub(crate) mod arrays;
 pub(crate) mod eigen;
+pub(crate) mod graded;
 pub(crate) mod insertion;
 pub(crate) mod lu;
 pub(crate) mod nearest;

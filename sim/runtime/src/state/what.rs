@@ -137,12 +137,22 @@ pub enum What {
     },
     /// No equilibrium was found.
     #[error(
-        "no equilibrium was found: the nearest position still has an acceleration of {acceleration:.3e}. Start closer to \
-             one, or constrain what nothing holds"
+        "no equilibrium was found: the nearest position still has an acceleration of {acceleration:.3e} along `{coordinate}`. \
+             Start closer to one, or constrain what nothing holds"
     )]
     NoEquilibrium {
-        /// The largest acceleration, in SI units.
+        /// The coordinate that accelerates most.
+        coordinate: &'static str,
+        /// Its acceleration, in SI units.
         acceleration: f64,
+    },
+    /// Rounding of stiff forces is more than what a soft one can balance.
+    #[error(
+        "where `{coordinate}` rests is lost in rounding: what holds it is too soft beside the rest. Make the rest softer"
+    )]
+    SoftBesideRounding {
+        /// The coordinate that moves most in the soft direction.
+        coordinate: &'static str,
     },
     /// The driven quantity cannot be moved further.
     #[error(
@@ -177,7 +187,7 @@ pub enum What {
     },
     /// An output that is no function of positions cannot be driven.
     #[error(
-        "output `{output}` depends on speeds, accelerations or reactions and cannot be driven; only a function of positions can"
+        "output `{output}` depends on speeds, accelerations or reactions: only a function of positions can be driven"
     )]
     NotOfPositions {
         /// Its name.
@@ -370,6 +380,7 @@ impl What {
             What::NegativeMass { .. } => "E-NEGATIVE-MASS",
             What::ImpossibleInertia { .. } => "E-IMPOSSIBLE-INERTIA",
             What::NoEquilibrium { .. } => "E-NO-EQUILIBRIUM",
+            What::SoftBesideRounding { .. } => "E-SOFT-BESIDE-ROUNDING",
             What::LimitPosition { .. } => "E-LIMIT-POSITION",
             What::DriveSingular { .. } => "E-DRIVE-SINGULAR",
             What::NotDriven { .. } => "E-NOT-DRIVEN",

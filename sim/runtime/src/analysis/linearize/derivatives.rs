@@ -47,6 +47,11 @@ impl<'m> Derivatives<'m> {
         &self.solution.as_slice()[..self.at.positions.len()]
     }
 
+    /// Whether generated kernels give those by the state; otherwise they are differences.
+    pub(super) fn are_exact(&self) -> bool {
+        self.by_state.is_some()
+    }
+
     /// The change of all quantities with entry k of x: exact, or where kernels refuse, by differences along the
     /// constraints, which are accurate to some 1e-11.
     ///

@@ -3,22 +3,31 @@
 use super::derivatives::Derivatives;
 use super::reduce::Reduction;
 use crate::model::{At, Differentiable};
+use crate::numerics::graded::Graded;
 use crate::state::failure::{Failure, What};
-use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
+use nalgebra::{Cholesky, DMatrix, DVector, RowDVector, SymmetricEigen};
 
 /// Accelerations up to this count as rest, in radians and in the mechanism's own length per s^2.
 const AT_REST: f64 = 1e-8;
 /// So are those that the rounding of positions makes, in stiff mechanisms: q'' changes by q''_q times q times as many ulp.
 const ROUNDINGS: f64 = 64.0;
-/// Directions this much softer than the stiffest are free.
-const FREE: f64 = 1e-12;
+/// The rounding of a stiffness, beside the terms that make it; and where derivatives are differences.
+const ROUNDED: f64 = 16.0 * f64::EPSILON;
+const DIFFERENCED: f64 = 1e-10;
+/// The least margin of stiffness in a descent, as a part of the largest one.
+const REGULAR: f64 = 1e-12;
+/// The longest step of Newton's method at an equilibrium, in the scales of the coordinates: the rest of it is rounding.
+const SETTLED: f64 = 1e-4;
+/// The positions beside one at which that is asked for too, in its last digits.
+const BESIDE: [f64; 5] = [1.0, -2.0, 3.0, -1.0, 2.0];
+/// How far away, in the same scales, a stiffness that is rounding is thought to hold something.
+const FAR: f64 = 100.0;
 /// Sweeps after which a decomposition is given up; a few for each row are usual.
 const MOST_SWEEPS: usize = 10_000;
 /// The distance searched for a singular position after a search fails, in the scales of the coordinates.
 const NEARBY: f64 = 0.02;
 
-/// A position on the constraints, at rest. Changes of the f independent coordinates are y = L' dx with M = L L' the reduced
-/// mass matrix, so that all entries are in sqrt(kg) m, and forces in sqrt(kg) m/s^2.
+/// A position on the constraints, at rest. Forces and changes are those of the f independent speeds.
 pub(crate) struct Statics {
     /// The position, n.
     pub(crate) q: Vec<f64>,
@@ -28,10 +37,33 @@ pub(crate) struct Statics {
     /// The accelerations, n, and how they change with each independent coordinate, n x h.
     accelerations: DVector<f64>,
     by_positions: DMatrix<f64>,
-    /// L, f x f.
+    /// The rounding of a stiffness, beside the terms that make it; a direction this soft beside its own coordinates is free.
+    rounded: f64,
+    /// The reduced mass matrix M, and L with L L' = M, f x f.
+    mass: DMatrix<f64>,
     root: DMatrix<f64>,
-    /// N L'^-1: the change of all coordinates with y, n x f.
-    moves: DMatrix<f64>,
+}
+
+/// Newton's method at a position.
+pub(crate) struct Tangent {
+    factors: Graded,
+    /// Directions up to this soft are left out.
+    least: f64,
+    /// They, f x k, and their part in the mass matrix: a step does not move along them, as measured by it.
+    free: DMatrix<f64>,
+    momentum: DMatrix<f64>,
+}
+
+impl Tangent {
+    /// The shortest change that takes a force away; none where nothing moves.
+    pub(crate) fn step(&self, force: &DVector<f64>) -> Option<DVector<f64>> {
+        let mut step = self.factors.solve(&-force, self.least)?;
+        if !self.free.is_empty() {
+            let along = (&self.momentum * &self.free).lu().solve(&(&self.momentum * &step))?;
+            step -= &self.free * along;
+        }
+        (step.norm() > 0.0).then_some(step)
+    }
 }
 
 impl Statics {
@@ -48,64 +80,141 @@ impl Statics {
         let by_speeds = reduction.by_speeds();
         let mass = by_speeds.transpose() * mechanism.mass_matrix(0.0, &q) * by_speeds;
         let f = mass.nrows();
-        let root = Cholesky::new(mass).map_or_else(|| DMatrix::identity(f, f), |factors| factors.l());
-        let inverse = root.transpose().solve_upper_triangular(&DMatrix::identity(f, f));
-        let moves = by_speeds * inverse.unwrap_or_else(|| DMatrix::identity(f, f));
+        let root = Cholesky::new(mass.clone()).map_or_else(|| DMatrix::identity(f, f), |factors| factors.l());
         let independent = reduction.independent();
         let mut by_positions = DMatrix::zeros(q.len(), independent.len());
         for k in 0..independent.len() {
             by_positions.set_column(k, &derivatives.along(&reduction, k)?.accelerations);
         }
         let accelerations = DVector::from_column_slice(derivatives.accelerations());
-        let numbers = accelerations.iter().chain(&by_positions).chain(&moves);
+        let rounded = if derivatives.are_exact() { ROUNDED } else { DIFFERENCED };
+        let numbers = accelerations.iter().chain(&by_positions).chain(&mass);
         if numbers.into_iter().any(|number| !number.is_finite()) {
             let quantity = "how accelerations change with the position".into();
             return Err(mechanism.failure(What::NotFinite { quantity }, 0.0, &q));
         }
-        Ok(Statics { sizes: sizes.to_vec(), reduction, accelerations, by_positions, root, moves, q })
+        Ok(Statics { sizes: sizes.to_vec(), reduction, accelerations, by_positions, rounded, mass, root, q })
     }
 
-    /// L' q_i'', f.
+    /// M q_i'', f: what drives each independent coordinate alone, as accelerations do not where masses couple them.
     pub(crate) fn force(&self) -> DVector<f64> {
-        self.root.tr_mul(&self.accelerations.select_rows(self.reduction.independent_speeds()))
+        &self.mass * self.accelerations.select_rows(self.reduction.independent_speeds())
     }
 
-    /// Its derivative by y, f x f.
-    fn stiffness(&self) -> DMatrix<f64> {
-        let accelerations = self.by_positions.select_rows(self.reduction.independent_speeds());
-        self.root.tr_mul(&accelerations) * self.moves.select_rows(self.reduction.independent())
+    /// The length of a force as the mass matrix measures it, in sqrt(kg) m/s^2.
+    pub(crate) fn strength(&self, force: &DVector<f64>) -> f64 {
+        self.root.solve_lower_triangular(force).map_or(f64::INFINITY, |force| force.norm())
+    }
+
+    /// The derivative of the force by changes, f x f, and the rounding in it: of the terms of the products here, and of those that
+    /// cancel in the derivatives, as where all falls freely and no angle changes that.
+    fn stiffness(&self) -> (DMatrix<f64>, DMatrix<f64>) {
+        let (independent, speeds) = (self.reduction.independent(), self.reduction.independent_speeds());
+        let accelerations = self.by_positions.select_rows(speeds);
+        let moves = self.reduction.by_speeds().select_rows(independent);
+        let sizes = independent.iter().map(|j| self.sizes[*j].recip());
+        let per_size = RowDVector::from_iterator(independent.len(), sizes);
+        let terms = accelerations.abs() + self.accelerations.select_rows(speeds).abs() * per_size;
+        let errors = self.mass.abs() * terms * moves.abs() * self.rounded;
+        (&self.mass * accelerations * moves, errors)
     }
 
     /// The largest part of a step, in the scales of the coordinates.
     pub(crate) fn size(&self, step: &DVector<f64>) -> f64 {
-        let parts = &self.moves * step;
-        parts.iter().zip(&self.sizes).fold(0.0, |largest, (part, size)| largest.max((part / size).abs()))
+        self.parts(step).fold(0.0, f64::max)
     }
 
-    /// The shortest y that Newton's method takes; none where nothing moves.
-    pub(crate) fn newton_step(&self) -> Option<DVector<f64>> {
-        if self.root.is_empty() {
+    fn parts(&self, step: &DVector<f64>) -> impl Iterator<Item = f64> {
+        let parts = self.reduction.by_speeds() * step;
+        self.sizes.iter().enumerate().map(move |(j, size)| (parts[j] / size).abs())
+    }
+
+    /// None where nothing can move.
+    pub(crate) fn tangent(&self) -> Option<Tangent> {
+        if self.mass.is_empty() {
             return None;
         }
-        let factors = self.stiffness().try_svd(true, true, f64::EPSILON, MOST_SWEEPS)?;
-        let least = FREE * factors.singular_values.amax();
-        let step = factors.solve(&-self.force(), least.max(f64::MIN_POSITIVE)).ok()?;
-        (step.norm() > 0.0).then_some(step)
+        let (stiffness, errors) = self.stiffness();
+        let factors = Graded::new(stiffness, &errors)?;
+        let least = self.rounded * self.mass.nrows() as f64;
+        let free = factors.free(least);
+        Some(Tangent { momentum: free.tr_mul(&self.mass), free, factors, least })
     }
 
-    /// A y that leads down, and whether Newton's step does too, that is, whether no direction is unstable.
+    /// The first of these directions along which a force acts.
+    fn pushed(&self, free: &DMatrix<f64>) -> Option<DVector<f64>> {
+        let force = self.force();
+        let is_pushed = |direction: &DVector<f64>| {
+            let direction = direction / self.size(direction);
+            let inertia = direction.dot(&(&self.mass * &direction));
+            let rounding = ROUNDINGS * f64::EPSILON * direction.abs().dot(&force.abs());
+            direction.dot(&force).abs() > AT_REST * inertia + rounding
+        };
+        free.column_iter().map(|direction| direction.into_owned()).find(is_pushed)
+    }
+
+    /// The shortest change that Newton's method takes; none where nothing moves.
+    pub(crate) fn newton_step(&self) -> Option<DVector<f64>> {
+        self.tangent()?.step(&self.force())
+    }
+
+    /// Whether no force acts along what is free, and Newton's method would not go on.
+    pub(crate) fn is_settled(&self, mechanism: &dyn Differentiable) -> bool {
+        let settled =
+            |tangent: Tangent| self.pushed(&tangent.free).is_none() && self.driven(mechanism, &tangent).is_none();
+        self.tangent().is_none_or(settled)
+    }
+
+    /// Newton's step from here, or from beside it where the last digits differ, if it is long: rounding may let it be short in
+    /// one place.
+    fn driven(&self, mechanism: &dyn Differentiable, tangent: &Tangent) -> Option<DVector<f64>> {
+        let coordinates = self.reduction.independent_speeds();
+        let digits = |sample: usize| {
+            let part = |k: usize| f64::EPSILON * self.q[coordinates[k]] * BESIDE[(sample + k) % BESIDE.len()];
+            DVector::from_fn(coordinates.len(), |k, _| part(k))
+        };
+        let beside = (0..BESIDE.len()).filter_map(|sample| self.moved(mechanism, &digits(sample)).ok());
+        let forces = std::iter::once(self.force()).chain(beside.map(|(_, force)| force));
+        forces.filter_map(|force| tangent.step(&force)).find(|step| self.size(step) > SETTLED)
+    }
+
+    /// The coordinate that may rest elsewhere, because rounding hides the stiffness that holds it, or the force that drives it.
+    pub(crate) fn hidden(&self, mechanism: &dyn Differentiable) -> Option<usize> {
+        let (tangent, force, (_, errors)) = (self.tangent()?, self.force(), self.stiffness());
+        let may_be_held = |direction: &DVector<f64>| {
+            let direction = direction / self.size(direction);
+            let least = direction.abs().dot(&(&errors * direction.abs()));
+            direction.dot(&force).abs() <= FAR * least
+        };
+        let pushed = self.pushed(&tangent.free).filter(may_be_held);
+        let driven = || self.driven(mechanism, &tangent).filter(|_| self.is_at_rest());
+        pushed.or_else(driven).map(|direction| self.leading(&direction))
+    }
+
+    /// The coordinate with the largest part in a step.
+    fn leading(&self, step: &DVector<f64>) -> usize {
+        let parts = self.parts(step).enumerate();
+        parts.max_by(|(_, a), (_, b)| a.total_cmp(b)).map_or(0, |(j, _)| j)
+    }
+
+    /// A change that leads down, and whether Newton's step does too, that is, whether no direction is unstable.
+    ///
+    /// The margin is a fraction of the least stiffness, so that what is soft moves beside what is stiff.
     pub(crate) fn descent(&self, stiffer: f64) -> (DVector<f64>, bool) {
-        let (force, stiffness) = (self.force(), self.stiffness());
-        let f = force.len();
+        let (force, (stiffness, _)) = (self.force(), self.stiffness());
         let symmetric = (&stiffness + stiffness.transpose()) / 2.0;
-        let Some(eigen) = SymmetricEigen::try_new(symmetric, f64::EPSILON, MOST_SWEEPS) else { return (force, false) };
+        let rates = self.root.solve_lower_triangular(&symmetric);
+        let rates = rates.and_then(|half| self.root.solve_lower_triangular(&half.transpose()));
+        let eigen = rates.and_then(|rates| SymmetricEigen::try_new(rates, f64::EPSILON, MOST_SWEEPS));
+        let Some(eigen) = eigen else { return (force, false) };
         let (largest, size) = (eigen.eigenvalues.max(), eigen.eigenvalues.amax());
-        let added = if size > 0.0 { 1.1 * largest.max(0.0) + stiffer * size } else { 1.0 };
-        let step = (DMatrix::identity(f, f) * added - stiffness).lu().solve(&force);
-        (step.unwrap_or(force), largest <= stiffer * size)
+        let added = largest.max(0.0) + stiffer * largest.abs() + REGULAR * size;
+        let added = if size > 0.0 { added } else { 1.0 };
+        let step = (&self.mass * added - stiffness).lu().solve(&force);
+        (step.unwrap_or(force), largest <= REGULAR * size)
     }
 
-    /// The end of a step, and the force there in the same coordinates and scales.
+    /// The end of a step, and the force there with the mass matrix here.
     ///
     /// # Errors
     /// If the constraints cannot be met there; as the right-hand side.
@@ -114,12 +223,12 @@ impl Statics {
         mechanism: &dyn Differentiable,
         step: &DVector<f64>,
     ) -> Result<(Vec<f64>, DVector<f64>), Failure> {
-        let change = &self.moves * step;
+        let change = self.reduction.by_speeds() * step;
         let mut q: Vec<f64> = self.q.iter().zip(&change).map(|(q, change)| q + change).collect();
         let mut still = vec![0.0; q.len()];
         self.reduction.follow(mechanism, 0.0, (&mut q, &mut still))?;
         let accelerations = mechanism.accelerate(At::moving(0.0, &q, &[]))?;
-        let force = self.root.tr_mul(&accelerations.select_rows(self.reduction.independent_speeds()));
+        let force = &self.mass * accelerations.select_rows(self.reduction.independent_speeds());
         Ok((q, force))
     }
 
@@ -142,15 +251,16 @@ impl Statics {
         super::check_inertia(mechanism, At::moving(0.0, &self.q, &[]), &self.reduction, &self.sizes)
     }
 
-    /// The largest acceleration, in SI units.
-    pub(crate) fn largest_acceleration(&self) -> f64 {
-        self.accelerations.amax()
+    /// The coordinate with the largest acceleration, and this, in SI units.
+    pub(crate) fn largest_acceleration(&self) -> (usize, f64) {
+        let sizes = self.accelerations.iter().map(|acceleration| acceleration.abs()).enumerate();
+        sizes.max_by(|(_, a), (_, b)| a.total_cmp(b)).unwrap_or_default()
     }
 
     /// The failure that names the singular position beside this one in the direction of Newton's step, if there is one.
     pub(crate) fn singular_nearby(&self, mechanism: &dyn Differentiable) -> Option<Failure> {
         let step = self.newton_step().unwrap_or_else(|| self.force());
-        let direction = &self.moves * &step / self.size(&step);
+        let direction = self.reduction.by_speeds() * &step / self.size(&step);
         self.reduction.singular_along(mechanism, 0.0, &self.q, &direction, NEARBY)
     }
 }
