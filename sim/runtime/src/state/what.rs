@@ -147,9 +147,7 @@ pub enum What {
         acceleration: f64,
     },
     /// Rounding of stiff forces is more than what a soft one can balance.
-    #[error(
-        "where `{coordinate}` rests is lost in rounding: what holds it is too soft beside the rest. Make the rest softer"
-    )]
+    #[error("where `{coordinate}` rests is lost in rounding: what holds it is too soft beside the rest")]
     SoftBesideRounding {
         /// The coordinate that moves most in the soft direction.
         coordinate: &'static str,
@@ -186,9 +184,7 @@ pub enum What {
         driven: usize,
     },
     /// An output that is no function of positions cannot be driven.
-    #[error(
-        "output `{output}` depends on speeds, accelerations or reactions: only a function of positions can be driven"
-    )]
+    #[error("output `{output}` depends on speeds, accelerations or reactions: drive a function of positions")]
     NotOfPositions {
         /// Its name.
         output: &'static str,

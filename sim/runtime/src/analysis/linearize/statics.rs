@@ -14,8 +14,10 @@ const ROUNDINGS: f64 = 64.0;
 /// The rounding of a stiffness, beside the terms that make it; and where derivatives are differences.
 const ROUNDED: f64 = 16.0 * f64::EPSILON;
 const DIFFERENCED: f64 = 1e-10;
-/// The least margin of stiffness in a descent, as a part of the largest one.
-const REGULAR: f64 = 1e-12;
+/// The least margin of stiffness in a descent, as a part of the largest one: the rounding of a decomposition.
+const REGULAR: f64 = 1e-14;
+/// What is unstable by less is neutral, likewise.
+const NEUTRAL: f64 = 1e-12;
 /// The longest step of Newton's method at an equilibrium, in the scales of the coordinates: the rest of it is rounding.
 const SETTLED: f64 = 1e-4;
 /// The positions beside one at which that is asked for too, in its last digits.
@@ -211,7 +213,7 @@ impl Statics {
         let added = largest.max(0.0) + stiffer * largest.abs() + REGULAR * size;
         let added = if size > 0.0 { added } else { 1.0 };
         let step = (&self.mass * added - stiffness).lu().solve(&force);
-        (step.unwrap_or(force), largest <= REGULAR * size)
+        (step.unwrap_or(force), largest <= NEUTRAL * size)
     }
 
     /// The end of a step, and the force there with the mass matrix here.
