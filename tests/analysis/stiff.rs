@@ -47,6 +47,25 @@ mechanism! {
     initial { a = 0.2; b = 1.5; }
 }
 
+mechanism! {
+    /// Two masses in a row, the first on a soft spring, the second beyond a stiff one with a length.
+    Hanging;
+    coordinates { a [m]; b [m]; }
+    parameters { k [N/m] = 1e12; c [N/m] = 10; g [m/s^2] = 9.81; d [m] = 1; }
+    bodies { upper: mass 1 [kg] at [a, 0]; lower: mass 1 [kg] at [b, 0]; }
+    loads { gravity [g, 0]; spring c, rest 0 [m] on a; spring k, rest d between a and b; }
+    initial { a = 0; b = 1; }
+}
+
+mechanism! {
+    /// Two charges of one sign.
+    Repelled;
+    coordinates { r [m]; }
+    bodies { charge: mass 1 [kg] at [r, 0]; }
+    loads { force [1 [N*m^2]/r^2, 0] at [r, 0]; }
+    initial { r = 1; }
+}
+
 fn off(found: f64, expected: f64) -> f64 {
     (found / expected - 1.0).abs()
 }
@@ -137,4 +156,26 @@ fn masses_rest_upon_each_other() {
         let weight = 9.81 / k;
         assert!((a + 2.0 * weight).abs() < 1e-15 && (b - (1.0 - 3.0 * weight)).abs() < 1e-15, "{k:e}: {a} {b}");
     }
+}
+
+/// In coordinates from the origin the stiff spring's rounding moves the soft one: the place is right to 1e-4 m or refused.
+#[test]
+fn a_soft_spring_behind_a_stiff_one_is_right_or_refused() {
+    for k in [1e6, 1e9, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e18] {
+        let masses = Hanging { k, ..Default::default() };
+        match equilibrium(&masses, &declared_start(&masses)).map(|found| found.state.positions) {
+            Ok([a, _]) => assert!((a - 1.962).abs() < 1e-4, "{k:e}: {a}"),
+            Err(failure) => {
+                assert!(matches!(failure.what, What::SoftBesideRounding { .. }) && k > 1e12, "{k:e}: {failure}")
+            }
+        }
+    }
+}
+
+/// Where a force fades nothing rests.
+#[test]
+fn far_out_nothing_rests() {
+    let charge = Repelled::default();
+    let failure = equilibrium(&charge, &declared_start(&charge)).map(|found| found.state).unwrap_err();
+    assert!(matches!(failure.what, What::NoEquilibrium { coordinate: "r", .. }), "{failure}");
 }

@@ -22,6 +22,8 @@ const NEUTRAL: f64 = 1e-12;
 const SETTLED: f64 = 1e-4;
 /// The positions beside one at which that is asked for too, in its last digits.
 const BESIDE: [f64; 5] = [1.0, -2.0, 3.0, -1.0, 2.0];
+/// An acceleration that is too much for rest even if rounding makes it, as of [`AT_REST`].
+const SHAKEN: f64 = 1e-2;
 /// How far away, in the same scales, a stiffness that is rounding is thought to hold something.
 const FAR: f64 = 100.0;
 /// Sweeps after which a decomposition is given up; a few for each row are usual.
@@ -114,7 +116,8 @@ impl Statics {
         let (independent, speeds) = (self.reduction.independent(), self.reduction.independent_speeds());
         let accelerations = self.by_positions.select_rows(speeds);
         let moves = self.reduction.by_speeds().select_rows(independent);
-        let sizes = independent.iter().map(|j| self.sizes[*j].recip());
+        // Far out, where forces fade, derivatives are as small as accelerations beside the distance.
+        let sizes = independent.iter().map(|j| self.sizes[*j].max(self.q[*j].abs()).recip());
         let per_size = RowDVector::from_iterator(independent.len(), sizes);
         let terms = accelerations.abs() + self.accelerations.select_rows(speeds).abs() * per_size;
         let errors = self.mass.abs() * terms * moves.abs() * self.rounded;
@@ -143,14 +146,13 @@ impl Statics {
         Some(Tangent { momentum: free.tr_mul(&self.mass), free, factors, least })
     }
 
-    /// The first of these directions along which a force acts.
-    fn pushed(&self, free: &DMatrix<f64>) -> Option<DVector<f64>> {
-        let force = self.force();
+    /// The first of these directions along which a force accelerates by more than this.
+    fn pushed(&self, free: &DMatrix<f64>, force: &DVector<f64>, least: f64) -> Option<DVector<f64>> {
         let is_pushed = |direction: &DVector<f64>| {
             let direction = direction / self.size(direction);
             let inertia = direction.dot(&(&self.mass * &direction));
             let rounding = ROUNDINGS * f64::EPSILON * direction.abs().dot(&force.abs());
-            direction.dot(&force).abs() > AT_REST * inertia + rounding
+            direction.dot(force).abs() > least * inertia + rounding
         };
         free.column_iter().map(|direction| direction.into_owned()).find(is_pushed)
     }
@@ -162,13 +164,15 @@ impl Statics {
 
     /// Whether no force acts along what is free, and Newton's method would not go on.
     pub(crate) fn is_settled(&self, mechanism: &dyn Differentiable) -> bool {
-        let settled =
-            |tangent: Tangent| self.pushed(&tangent.free).is_none() && self.driven(mechanism, &tangent).is_none();
-        self.tangent().is_none_or(settled)
+        let is_settled = |tangent: Tangent| {
+            let pushed = self.pushed(&tangent.free, &self.force(), AT_REST);
+            pushed.is_none() && self.driven(mechanism, &tangent).is_none()
+        };
+        self.tangent().is_none_or(is_settled)
     }
 
-    /// Newton's step from here, or from beside it where the last digits differ, if it is long: rounding may let it be short in
-    /// one place.
+    /// Newton's step from here, or from beside it where the last digits differ, if it is long, or a free direction that is pushed
+    /// there: rounding may let it rest in one place.
     fn driven(&self, mechanism: &dyn Differentiable, tangent: &Tangent) -> Option<DVector<f64>> {
         let coordinates = self.reduction.independent_speeds();
         let digits = |sample: usize| {
@@ -176,8 +180,11 @@ impl Statics {
             DVector::from_fn(coordinates.len(), |k, _| part(k))
         };
         let beside = (0..BESIDE.len()).filter_map(|sample| self.moved(mechanism, &digits(sample)).ok());
-        let forces = std::iter::once(self.force()).chain(beside.map(|(_, force)| force));
-        forces.filter_map(|force| tangent.step(&force)).find(|step| self.size(step) > SETTLED)
+        let mut forces = std::iter::once(self.force()).chain(beside.map(|(_, force)| force));
+        forces.find_map(|force| {
+            let step = tangent.step(&force).filter(|step| self.size(step) > SETTLED);
+            step.or_else(|| self.pushed(&tangent.free, &force, SHAKEN))
+        })
     }
 
     /// The coordinate that may rest elsewhere, because rounding hides the stiffness that holds it, or the force that drives it.
@@ -188,8 +195,12 @@ impl Statics {
             let least = direction.abs().dot(&(&errors * direction.abs()));
             direction.dot(&force).abs() <= FAR * least
         };
-        let pushed = self.pushed(&tangent.free).filter(may_be_held);
-        let driven = || self.driven(mechanism, &tangent).filter(|_| self.is_at_rest());
+        // Where a force fades the step is long and nothing rounds.
+        let mut accelerations = self.accelerations.iter().zip(&self.sizes);
+        let is_short = tangent.step(&force).is_none_or(|step| self.size(&step) <= SETTLED);
+        let is_rounding = is_short || accelerations.any(|(part, size)| part.abs() > AT_REST * size);
+        let pushed = self.pushed(&tangent.free, &force, AT_REST).filter(may_be_held);
+        let driven = || self.driven(mechanism, &tangent).filter(|_| is_rounding && self.is_at_rest());
         pushed.or_else(driven).map(|direction| self.leading(&direction))
     }
 
