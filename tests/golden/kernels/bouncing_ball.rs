@@ -478,6 +478,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for BouncingBall<S> {
     type Events = [S; 2];
     type EventValues = [S; 1];
     type SwitchingFunctions = [S; 0];
+    type LoadConditions = [S; 0];
     type Activities = [S; 1];
     type Drawing = [S; 7];
     type QP = [[S; 6]; 2];
@@ -841,6 +842,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for BouncingBall<S> {
         drawing: &[sim_kernel::Shape::Curve(2), sim_kernel::Shape::Circle],
         run: &[],
         switching: &[],
+        load_conditions: &[],
     };
     fn defaults() -> Self {
         Self {

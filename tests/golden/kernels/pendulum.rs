@@ -422,6 +422,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Pendulum<S> {
     type Events = [S; 2];
     type EventValues = [S; 0];
     type SwitchingFunctions = [S; 0];
+    type LoadConditions = [S; 0];
     type Activities = [S; 0];
     type Drawing = [S; 9];
     type QP = [[S; 4]; 1];
@@ -708,6 +709,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Pendulum<S> {
         ],
         run: &[],
         switching: &[],
+        load_conditions: &[],
     };
     fn defaults() -> Self {
         Self {

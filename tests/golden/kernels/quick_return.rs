@@ -1081,6 +1081,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for QuickReturn<S> {
     type Events = [S; 1];
     type EventValues = [S; 0];
     type SwitchingFunctions = [S; 0];
+    type LoadConditions = [S; 0];
     type Activities = [S; 0];
     type Drawing = [S; 24];
     type QP = [[S; 17]; 3];
@@ -1628,6 +1629,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for QuickReturn<S> {
         ],
         run: &[],
         switching: &[],
+        load_conditions: &[],
     };
     fn defaults() -> Self {
         Self {

@@ -617,6 +617,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Skate<S> {
     type Events = [S; 1];
     type EventValues = [S; 0];
     type SwitchingFunctions = [S; 0];
+    type LoadConditions = [S; 0];
     type Activities = [S; 0];
     type Drawing = [S; 8];
     type QP = [[S; 5]; 3];
@@ -948,6 +949,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Skate<S> {
         drawing: &[sim_kernel::Shape::Line(2), sim_kernel::Shape::Points(2)],
         run: &[],
         switching: &[],
+        load_conditions: &[],
     };
     fn defaults() -> Self {
         Self {

@@ -778,6 +778,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for SliderCrank<S> {
     type Events = [S; 2];
     type EventValues = [S; 0];
     type SwitchingFunctions = [S; 0];
+    type LoadConditions = [S; 0];
     type Activities = [S; 0];
     type Drawing = [S; 11];
     type QP = [[S; 8]; 2];
@@ -1164,6 +1165,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for SliderCrank<S> {
         ],
         run: &[],
         switching: &[],
+        load_conditions: &[],
     };
     fn defaults() -> Self {
         Self {

@@ -693,6 +693,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Mechanism<S> for Top<S> {
     type Events = [S; 1];
     type EventValues = [S; 0];
     type SwitchingFunctions = [S; 0];
+    type LoadConditions = [S; 0];
     type Activities = [S; 0];
     type Drawing = [S; 22];
     type QP = [[S; 8]; 3];
@@ -1072,6 +1073,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Top<S> {
         ],
         run: &[],
         switching: &[],
+        load_conditions: &[],
     };
     fn defaults() -> Self {
         Self {

@@ -1,5 +1,6 @@
 //! States and trajectories, the settings of a run, why it fails, and where files come from.
 
+mod codes;
 pub(crate) mod digest;
 pub(crate) mod failure;
 pub(crate) mod interpolate;
