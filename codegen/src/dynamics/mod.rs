@@ -140,24 +140,22 @@ fn derive_as(
     links: fn(&mut Graph, &Model, &Variables, &mut Derivatives, &[FreeBase]) -> Option<Links>,
 ) -> EquationsOfMotion {
     let Resolved { model, mut graph, displaced } = resolved;
-    let (switching, rows) = (switching::switching_functions(&graph, &model), load_rows(&mut graph, &model));
-    let load_conditions = switching::load_conditions(&graph, &model, &rows);
+    let (switching, rows) = (switching::of_time(&graph, &model), load_rows(&mut graph, &model));
+    let load_conditions = switching::of_loads(&graph, &model, &rows);
     let speeds = speeds::derive(&mut graph, &model, &rows);
     let formulation = formulation(&mut graph, &model, rows);
     let variables = formulation.variables(&model);
     let mut derivatives = Derivatives::of(&mut graph, &model, &variables);
     let intermediates = formulation.intermediates(&mut graph, &model, &variables, &mut derivatives);
-    let Formulation { rows, constraints, .. } = formulation;
-    let has_inverse = model.wants(KernelId::InverseDynamics) && intermediates.is_empty();
+    let (is_plain, Formulation { rows, constraints, .. }) = (intermediates.is_empty(), formulation);
+    let has_inverse = is_plain && model.wants(KernelId::InverseDynamics);
     let inverse = has_inverse.then(|| inverse::derive(&mut graph, &model, &rows)).flatten();
     let tmt = Tmt::derive(&mut graph, &variables, &mut derivatives, rows);
     let constraints = Constraints::derive(&mut graph, &model, &variables, &mut derivatives, constraints);
-    let mut drifts = vec![graph.zero(); model.coordinates.len()];
-    drifts.extend(intermediates.iter().map(|y| y.drift(&mut graph)));
+    let drifts = drifts(&mut graph, &model, &intermediates);
     let energy = Energy::derive(&mut graph, &model, &variables, &drifts, &tmt, &constraints);
     let (mut outputs, mut events) = (Outputs::derive(&mut graph, &model), Events::of(&model));
     let mut declared = ConstraintForm::declared(&model, &constraints);
-    let is_plain = intermediates.is_empty();
     let mut turned = is_plain.then(|| ConstraintForm::turned(&mut graph, &model, &constraints)).flatten();
     let mut forms: Vec<&mut ConstraintForm> = [&mut declared].into_iter().chain(&mut turned).collect();
     if is_plain {
@@ -195,4 +193,11 @@ fn derive_as(
         speeds,
         shorthands,
     }
+}
+
+/// The partial time derivatives of the variables.
+fn drifts(graph: &mut Graph, model: &Model, intermediates: &[Intermediate]) -> Vec<Expr> {
+    let mut drifts = vec![graph.zero(); model.coordinates.len()];
+    drifts.extend(intermediates.iter().map(|y| y.drift(graph)));
+    drifts
 }

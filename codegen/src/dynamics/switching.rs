@@ -20,7 +20,7 @@ pub struct Switching {
 }
 
 /// Those of time alone in a graph, each once.
-pub(super) fn switching_functions(graph: &Graph, model: &Model) -> Vec<Switching> {
+pub(super) fn of_time(graph: &Graph, model: &Model) -> Vec<Switching> {
     let mut dependences = model.dependences.clone();
     let mut found: Vec<Switching> = Vec::new();
     for node in graph.nodes() {
@@ -35,7 +35,7 @@ pub(super) fn switching_functions(graph: &Graph, model: &Model) -> Vec<Switching
 }
 
 /// Those of loads that depend on positions or speeds, each once.
-pub(super) fn load_conditions(graph: &Graph, model: &Model, rows: &[LoadRow]) -> Vec<Switching> {
+pub(super) fn of_loads(graph: &Graph, model: &Model, rows: &[LoadRow]) -> Vec<Switching> {
     let mut dependences = model.dependences.clone();
     let forces: Vec<Expr> = rows.iter().flat_map(|row| row.forces.iter().copied()).collect();
     let mut found: Vec<Switching> = Vec::new();

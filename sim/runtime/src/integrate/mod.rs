@@ -9,8 +9,8 @@ mod dense;
 mod dop853;
 mod dop853_tableau;
 mod explicit;
+mod form_changes;
 mod headway;
-mod hidden;
 mod integrator;
 mod method;
 #[cfg(test)]

@@ -4,7 +4,7 @@
 
 use super::attempt::attempt;
 use super::crossing::Crossing;
-use super::hidden::before_several;
+use super::form_changes::before_change;
 use super::method::Advance;
 use super::pace::{Aim, Pace, Target};
 use super::{Course, Step, Steps};
@@ -46,7 +46,7 @@ fn better_end<M: Mechanism>(
         return Ok(Some(from.state.time + (to.state.time - from.state.time) / 2.0));
     }
     let end_sine = motion.relative(motion.least_sine());
-    before_several(&mut Step { motion, method, from, to, begun: from, reached: to, end_sine })
+    before_change(&mut Step { motion, method, from, to, begun: from, reached: to, end_sine })
 }
 
 /// The kind of the last step.

@@ -1,8 +1,9 @@
-//! Steps in which loads change their form more than once.
+//! Steps in which loads change their form.
 //!
-//! Where a load changes its form once, the end of the step shows it, and so does the estimate of the error: every method that has
-//! one evaluates there. A load that begins and ends within a step, as a push at a certain angle of a wheel, may lie between all
-//! evaluations. Such a step is repeated: up to the first change, and from there to between the first two, where its end shows it.
+//! A load that begins and ends within a step, as a push at a certain angle of a wheel, may lie between all places at which the
+//! method evaluates it. And what an estimate of the error says of a single change depends on where in the step it is: for some
+//! places it is nothing. So a step with a change in it is repeated up to there. One that begins beside a change is repeated if
+//! there is another one, up to between both: all methods with an estimate evaluate at the end, and see it.
 
 use super::Step;
 use crate::numerics::root::{find_minimum, find_root};
@@ -22,18 +23,18 @@ const FORETOLD: f64 = 0.01;
 const NOISE: f64 = 1e-12;
 /// Changes within this part of a step are one.
 const SAME: f64 = 1e-9;
-/// A step that begins within this part of its length before a change has come up to it, and one that is to come up to it ends
-/// before it by this part.
+/// A step begins beside a change that is within this part of its length, and one that is to come up to a change ends before it by
+/// this part.
 const NEAR: f64 = 0.01;
 
-/// Where a step ends better in which loads change their form several times; nothing if they change it once at most.
+/// Where a step ends better in which loads change their form; nothing if they do not, or at its beginning alone.
 ///
 /// # Errors
 /// As the dense output.
 #[inline]
-pub(super) fn before_several<M: Mechanism>(step: &mut Step<M>) -> Result<Option<f64>, Failure> {
+pub(super) fn before_change<M: Mechanism>(step: &mut Step<M>) -> Result<Option<f64>, Failure> {
     let conditions = step.motion.mechanism().description().load_conditions;
-    if conditions.is_empty() { Ok(None) } else { Search { step, conditions, found: Vec::new() }.before_several() }
+    if conditions.is_empty() { Ok(None) } else { Search { step, conditions, found: Vec::new() }.before_change() }
 }
 
 /// A condition at both ends of an interval of time.
@@ -65,7 +66,7 @@ struct Look<M: Mechanism> {
 
 impl<M: Mechanism> Search<'_, '_, M> {
     #[cold]
-    fn before_several(mut self) -> Result<Option<f64>, Failure> {
+    fn before_change(mut self) -> Result<Option<f64>, Failure> {
         let [begin, end] = [self.step.from, self.step.to].map(|sample| sample.state.time);
         let parts = self.step.parts_by_angles();
         let length = (end - begin) / parts;
@@ -78,7 +79,7 @@ impl<M: Mechanism> Search<'_, '_, M> {
             for condition in 0..self.conditions.len() {
                 self.search_part(condition, [&from, &to])?;
             }
-            if self.found.len() > 1
+            if !self.found.is_empty()
                 && let Some(better) = self.better_end()?
             {
                 return Ok(Some(better));
@@ -213,8 +214,7 @@ impl<M: Mechanism> Search<'_, '_, M> {
         (0..scales.len()).map(of).sum()
     }
 
-    /// Up to the first change, or between the first two, if those that were found are at different times: several conditions may
-    /// say the same.
+    /// Up to the first change, or between that and the next one. Several conditions may say the same.
     fn better_end(&mut self) -> Result<Option<f64>, Failure> {
         let (begin, length) = (self.step.from.state.time, self.step.length());
         let found = std::mem::take(&mut self.found);
@@ -222,11 +222,11 @@ impl<M: Mechanism> Search<'_, '_, M> {
         self.found.extend(found.into_iter().take(1));
         times.sort_by(f64::total_cmp);
         let first = times.first().copied().unwrap_or(begin);
+        if first - begin > NEAR * length {
+            return Ok(Some(first - NEAR * (first - begin)));
+        }
         let second = times.into_iter().find(|time| time - first > SAME * length);
-        Ok(second.map(|second| match first - begin < NEAR * length {
-            true => first + (second - first) / 2.0,
-            false => first - NEAR * (first - begin),
-        }))
+        Ok(second.map(|second| first + (second - first) / 2.0))
     }
 
     /// The time of a change, to a small part of the step.
