@@ -36,7 +36,7 @@ const SMALL: &str = "pub Small;
     inputs { F [N] = 0; }
     speeds { v [m/s] = dot(x); }
     bodies { block: mass m at [x, 0]; }
-    loads { force [if t > 1 [s] then F else 0, 0] at [x, 0]; }
+    loads { force [if t > 1 [s] then F else 0, 0] at [x, 0]; force max(0 [N], -m*x*1 [1/s^2]) on x; }
     events { far: x = 1 [m] { set x = 0; } }
     kernels { dynamics_jacobian; dynamics_sensitivity; inverse_dynamics; speed_mass_matrix; }";
 
