@@ -48,6 +48,16 @@ struct Between {
     values: [f64; 2],
     /// Rates times the interval.
     changes: [f64; 2],
+    /// Halves of their rates times its square.
+    bends: [f64; 2],
+}
+
+impl Between {
+    /// Whether the condition may be zero between the ends, by how it changes at both, and how its rate does: it may go to and fro.
+    fn may_reach_zero(&self) -> bool {
+        let most = |i: usize| self.changes[i].abs().max(self.bends[i].abs());
+        may_reach_zero(self.values, [most(0), most(1)])
+    }
 }
 
 struct Search<'a, 's, M: Mechanism> {
@@ -57,11 +67,12 @@ struct Search<'a, 's, M: Mechanism> {
     found: Vec<Between>,
 }
 
-/// The conditions at a time, and their rates.
+/// The conditions at a time, their rates, and the rates of these.
 struct Look<M: Mechanism> {
     time: f64,
     values: M::LoadConditions,
     rates: M::LoadConditions,
+    seconds: M::LoadConditions,
 }
 
 impl<M: Mechanism> Search<'_, '_, M> {
@@ -92,16 +103,18 @@ impl<M: Mechanism> Search<'_, '_, M> {
     /// Searches a part of the step for the changes by one condition.
     fn search_part(&mut self, condition: usize, [from, to]: [&Look<M>; 2]) -> Result<(), Failure> {
         let values = [from, to].map(|look| look.values[condition]);
+        let h = to.time - from.time;
         for level in levels(&self.conditions[condition], values) {
             let between = Between {
                 condition,
                 level,
                 ends: [from.time, to.time],
                 values: values.map(|value| value - level),
-                changes: [from, to].map(|look| look.rates[condition] * (to.time - from.time)),
+                changes: [from, to].map(|look| h * look.rates[condition]),
+                bends: [from, to].map(|look| h * h / 2.0 * look.seconds[condition]),
             };
             // A condition that is rounding, as a speed that dry friction holds at zero, tells nothing.
-            if may_reach_zero(between.values, between.changes) && !self.is_noise(&between) {
+            if between.may_reach_zero() && !self.is_noise(&between) {
                 self.search(between, MOST_HALVINGS)?;
             }
         }
@@ -115,7 +128,12 @@ impl<M: Mechanism> Search<'_, '_, M> {
             self.step.motion.mechanism().load_conditions(moved.time, &moved.positions, &moved.speeds)
         };
         let [behind, values, ahead] = [-d, 0.0, d].map(conditions);
-        Look { time: state.time, rates: values.like(|i| (ahead[i] - behind[i]) / (2.0 * d)), values }
+        Look {
+            time: state.time,
+            rates: values.like(|i| (ahead[i] - behind[i]) / (2.0 * d)),
+            seconds: values.like(|i| (ahead[i] - 2.0 * values[i] + behind[i]) / (d * d)),
+            values,
+        }
     }
 
     /// The value of a condition at a fraction of an interval, less its level.
@@ -130,7 +148,7 @@ impl<M: Mechanism> Search<'_, '_, M> {
     fn search(&mut self, between: Between, halvings: usize) -> Result<(), Failure> {
         let Between { values, changes, .. } = between;
         match () {
-            _ if !may_reach_zero(values, changes) => Ok(()),
+            _ if !between.may_reach_zero() => Ok(()),
             _ if halvings > 0 && !self.is_foretold(&between)? => {
                 let halves = self.halves(&between)?;
                 halves.into_iter().try_for_each(|half| self.search(half, halvings - 1))
@@ -146,15 +164,16 @@ impl<M: Mechanism> Search<'_, '_, M> {
 
     /// Both halves of an interval.
     fn halves(&mut self, between: &Between) -> Result<[Between; 2], Failure> {
-        let Between { condition, level, ends: [from, to], values, changes } = *between;
+        let Between { condition, level, ends: [from, to], values, changes, bends } = *between;
         let half = (to - from) / 2.0;
         let sample = self.step.sample(from + half)?;
         let look = self.look(&sample, half);
         let (value, change) = (look.values[condition] - level, half * look.rates[condition]);
-        let part = |ends, values, changes| Between { condition, level, ends, values, changes };
+        let bend = half * half / 2.0 * look.seconds[condition];
+        let part = |ends, values, changes, bends| Between { condition, level, ends, values, changes, bends };
         Ok([
-            part([from, look.time], [values[0], value], [changes[0] / 2.0, change]),
-            part([look.time, to], [value, values[1]], [change, changes[1] / 2.0]),
+            part([from, look.time], [values[0], value], [changes[0] / 2.0, change], [bends[0] / 4.0, bend]),
+            part([look.time, to], [value, values[1]], [change, changes[1] / 2.0], [bend, bends[1] / 4.0]),
         ])
     }
 
