@@ -16,7 +16,7 @@ pub struct Interval {
     jumps: bool,
 }
 
-/// The farthest that a function of `libm` may be from the right value, in units in the last place, and twice that.
+/// More than a function of `libm` is wrong by, in units in the last place.
 const ULPS: u32 = 2;
 
 impl Interval {

@@ -5,9 +5,8 @@ use super::described::releases;
 use super::{Crossing, EventSearch, Occurrence};
 use crate::integrate::Step;
 use crate::numerics::root::{find_minimum, find_root};
-use crate::numerics::signs::{crosses, turns_back};
+use crate::numerics::signs::{crosses, is_foretold, turns_back};
 use crate::state::failure::Failure;
-use crate::state::interpolate::cubic;
 use crate::state::trajectory::State;
 use sim_kernel::Mechanism;
 use sim_kernel::event::Direction;
@@ -27,7 +26,8 @@ impl<M: Mechanism> EventSearch<M> {
     ) -> Result<(), Failure> {
         let h = to.time - from.time;
         let (values, rates) = ends(event, from, to);
-        if halvings > 0 && !self.is_foretold(step, event, [from.time, h], values, rates)? {
+        let mut inside = |fraction: f64| value(step, from.time + fraction * h, event);
+        if halvings > 0 && !is_foretold(values, rates, TOUCH * self.largest[event], &mut inside)? {
             let middle = step.sample(from.time + h / 2.0)?;
             let middle = Point::of(step.motion, &middle, h / 2.0)?;
             for (from, to) in [(from, &middle), (&middle, to)] {
@@ -42,25 +42,6 @@ impl<M: Mechanism> EventSearch<M> {
             _ if turns_back(values, rates) => self.touch(step, event, [from.time, to.time], values),
             _ => Ok(()),
         }
-    }
-
-    /// Whether the cubic of both ends predicts the value at two places between them, to a hundredth.
-    fn is_foretold(
-        &self,
-        step: &mut Step<M>,
-        event: usize,
-        [from, h]: [f64; 2],
-        values: [f64; 2],
-        rates: [f64; 2],
-    ) -> Result<bool, Failure> {
-        for fraction in [0.5, 0.29] {
-            let found = value(step, from + fraction * h, event)?;
-            let size = values[0].abs().max(values[1].abs()).max(found.abs());
-            if !((found - cubic(values, rates, fraction)).abs() <= 0.01 * size + TOUCH * self.largest[event]) {
-                return Ok(false);
-            }
-        }
-        Ok(true)
     }
 
     /// A condition that heads for zero at both ends: twice through it, touching it, or missing it.

@@ -18,7 +18,7 @@ pub(crate) use conditions::tolerance;
 pub(crate) use handler::EventHandler;
 pub use occurrence::{Crossing, Occurrence};
 
-use crate::integrate::Step;
+use crate::integrate::{MOST_PARTS, Step};
 use crate::numerics::insertion::sort_few;
 use crate::numerics::signs::crosses;
 use crate::state::failure::{Failure, What};
@@ -27,7 +27,7 @@ use conditions::{Point, ends, may_reach_zero, value};
 use onset::Onset;
 use sim_kernel::event::Direction;
 use sim_kernel::{Array, Mechanism};
-use waves::{DIVIDED_AGAIN, MOST_PARTS, point};
+use waves::{DIVIDED_AGAIN, point};
 
 /// The number of halvings of a step, below which a condition is not resolved.
 const MOST_HALVINGS: usize = 8;

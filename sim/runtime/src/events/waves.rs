@@ -9,8 +9,7 @@ use sim_kernel::{Array, Mechanism};
 
 /// The largest change of the phase of a condition that goes to and fro in a part of a step.
 const MOST_CHANGE: f64 = 1.0;
-/// The largest number of parts, and of those by the rates of a condition, which are differences.
-pub(super) use crate::integrate::MOST_PARTS;
+/// The largest number of parts by the rates of a condition, which are differences.
 const MOST_PARTS_OF_A_WAVE: f64 = 1e4;
 /// The number of further parts of a part from which it is divided again.
 pub(super) const DIVIDED_AGAIN: f64 = 3.0;

@@ -135,14 +135,14 @@ impl<M: Mechanism> Crossing<M> {
         } else {
             let there = self.step(motion, [from, to]).sample(end)?;
             *to = there;
-            self.ended(motion);
+            self.ended(motion.least_sine());
         }
         Ok(true)
     }
 
-    /// Records that a step has ended here.
-    pub(super) fn ended(&mut self, motion: &Motion<M>) {
-        self.sines = [self.sines[1], motion.least_sine()];
+    /// Records that a step has ended where the smallest sine is this.
+    pub(super) fn ended(&mut self, least_sine: f64) {
+        self.sines = [self.sines[1], least_sine];
     }
 
     /// The smallest sine at the end of the last step.

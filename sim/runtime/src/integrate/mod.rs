@@ -2,14 +2,14 @@
 
 mod attempt;
 mod beside;
-mod changes;
+mod changes_in_time;
+mod changes_of_loads;
 mod control;
 mod crossing;
 mod dense;
 mod dop853;
 mod dop853_tableau;
 mod explicit;
-mod form_changes;
 mod headway;
 mod integrator;
 mod method;

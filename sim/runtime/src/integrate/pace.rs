@@ -190,7 +190,7 @@ fn aim_equally<M: Mechanism>(
     };
     let time = match way {
         Way::Crossed => {
-            crossing.ended(motion);
+            crossing.ended(motion.least_sine());
             return Ok(Aim::Made);
         }
         Way::UpTo(time) => goal.min(time),
@@ -260,7 +260,7 @@ impl Adaptive {
         };
         let time = match way {
             Way::Crossed => {
-                crossing.ended(motion);
+                crossing.ended(motion.least_sine());
                 self.headway.comes(to.state.time - now);
                 return Ok(Aim::Made);
             }

@@ -3,8 +3,8 @@
 //! The row of a step is its own first stage, so recording costs no right-hand side.
 
 use super::attempt::attempt;
+use super::changes_of_loads::before_change;
 use super::crossing::Crossing;
-use super::form_changes::before_change;
 use super::method::Advance;
 use super::pace::{Aim, Pace, Target};
 use super::{Course, Step, Steps};
@@ -199,6 +199,8 @@ impl<M: Mechanism> Stepper<M> {
         let target = &self.target;
         let [from, to] = start_and_end(&mut self.ends, self.from);
         let is_adaptive = target.tolerance.is_some();
+        // That of the end: looks into the step find others.
+        let least_sine = motion.least_sine();
         let better_end = match attempted {
             Ok(error) if is_adaptive && error <= 1.0 => better_end(motion, method, [&*from, &*to], &self.crossing)?,
             _ => None,
@@ -209,7 +211,7 @@ impl<M: Mechanism> Stepper<M> {
         }
         let is_taken = judged?;
         if is_taken {
-            self.crossing.ended(motion);
+            self.crossing.ended(least_sine);
             steps.accepted += 1;
             if target.notes {
                 steps.note(motion, method, [from, to], 1)?;

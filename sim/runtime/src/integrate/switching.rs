@@ -5,7 +5,7 @@
 //! many times. So steps end before such a time, and a step as short as rounding allows leads over it. A table is
 //! continuous: its row itself is the end of a step. Equal steps stay equal; those that lead over such times are counted.
 
-use super::changes::{First, What, first_change, tick};
+use super::changes_in_time::{First, What, first_change, tick};
 use crate::motion::Motion;
 use crate::state::saved::{Bytes, Damaged};
 use sim_kernel::{Mechanism, Switching};

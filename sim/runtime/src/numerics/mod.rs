@@ -1,6 +1,7 @@
 //! Numbers, arrays and matrices, without mechanics.
 
 pub(crate) mod arrays;
+pub(crate) mod cubic;
 pub(crate) mod eigen;
 pub(crate) mod graded;
 pub(crate) mod insertion;

@@ -1,5 +1,6 @@
 //! The motion between two samples.
 
+use crate::numerics::cubic::cubic;
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Mechanism};
 
@@ -21,12 +22,6 @@ pub fn hermite<M: Mechanism>(from: &Sample<M>, to: &Sample<M>, fraction: f64) ->
         speeds: a.speeds.like(|i| ends(i).at(fraction).1 / h),
         work: cubic([a.work, b.work], [h * from.power, h * to.power], fraction),
     }
-}
-
-/// The cubic with these values and rates at 0 and 1.
-pub(crate) fn cubic(value: [f64; 2], rate: [f64; 2], s: f64) -> f64 {
-    let r = 1.0 - s;
-    value[0] * (1.0 + 2.0 * s) * r * r + value[1] * (3.0 - 2.0 * s) * s * s + s * r * (r * rate[0] - s * rate[1])
 }
 
 /// A quantity at both ends of an interval of length 1.

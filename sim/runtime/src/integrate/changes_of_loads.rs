@@ -7,9 +7,8 @@
 
 use super::Step;
 use crate::numerics::root::{find_minimum, find_root};
-use crate::numerics::signs::{crosses, may_reach_zero, turns_back};
+use crate::numerics::signs::{crosses, is_foretold, may_reach_zero, turns_back};
 use crate::state::failure::Failure;
-use crate::state::interpolate::cubic;
 use crate::state::trajectory::Sample;
 use sim_kernel::{Array, Mechanism, Switching};
 
@@ -17,8 +16,6 @@ use sim_kernel::{Array, Mechanism, Switching};
 const BESIDE: f64 = 1e-4;
 /// The number of halvings of a part of a step.
 const MOST_HALVINGS: usize = 8;
-/// How well the cubic of a condition foretells it, relative to its size, where it is not searched further.
-const FORETOLD: f64 = 0.01;
 /// A change of a coordinate, in its scale, that is rounding.
 const NOISE: f64 = 1e-12;
 /// Changes within this part of a step are one.
@@ -149,7 +146,9 @@ impl<M: Mechanism> Search<'_, '_, M> {
         let Between { values, changes, .. } = between;
         match () {
             _ if !between.may_reach_zero() => Ok(()),
-            _ if halvings > 0 && !self.is_foretold(&between)? => {
+            _ if halvings > 0
+                && !is_foretold(values, changes, 0.0, &mut |fraction| self.value(&between, fraction))? =>
+            {
                 let halves = self.halves(&between)?;
                 halves.into_iter().try_for_each(|half| self.search(half, halvings - 1))
             }
@@ -175,19 +174,6 @@ impl<M: Mechanism> Search<'_, '_, M> {
             part([from, look.time], [values[0], value], [changes[0] / 2.0, change], [bends[0] / 4.0, bend]),
             part([look.time, to], [value, values[1]], [change, changes[1] / 2.0], [bend, bends[1] / 4.0]),
         ])
-    }
-
-    /// Whether the cubic of both ends predicts the value at two places between them.
-    fn is_foretold(&mut self, between: &Between) -> Result<bool, Failure> {
-        let Between { values, changes, .. } = *between;
-        for fraction in [0.5, 0.29] {
-            let found = self.value(between, fraction)?;
-            let size = values[0].abs().max(values[1].abs()).max(found.abs());
-            if !((found - cubic(values, changes, fraction)).abs() <= FORETOLD * size) {
-                return Ok(false);
-            }
-        }
-        Ok(true)
     }
 
     /// A condition that heads for zero at both ends: twice through it, or not at all.
