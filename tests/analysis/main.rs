@@ -9,6 +9,7 @@ mod erased;
 mod inverse;
 mod limits;
 mod linear;
+mod neutral;
 mod peaks;
 mod pulses;
 mod sections;

@@ -52,17 +52,36 @@ fn a_sweep_without_a_speed_is_static() {
 
 #[test]
 fn what_is_wrong_with_a_sweep_is_said() {
-    let rows: [(&[&str], &str); 5] = [
+    let rows: [(&[&str], &str); 6] = [
         (&["quick-return", "--drive", "alph"], "did you mean `alpha`"),
         (&["slider-crank", "--drive", "x"], "--from is needed for `x`"),
         (&["quick-return", "--from", "1", "--to", "1"], "nothing to drive"),
         (&["quick-return", "--speed", "3mm"], "dimension"),
+        (&["quick-return", "--from", "0", "--to", "1", "--speed", "-3"], "`alpha` grows from --from to --to"),
         (&["double-pendulum", "--speed", "1"], "there are 2 of them here, and 1"),
     ];
     for (words, message) in rows {
         let output = sim(&[&["kinematics"], words].concat());
         assert!(!output.status.success() && stderr(&output).contains(message), "{words:?}: {}", stderr(&output));
     }
+}
+
+/// A negative speed alone turns the crank back, from where it is.
+#[test]
+fn a_negative_speed_turns_back() {
+    let directory = fresh("kinematics-back");
+    let out = directory.to_str().unwrap();
+    let words =
+        ["kinematics", "quick-return", "--speed", "-3", "--steps", "4", "--no-report", "--no-figures", "--out", out];
+    let output = sim(&words);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let (angles, speeds) = (crate::column(&directory, "alpha [rad]"), crate::column(&directory, "alpha_dot [rad/s]"));
+    // A turn back, in quarters.
+    assert!(
+        angles.windows(2).all(|pair| (pair[0] - pair[1] - std::f64::consts::FRAC_PI_2).abs() < 1e-12),
+        "{angles:?}"
+    );
+    assert!(speeds.iter().all(|speed| *speed == -3.0), "{speeds:?}");
 }
 
 #[test]

@@ -204,10 +204,12 @@ fn conditional(name: &Ident, declaration: &Declaration, known: &Known, interpret
         );
         return interpreter.refuse(name.into(), message);
     }
-    let near = nearest::suggestion(
-        &text,
-        declaration.constraints.iter().map(|c| plain(&c.name)).collect::<Vec<_>>().iter().map(String::as_str),
-    );
+    let names: Vec<String> = declaration.constraints.iter().map(|c| plain(&c.name)).collect();
+    let whole = names.iter().find(|whole| ["x", "y", "z"].iter().any(|row| text == format!("{whole}_{row}")));
+    let near = match whole {
+        Some(whole) => format!(" (did you mean `{whole}`? Its rows are switched together)"),
+        None => nearest::suggestion(&text, names.iter().map(String::as_str)),
+    };
     interpreter.refuse(name.into(), format!("no constraint is called `{text}`{near}"))
 }
 

@@ -45,6 +45,11 @@ fn what_events_switch_and_hit() {
         "hit: phi = 1 { activate stopp; }",
         &["8:34 no constraint is called `stopp` (did you mean `stop`?)"],
     );
+    switched(
+        released,
+        "hit: phi = 1 { activate stop_x; }",
+        &["8:34 no constraint is called `stop_x` (did you mean `stop`? Its rows are switched together)"],
+    );
     switched(released, "hit: phi = 1 { activate; }", &["8:33 expected the name of a constraint: `activate contact;`"]);
     switched(
         released,

@@ -57,6 +57,9 @@ fn unit(input: ParseStream, region: Region) -> Result<Unit> {
 }
 
 fn mistake(input: ParseStream) -> syn::Error {
+    if input.peek(Token![in]) {
+        return here(input, "`in` is not a unit; inches are `inch`");
+    }
     here(input, "this is not a unit; units are written like `[kg*m^2]`, `[m/s^2]` or `[1/s]`")
 }
 

@@ -135,6 +135,8 @@ class Mode:
     frequency: float
     damping_ratio: float
     shape: dict[str, complex]
+    #: Whether the eigenvalue is 0 but for rounding: the motion stays where it is, or drifts.
+    neutral: bool
 
 
 class Linearization:
@@ -175,7 +177,7 @@ def _matrix(rows: list[list[float | None]], height: int, width: int) -> np.ndarr
 
 def _mode(said: dict[str, Any]) -> Mode:
     shape = {name: entry["amplitude"] * np.exp(1j * entry["phase"]) for name, entry in said["shape"].items()}
-    return Mode(complex(*said["eigenvalue"]), said["frequency_hz"], said["damping_ratio"], shape)
+    return Mode(complex(*said["eigenvalue"]), said["frequency_hz"], said["damping_ratio"], shape, said["neutral"])
 
 
 def checked(answer: Answer, result: _Result) -> _Result:

@@ -23,6 +23,8 @@ const INSTANT: f64 = 1e-9;
 
 /// The speed at which a condition turns back, relative to that at which it came, that is not rounding.
 const TURNED: f64 = 1e-3;
+/// A change of a condition's rate that is rounding, relative to it: rates are differences over the accuracy of times.
+const KEPT: f64 = 1e-6;
 
 /// Finds the events of a motion and carries out their actions.
 #[derive(Clone, Debug)]
@@ -63,17 +65,19 @@ fn is_turned_back<M: Mechanism>(
         Crossing::Falling => -1.0,
         Crossing::Touching => return false,
     };
-    let (zero, none) = (states[0].positions.like(|_| 0.0), M::L::repeat(mechanism.m(), 0.0));
-    let change = |state: &State<M>| {
-        let d = 100.0 * tolerance(state.time, span);
-        let at = |d: f64| {
-            let q = state.positions.like(|j| state.positions[j] + d * state.speeds[j]);
-            mechanism.events(state.time + d, &q, &state.speeds, &zero, &none)[event]
-        };
-        through * (at(d) - at(-d))
-    };
-    let [before, after] = states.map(change);
+    let [before, after] = states.map(|state| through * change(mechanism, state, event, span));
     !described.on_forces && before > 0.0 && after < -TURNED * before
+}
+
+/// The change of a condition about a state, by its speeds.
+fn change<M: Mechanism>(mechanism: &M, state: &State<M>, event: usize, span: f64) -> f64 {
+    let (zero, none) = (state.positions.like(|_| 0.0), M::L::repeat(mechanism.m(), 0.0));
+    let d = 100.0 * tolerance(state.time, span);
+    let at = |d: f64| {
+        let q = state.positions.like(|j| state.positions[j] + d * state.speeds[j]);
+        mechanism.events(state.time + d, &q, &state.speeds, &zero, &none)[event]
+    };
+    at(d) - at(-d)
 }
 
 /// Whether a condition holds at a start and leaves against the direction in which its event counts.
@@ -193,7 +197,7 @@ impl<M: Mechanism> EventHandler<M> {
             if onset.as_ref().is_some_and(|onset| turns_back(motion.mechanism(), onset, event)) {
                 self.turned[event] = sample.state.time;
             }
-            if onset.as_ref().is_some_and(|onset| self.is_due(motion.mechanism(), onset, event, sample.state.time)) {
+            if onset.as_ref().is_some_and(|onset| self.is_due(motion.mechanism(), onset, event, &sample.state)) {
                 self.happen_at_start(motion.mechanism(), event, sample)?;
             }
         }
@@ -240,13 +244,13 @@ impl<M: Mechanism> EventHandler<M> {
     }
 
     /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and
-    /// continues through zero. If the event has just happened, this requires that it was an impact, which should have
-    /// turned it back, that a constraint it switched has been switched back, that the condition had turned back since, or
+    /// continues through zero. If the event has just happened, this requires that it was an impact which has changed its rate
+    /// and should have turned it back, that a constraint it switched has been switched back, that the condition had turned back since, or
     /// that it returns to zero within an instant or without having left it by more than rounding. One that releases a
     /// constraint because of a force happens also if its condition is beyond zero: a contact that a blow has closed does not
     /// pull. What holds already does not land again: its condition stays where it is.
-    fn is_due(&self, mechanism: &M, onset: &Onset<M>, index: usize, time: f64) -> bool {
-        let described = &mechanism.description().events[index];
+    fn is_due(&self, mechanism: &M, onset: &Onset<M>, index: usize, state: &State<M>) -> bool {
+        let (described, time) = (&mechanism.description().events[index], state.time);
         let Some(through) = through(described) else { return false };
         if is_done(mechanism, described) && onset.stays(index) {
             return false;
@@ -258,6 +262,7 @@ impl<M: Mechanism> EventHandler<M> {
         let goes_on = match just_happened {
             true if onset.leaving(index) == through => {
                 let hits = described.steps.iter().any(|step| matches!(step, event::Step::Impact(_)));
+                let hits = hits && !self.keeps_its_rate(mechanism, index, state);
                 let is_undone = [true, false].into_iter().any(|on| switches(mechanism, described, on));
                 hits || is_undone || time - self.turned[index] < self.instant()
             }
@@ -268,6 +273,16 @@ impl<M: Mechanism> EventHandler<M> {
             false => onset.sign(index) == through,
         };
         !described.steps.is_empty() && onset.holds(index) && goes_on
+    }
+
+    /// Whether what has happened since an event has left the rate of its condition as it was, as that of a time.
+    fn keeps_its_rate(&self, mechanism: &M, event: usize, now: &State<M>) -> bool {
+        let last = self.search.found.iter().rev().find(|found| found.event == event);
+        let rate = |state: &State<M>| change(mechanism, state, event, self.span);
+        last.is_some_and(|last| {
+            let before = rate(&last.state);
+            (rate(now) - before).abs() <= KEPT * before.abs()
+        })
     }
 
     fn happen_at_start(&mut self, mechanism: &M, event: usize, sample: &Sample<M>) -> Result<(), Failure> {

@@ -89,7 +89,10 @@ impl<M: Mechanism> EventSearch<M> {
         let crossing = if values[0] < 0.0 { Crossing::Rising } else { Crossing::Falling };
         let mechanism = step.motion.mechanism();
         let counts_jumps = releases(&mechanism.description().events[event]);
-        if counts_jumps || is_root(conditions(step.motion, &state)?[event], values) {
+        let found = conditions(step.motion, &state)?[event];
+        // It kept its sign while it was no more than noise, and has left it on the other side.
+        let is_noise = self.onset.as_ref().is_some_and(|onset| found.abs() <= onset.noise[event]);
+        if counts_jumps || is_noise || is_root(found, values) {
             self.push(mechanism, event, crossing, state);
         }
         Ok(())

@@ -129,10 +129,11 @@ impl<M: Mechanism> Onset<M> {
         if time >= 0.0 && !leaves_slowly { time } else { f64::INFINITY }
     }
 
-    /// Whether a condition that leaves zero here and returns goes no further than its rounding in between.
+    /// Whether a condition that leaves zero here and returns goes no further in between than the tolerance of constraints, or its
+    /// rounding.
     pub(crate) fn hides_return(&self, event: usize) -> bool {
         let farthest = self.rates[event].powi(2) / (2.0 * self.seconds[event].abs());
-        self.returns_after(event).is_finite() && farthest <= self.last_digits[event]
+        self.returns_after(event).is_finite() && farthest <= self.noise[event].max(self.last_digits[event])
     }
 }
 

@@ -27,7 +27,7 @@ pub(in crate::cli) struct KinematicsArguments {
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub(in crate::cli) from: Option<String>,
 
-    /// Where it ends [default: one turn further, if it is an angle].
+    /// Where it ends [default: one turn further, if it is an angle, or one turn back if --speed is negative].
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub(in crate::cli) to: Option<String>,
 

@@ -169,6 +169,7 @@ fn summary(found: &Found, place: &str) -> Value {
             "eigenvalue": [mode.eigenvalue.re, mode.eigenvalue.im],
             "frequency_hz": mode.frequency(),
             "damping_ratio": mode.damping_ratio(),
+            "neutral": mode.is_neutral,
             "shape": shape.collect::<Map<_, _>>(),
         })
     };
@@ -234,9 +235,10 @@ fn report(found: &Found) -> String {
     }
     let largest = found.modes.iter().map(|mode| mode.eigenvalue.norm()).fold(0.0, f64::max);
     for (k, mode) in found.modes.iter().enumerate() {
-        let Mode { eigenvalue, .. } = mode;
+        let Mode { eigenvalue, is_neutral, .. } = mode;
         text += &format!("{:<12} {} 1/s", format!("mode {}", k + 1), complex(*eigenvalue, largest));
         text += &match (eigenvalue.im == 0.0, eigenvalue.re > 0.0) {
+            _ if *is_neutral => ", 0 but for rounding: stays where it is, or drifts\n".to_owned(),
             (true, true) => ", grows\n".to_owned(),
             (true, false) => ", does not oscillate\n".to_owned(),
             _ => {

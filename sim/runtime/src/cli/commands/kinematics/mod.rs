@@ -44,11 +44,19 @@ impl KinematicsArguments {
             (None, Driven::Coordinate(_)) => now(driven),
             (None, Driven::Output(_)) => return Err(needed("--from", quantity)),
         };
+        let asked = self.asked_speed(description, driven)?;
+        let is_back = asked.is_some_and(|speed| speed < 0.0);
         let to = match (&self.to, driven.turn(description)) {
             (Some(text), _) => value("--to", text)?,
-            (None, Some(turn)) => from + turn,
+            (None, Some(turn)) => from + if is_back { -turn } else { turn },
             (None, None) => return Err(needed("--to", quantity)),
         };
+        if is_back && to > from {
+            return Err(Stop::Usage(format!(
+                "--speed is negative, and `{}` grows from --from to --to: give a positive speed, or both ends the other way round",
+                quantity.name
+            )));
+        }
         if from == to {
             return Err(Stop::Usage(format!(
                 "--from and --to are equal: there is nothing to drive `{}` through",
@@ -59,22 +67,18 @@ impl KinematicsArguments {
             Driven::Coordinate(i) => prescribed.filter(|(j, _)| *j == i).map(|(_, speed)| speed).or(speeds[i]),
             Driven::Output(_) => None,
         };
-        let speed = self.speed(description, driven, declared)?;
+        let speed = asked.or(declared).unwrap_or(0.0);
         let held = self.hold.iter().map(|text| hold(description, now, text)).collect::<Result<_, _>>()?;
         Ok(Sweep { driven, from, to, speed, steps: self.steps as usize, held })
     }
 
-    fn speed(&self, description: &'static Description, driven: Driven, declared: Option<f64>) -> Result<f64, Stop> {
-        let speed = match (&self.speed, driven) {
-            (Some(text), Driven::Coordinate(i)) => {
-                parse_quantity("--speed", text, description.coordinates[i].speed.unit)?
-            }
-            (Some(text), Driven::Output(_)) => {
-                parse_quantity("--speed", text, &quotient(driven.quantity(description), &SECOND))?
-            }
-            (None, _) => declared.unwrap_or(0.0),
+    /// The speed that is asked for.
+    fn asked_speed(&self, description: &'static Description, driven: Driven) -> Result<Option<f64>, Stop> {
+        let parse = |text: &String| match driven {
+            Driven::Coordinate(i) => parse_quantity("--speed", text, description.coordinates[i].speed.unit),
+            Driven::Output(_) => parse_quantity("--speed", text, &quotient(driven.quantity(description), &SECOND)),
         };
-        Ok(speed)
+        self.speed.as_ref().map(parse).transpose()
     }
 }
 

@@ -1,0 +1,70 @@
+//! Modes whose eigenvalue is 0 but for rounding: bodies that nothing holds. Slow modes beside them are none.
+
+use sim::{Mode, declared_start, equilibrium, linearize};
+use tests::any_model::interpreted;
+
+fn modes(declaration: &str) -> Vec<Mode> {
+    let mechanism = interpreted(declaration).unwrap();
+    let state = equilibrium(&mechanism, &declared_start(&mechanism)).unwrap().state;
+    linearize(&mechanism, &state, &[]).unwrap().modes
+}
+
+/// The eigenvalues of modes that are not neutral, by size, and how many are.
+fn others(modes: &[Mode]) -> (Vec<f64>, usize) {
+    let mut others: Vec<f64> =
+        modes.iter().filter(|mode| !mode.is_neutral).map(|mode| mode.eigenvalue.norm()).collect();
+    others.sort_by(f64::total_cmp);
+    let neutral = modes.len() - others.len();
+    (others, neutral)
+}
+
+/// A box and a cart, held together by a spring alone, at any size: they drift along x, and the box turns with the spring, which
+/// has no length. The other modes are those of a spring k between masses m and 3 m along x, and between m and the turning box
+/// across.
+#[test]
+fn what_nothing_holds_neither_grows_nor_swings() {
+    for [k, l] in [[100.0, 0.7], [123.7, 0.777], [3e-5, 2e-4], [7e9, 31.0]] {
+        let found = modes(&format!(
+            "pub Free; coordinates {{ x [m]; y [m]; phi [rad]; z [m]; }}
+            parameters {{ m [kg] = 2; I [kg*m^2] = {}; k [N/m] = {k}; l [m] = {l}; }}
+            let C = [x, y]; let A = C + l*[cos(phi), sin(phi)]; let B = [z, 0];
+            bodies {{ box: mass m at C, inertia I, angle phi; cart: mass 3*m at B; }}
+            loads {{ spring k, length 0 from A to B; }}
+            initial {{ x = {}; y = 0; phi = 0; guess z = 0; }}",
+            0.6 * l * l,
+            -l
+        ));
+        let (others, neutral) = others(&found);
+        let expected = [(k / 1.5f64).sqrt(), (k * (0.5 + 1.0 / 0.6)).sqrt()];
+        assert!(neutral >= 2 && others.len() == 2, "{found:?}");
+        for (found, expected) in others.iter().zip(expected) {
+            // The four-fold eigenvalue 0 leaves others untouched, to rounding beside the largest.
+            assert!((found - expected).abs() < 1e-9 * expected, "{found} {expected}");
+        }
+    }
+}
+
+/// Slow, but no rounding: a mass on a soft spring, in a damper so stiff that it creeps with k/c; one in a damper alone, which
+/// stops with c/m and stays where it is; one that a weak spring drives away; each beside a stiff spring.
+#[test]
+fn what_is_slow_is_not_neutral() {
+    let beside = |load: &str| {
+        format!(
+            "pub Slow; coordinates {{ x [m]; y [m]; }} bodies {{ a: mass 1 [kg] at [x, 0]; b: mass 1 [kg] at [0, y]; }}
+            loads {{ force [{load}, 0] at [x, 0]; spring 1e6 [N/m], rest 0 [m] on y; }} initial {{ x = 0; y = 0; }}"
+        )
+    };
+    for (load, expected, neutral) in [
+        ("-1 [N/m]*x - 1e4 [N*s/m]*dot(x)", &[1e-4, 1e3, 1e4][..], 0),
+        ("-0.01 [N*s/m]*dot(x)", &[0.01, 1e3], 1),
+        ("0.0001 [N/m]*x", &[0.01, 0.01, 1e3], 0),
+    ] {
+        let found = modes(&beside(load));
+        let (others, found_neutral) = others(&found);
+        assert_eq!((others.len(), found_neutral), (expected.len(), neutral), "{load}: {found:?}");
+        for (found, expected) in others.iter().zip(expected) {
+            // k/c by the first power of k m/c^2, 1e-8, which is also the rounding of c beside it.
+            assert!((found - expected).abs() < 1e-7 * expected, "{load}: {found} {expected}");
+        }
+    }
+}
