@@ -31,7 +31,24 @@ const NEAR: f64 = 0.01;
 #[inline]
 pub(super) fn before_change<M: Mechanism>(step: &mut Step<M>) -> Result<Option<f64>, Failure> {
     let conditions = step.motion.mechanism().description().load_conditions;
-    if conditions.is_empty() { Ok(None) } else { Search { step, conditions, found: Vec::new() }.before_change() }
+    if conditions.is_empty() { Ok(None) } else { Search::new(step, conditions).before_change() }
+}
+
+/// A change of form of a load within a step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Change {
+    /// Its time, in seconds.
+    pub(super) time: f64,
+    /// Whether it is a row of a table: there the load is continuous.
+    pub(super) is_row: bool,
+}
+
+/// The changes of form of loads within a step, in order; those at one time are one.
+///
+/// # Errors
+/// As the dense output.
+pub(super) fn changes<M: Mechanism>(step: &mut Step<M>) -> Result<Vec<Change>, Failure> {
+    Search::new(step, step.motion.mechanism().description().load_conditions).changes()
 }
 
 /// A condition at both ends of an interval of time.
@@ -72,9 +89,40 @@ struct Look<M: Mechanism> {
     seconds: M::LoadConditions,
 }
 
-impl<M: Mechanism> Search<'_, '_, M> {
+impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
+    fn new(step: &'a mut Step<'s, M>, conditions: &'static [Switching]) -> Search<'a, 's, M> {
+        Search { step, conditions, found: Vec::new() }
+    }
+
     #[cold]
     fn before_change(mut self) -> Result<Option<f64>, Failure> {
+        self.search_parts(Search::better_end)
+    }
+
+    #[cold]
+    fn changes(mut self) -> Result<Vec<Change>, Failure> {
+        self.search_parts(|_| Ok(None::<()>))?;
+        let found = std::mem::take(&mut self.found);
+        let mut changes = Vec::with_capacity(found.len());
+        for between in &found {
+            let is_row = self.conditions[between.condition].table.is_some();
+            changes.push(Change { time: self.locate(between)?, is_row });
+        }
+        changes.sort_by(|a, b| a.time.total_cmp(&b.time));
+        let least = SAME * self.step.length();
+        changes.dedup_by(|next, kept| {
+            let is_same = next.time - kept.time <= least;
+            kept.is_row &= next.is_row || !is_same;
+            is_same
+        });
+        Ok(changes)
+    }
+
+    /// Searches all parts of the step in turn; where changes have been found, until something comes of them.
+    fn search_parts<T>(
+        &mut self,
+        mut come_of: impl FnMut(&mut Self) -> Result<Option<T>, Failure>,
+    ) -> Result<Option<T>, Failure> {
         let [begin, end] = [self.step.from, self.step.to].map(|sample| sample.state.time);
         let parts = self.step.parts_by_angles();
         let length = (end - begin) / parts;
@@ -88,9 +136,9 @@ impl<M: Mechanism> Search<'_, '_, M> {
                 self.search_part(condition, [&from, &to])?;
             }
             if !self.found.is_empty()
-                && let Some(better) = self.better_end()?
+                && let Some(found) = come_of(self)?
             {
-                return Ok(Some(better));
+                return Ok(Some(found));
             }
             from = to;
         }
@@ -245,14 +293,16 @@ impl<M: Mechanism> Search<'_, '_, M> {
 
 /// The values of a condition, on the way from one to another, at which its load changes its form: of a table the row behind, and
 /// as many ahead as matter.
-fn levels(condition: &Switching, [from, to]: [f64; 2]) -> Vec<f64> {
-    let Some(table) = condition.table else { return vec![0.0] };
-    let (ahead, behind) = if from <= to {
-        (table.next_row(from), table.last_row(from))
-    } else {
-        (table.last_row(from), table.next_row(from))
-    };
-    let further = |row: &f64| Some(if from <= to { table.next_row(*row) } else { table.last_row(*row) });
-    let rows = std::iter::successors(Some(ahead), further).take(3).chain([behind]);
-    rows.filter(|row| row.is_finite()).collect()
+fn levels(condition: &Switching, [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
+    let rows = condition.table.map(|table| {
+        let (ahead, behind) = if from <= to {
+            (table.next_row(from), table.last_row(from))
+        } else {
+            (table.last_row(from), table.next_row(from))
+        };
+        let further = move |row: &f64| Some(if from <= to { table.next_row(*row) } else { table.last_row(*row) });
+        std::iter::successors(Some(ahead), further).take(3).chain([behind])
+    });
+    let zero = rows.is_none().then_some(0.0);
+    rows.into_iter().flatten().chain(zero).filter(|level| level.is_finite())
 }

@@ -5,6 +5,7 @@
 use super::attempt::attempt;
 use super::changes_of_loads::before_change;
 use super::crossing::Crossing;
+use super::jumps_of_loads::note_jump;
 use super::method::Advance;
 use super::pace::{Aim, Pace, Target};
 use super::{Course, Step, Steps};
@@ -214,7 +215,12 @@ impl<M: Mechanism> Stepper<M> {
             self.crossing.ended(least_sine);
             steps.accepted += 1;
             if target.notes {
-                steps.note(motion, method, [from, to], 1)?;
+                steps.note(motion, method, [&*from, &*to], 1)?;
+            }
+            if self.pace.is_equal() {
+                let end_sine = motion.relative(least_sine);
+                let mut step = Step { motion, method, from, to, begun: from, reached: to, end_sine };
+                note_jump(&mut step, &mut steps.sudden_changes);
             }
             self.last = Some(Made::Normally);
         }
