@@ -6,18 +6,14 @@
 
 use super::Step;
 use super::changes_of_loads::{Change, changes};
+use super::jump::jump;
 use super::switching::SuddenChanges;
 use crate::state::failure::Failure;
 use sim_kernel::{Array, Mechanism};
 
-/// How far beside a change accelerations are compared, as a part of the step, and nearer to it once more.
+/// How far beside a change accelerations are compared, as a part of the step, and of the distance of another change.
 const BESIDE: f64 = 1e-4;
 const NEARER: f64 = 0.25;
-/// As much of a difference as stays at the nearer places is a jump: a continuous one becomes less, a smooth one in proportion, and
-/// that of a root by half.
-const STAYS: f64 = 0.75;
-/// A difference of accelerations that is rounding, as a part of them.
-const ROUNDING: f64 = 1e-9;
 /// By which part of themselves accelerations go beyond those of both ends of a step, where a load begins and ends within it: those
 /// of a harmonic motion go so far in steps of a sixteenth of its period.
 const BEYOND: f64 = 0.02;
@@ -46,23 +42,11 @@ fn sudden_change<M: Mechanism>(step: &mut Step<M>) -> Result<Option<f64>, Failur
         let neighbours = [place.checked_sub(1), Some(place + 1)].into_iter().flatten();
         let gaps = neighbours.filter_map(|other| changes.get(other)).map(|other| (other.time - time).abs());
         let beside = gaps.fold(BESIDE * step.length(), |beside, gap| beside.min(NEARER * gap));
-        if !is_row && jumps(step, *time, beside)? {
+        if !is_row && jump(step, *time, beside)?.is_some() {
             return Ok(Some(*time));
         }
     }
     begins_and_ends(step, &changes)
-}
-
-/// Whether accelerations jump at a time.
-fn jumps<M: Mechanism>(step: &mut Step<M>, time: f64, beside: f64) -> Result<bool, Failure> {
-    let motion = step.motion;
-    let mut difference = |beside: f64| -> Result<[f64; 2], Failure> {
-        let [before, after] = [step.sample(time - beside)?.accelerations, step.sample(time + beside)?.accelerations];
-        let size = motion.size(&before).max(motion.size(&after));
-        Ok([motion.size(&after.like(|i| after[i] - before[i])), size])
-    };
-    let ([far, size], [near, _]) = (difference(beside)?, difference(NEARER * beside)?);
-    Ok(far > ROUNDING * size && near > STAYS * far)
 }
 
 /// The time of the first of several changes between which accelerations are beyond those of both ends.

@@ -12,6 +12,7 @@ mod dop853_tableau;
 mod explicit;
 mod headway;
 mod integrator;
+mod jump;
 mod jumps_of_loads;
 mod method;
 #[cfg(test)]
