@@ -1,4 +1,4 @@
-//! Derivatives of motions by the time of a jump of what acts on them, against closed forms and differences of whole runs.
+//! Derivatives of motions over jumps of what acts on them, against closed forms and differences of whole runs.
 
 use crate::forward::{check, direction, refusal};
 use sim::{ForwardSensitivity, Method, Settings, declared_start};
@@ -62,4 +62,76 @@ fn pulses_on_a_loop_have_the_derivatives_that_differences_have() {
 #[test]
 fn equal_steps_over_a_jump_that_moves_are_refused() {
     assert!(refusal::<Pushed>(&Settings::equal_steps(Method::Rk4, 1.0, 64)).contains("sudden change"));
+}
+
+sim::mechanism! {
+    /// A wheel that is pushed at an angle, once in each turn.
+    Fired;
+    coordinates { phi [rad]; }
+    parameters { J [kg*m^2] = 1; T [N*m] = 0.1; s = 0.99; }
+    bodies { wheel: inertia J, angle phi; }
+    loads { torque if sin(phi) > s then T else 0 on phi; }
+    initial { phi = 0; dot(phi) = 1; }
+}
+
+/// Behind four pushes, each over the angle 2 acos(s), J v^2/2 = J w^2/2 + 8 T acos(s).
+#[test]
+fn pushes_at_an_angle_have_the_derivatives_of_their_energy() {
+    let fired = Fired::default();
+    let (half, root) = (0.99_f64.acos(), (1.0 - 0.99_f64.powi(2)).sqrt());
+    let v = (1.0 + 16.0 * 0.1 * half).sqrt();
+    let cases = [
+        (direction(&fired, Some(0), None), -0.8 * half / v),
+        (direction(&fired, Some(1), None), 8.0 * half / v),
+        (direction(&fired, Some(2), None), -0.8 / (root * v)),
+        (direction(&fired, None, Some(0)), 1.0 / v),
+    ];
+    for method in [Method::Dopri5, Method::Dop853] {
+        for tolerance in [1e-6, 1e-10] {
+            for (direction, expected) in &cases {
+                let settings = Settings::adaptive(method, 22.0, tolerance);
+                let mut motion = ForwardSensitivity::new(fired, &declared_start(&fired), &settings, direction).unwrap();
+                motion.advance_to(22.0).unwrap();
+                let found = motion.state().speeds[0];
+                assert!((found.value - v).abs() < tolerance, "{} {tolerance}: {found:?} {v}", method.name());
+                // Eight jumps, each passed by a step of a tenth of the tolerance; by s they move by 7 rad.
+                let error = (found.derivative - expected).abs();
+                assert!(error < 10.0 * tolerance, "{} {tolerance}: {found:?} {expected}", method.name());
+            }
+        }
+    }
+}
+
+sim::mechanism! {
+    /// A pendulum in Cartesian coordinates, pushed along its way beside the lowest point, with a brake whose force depends on the
+    /// direction, and a force with a kink.
+    Kicked;
+    coordinates { x [m]; y [m]; }
+    parameters { l [m] = 1; F [N] = 5; width [m] = 0.1; B [N] = 0.2; m [kg] = 1; g [m/s^2] = 9.81; }
+    constraints { rod: x^2 + y^2 = l^2; }
+    bodies { bob: mass m at [x, y]; }
+    loads {
+        gravity [0, -g];
+        force [if x > 0 then (if x < width then (if dot(x) > 0 then F else -F) else 0) else 0, 0] at [x, y];
+        force [if dot(x) > 0 then -B else B, max(0, -x)*F/l] at [x, y];
+    }
+    initial { x = 0.5; guess y = -0.8; dot(x) = 0.1; }
+}
+
+/// Jumps at positions and at a speed, and a kink. The errors of differences are as above.
+#[test]
+fn pushes_along_a_way_have_the_derivatives_that_differences_have() {
+    for method in [Method::Dopri5, Method::Dop853] {
+        let settings = Settings::adaptive(method, 2.5, 1e-12);
+        for parameter in 0..4 {
+            check(&Kicked::default(), Some(parameter), None, &settings, 1e-5);
+        }
+        check(&Kicked::default(), None, Some(0), &settings, 1e-5);
+    }
+}
+
+/// Where in an equal step a jump lies changes nothing, so the motion has no derivative that would be right.
+#[test]
+fn equal_steps_over_a_jump_at_a_position_are_refused() {
+    assert!(refusal::<Fired>(&Settings::equal_steps(Method::Rk4, 2.0, 64)).contains("sudden change"));
 }

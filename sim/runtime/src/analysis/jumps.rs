@@ -3,10 +3,15 @@
 //! A jump at a time that depends on parameters moves with them, and in between the rates are those before it instead of those
 //! after it. At g(t, p) = 0 its time moves by dt = -g_p dp / g_t, and the state behind it by (f- - f+) dt. (Hiskens, Pai,
 //! Trajectory sensitivity analysis of hybrid systems, IEEE Transactions on Circuits and Systems I 47, 2000: the jump
-//! conditions, for a state that does not jump itself.)
+//! conditions, for a state that does not jump itself.) Of a jump at a position or speed, g depends on the state: what its
+//! derivative adds counts too, and g_t is the rate of g along the motion before the jump.
 
+use crate::numerics::signs::crosses;
 use crate::state::trajectory::{Sample, State};
-use sim_kernel::{Dual, Mechanism};
+use sim_kernel::{Array, Dual, Mechanism};
+
+/// Why a jump is refused.
+pub(super) const TOGETHER: &str = "two sudden changes fall together here that do not move together";
 
 /// How far the time of what changes its form between two times moves, in seconds for a unit of the direction in which the
 /// mechanism is differentiated; 0 if nothing changes.
@@ -25,12 +30,15 @@ pub(super) fn moved<M: Mechanism<Dual>>(mechanism: &M, [from, to]: [f64; 2]) -> 
     let move_of = |k: usize| -after[k].derivative / (with_time[k].derivative - after[k].derivative);
     let mut moves = (0..functions.len()).filter(changes).map(move_of);
     let first = moves.next().unwrap_or(0.0);
-    // Rounding of a move that is found in two ways.
-    let is_same = |other: f64| !((other - first).abs() > 1e-9 * first.abs());
-    match moves.all(is_same) {
+    match moves.all(|other| are_same(first, other)) {
         true => Ok(first),
-        false => Err("two sudden changes fall together here that do not move together"),
+        false => Err(TOGETHER),
     }
+}
+
+/// Whether moves differ by rounding, as one that is found in two ways.
+pub(super) fn are_same(first: f64, other: f64) -> bool {
+    !((other - first).abs() > 1e-9 * first.abs())
 }
 
 /// The state behind a jump that moves so far, with what that adds to its derivative.
@@ -42,4 +50,60 @@ pub(super) fn behind<M: Mechanism<Dual>>(
     let moved_by = |seconds: f64| Dual { value: 0.0, derivative: seconds };
     let time = after.state.time;
     after.state.changed(time, moved_by(moved), &before.rates()).changed(time, moved_by(-moved), &after.rates())
+}
+
+/// A jump of loads at a position or speed.
+pub(super) struct MovedJump<M: Mechanism> {
+    /// Just before and behind it.
+    pub(super) samples: [Sample<M>; 2],
+    /// How far its time moves, in seconds for a unit of the direction.
+    pub(super) moved: f64,
+}
+
+/// How far the times move at which these conditions of loads change their signs, right behind a sample.
+pub(super) fn moved_by_state<M: Mechanism<Dual>>(
+    mechanism: &M,
+    before: &Sample<M, Dual>,
+    conditions: &[usize],
+) -> Vec<f64> {
+    let (state, rates) = (&before.state, before.rates());
+    let along = |numbers: &M::Q, rates: &M::Q| {
+        numbers.like(|i| Dual { derivative: numbers[i].derivative + rates[i].value, ..numbers[i] })
+    };
+    let (positions, speeds) = (along(&state.positions, &rates.positions), along(&state.speeds, &rates.speeds));
+    let at_this_time = mechanism.load_conditions(state.time, &state.positions, &state.speeds);
+    let later = mechanism.load_conditions(Dual::variable(state.time.value), &positions, &speeds);
+    let moved = |k: &usize| -at_this_time[*k].derivative / (later[*k].derivative - at_this_time[*k].derivative);
+    conditions.iter().map(moved).collect()
+}
+
+/// The conditions of loads that change their signs between two samples; rows of tables are no jumps.
+pub(super) fn changed<M: Mechanism<Dual>>(mechanism: &M, ends: [&Sample<M, Dual>; 2]) -> Vec<usize> {
+    let conditions = mechanism.description().load_conditions;
+    if conditions.is_empty() {
+        return Vec::new();
+    }
+    let [before, after] =
+        ends.map(|end| mechanism.load_conditions(end.state.time, &end.state.positions, &end.state.speeds));
+    let changes = |k: &usize| conditions[*k].table.is_none() && crosses([before[*k].value, after[*k].value]);
+    (0..conditions.len()).filter(changes).collect()
+}
+
+/// The state behind a jump of loads, with what its move adds to its derivative.
+pub(super) fn behind_jump<M: Mechanism, L: Mechanism<Dual>>(
+    state: &State<L, Dual>,
+    MovedJump { samples: [before, after], moved }: &MovedJump<M>,
+) -> State<L, Dual> {
+    let (before, after) = (before.rates(), after.rates());
+    let add = |number: Dual, [before, after]: [f64; 2]| Dual {
+        derivative: number.derivative + (before - after) * moved,
+        ..number
+    };
+    State {
+        time: state.time,
+        // Speeds do not jump.
+        positions: state.positions.clone(),
+        speeds: state.speeds.like(|i| add(state.speeds[i], [before.speeds[i], after.speeds[i]])),
+        work: add(state.work, [before.work, after.work]),
+    }
 }

@@ -6,7 +6,7 @@
 //! which steps are taken follows from values alone. Where they end beside a jump of what acts on the mechanism, as adaptive
 //! steps do, what the move of the jump adds is known ([`jumps`]).
 
-use super::jumps;
+use super::jumps::{self, MovedJump};
 use crate::integrate::{ExplicitRungeKutta, attempt_plainly, tableau};
 use crate::motion::field::Field;
 use crate::motion::plain::Plain;
@@ -126,10 +126,12 @@ impl<M: Mechanism> ForwardSensitivity<M> {
     fn follow(&mut self, time: f64) -> Result<(), Failure> {
         let (plain, method) = (&self.plain, &mut self.method);
         let ahead = attempt_plainly(plain, method, &self.sample, Dual::constant(time), None)?.to;
-        let moved = self.moved_jump(time)?;
-        self.sample = match moved == 0.0 {
-            true => ahead,
-            false => self.plain.sample(jumps::behind(&self.sample, &ahead, moved))?,
+        let (moved, jump) = (self.moved_jump(time)?, self.moved_jump_of_loads(&ahead)?);
+        self.sample = match (moved == 0.0, jump) {
+            (true, None) => ahead,
+            (true, Some(jump)) => self.plain.sample(jumps::behind_jump(&ahead.state, &jump))?,
+            (false, None) => self.plain.sample(jumps::behind(&self.sample, &ahead, moved))?,
+            (false, Some(_)) => return Err(self.not_differentiable(jumps::TOGETHER)),
         };
         // The same to rounding.
         let state = self.simulation.state();
@@ -147,18 +149,45 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         }
     }
 
-    /// How far a jump within a step to this time moves, in seconds.
+    /// How far a jump at a known time within a step to this time moves, in seconds.
     fn moved_jump(&self, time: f64) -> Result<f64, Failure> {
-        let here = self.simulation.state();
-        let fail =
-            |why| Failure::at(self.simulation.mechanism(), What::NotDifferentiable { why }, time, &here.positions);
-        let moved = jumps::moved(self.plain.mechanism(), [self.sample.state.time.value, time]).map_err(fail)?;
-        match self.stepping {
-            Stepping::Equal(_) if moved != 0.0 => {
-                Err(fail("an equal step leads over a sudden change whose time moves; choose a tolerance instead"))
-            }
-            _ => Ok(moved),
+        let moved = jumps::moved(self.plain.mechanism(), [self.sample.state.time.value, time]);
+        let moved = moved.map_err(|why| self.not_differentiable(why))?;
+        self.check_move(moved)?;
+        Ok(moved)
+    }
+
+    /// The jump of loads at a position or speed within a step to this end, if there is one.
+    fn moved_jump_of_loads(&mut self, to: &Sample<Lifted<M>, Dual>) -> Result<Option<MovedJump<M>>, Failure> {
+        let mut found = None;
+        let conditions = jumps::changed(self.plain.mechanism(), [&self.sample, to]);
+        if conditions.is_empty() {
+            return Ok(None);
         }
+        let moves = jumps::moved_by_state(self.plain.mechanism(), &self.sample, &conditions);
+        for (condition, moved) in conditions.into_iter().zip(moves) {
+            let Some(samples) = self.simulation.jump_by(condition)? else { continue };
+            self.check_move(moved)?;
+            let first = found.get_or_insert(MovedJump { samples, moved });
+            if !jumps::are_same(first.moved, moved) {
+                return Err(self.not_differentiable(jumps::TOGETHER));
+            }
+        }
+        Ok(found)
+    }
+
+    /// Equal steps do not tell when in a step a jump comes.
+    fn check_move(&self, moved: f64) -> Result<(), Failure> {
+        let why = "an equal step leads over a sudden change whose time moves; choose a tolerance instead";
+        match self.stepping {
+            Stepping::Equal(_) if moved != 0.0 => Err(self.not_differentiable(why)),
+            _ => Ok(()),
+        }
+    }
+
+    fn not_differentiable(&self, why: &'static str) -> Failure {
+        let state = self.simulation.state();
+        Failure::at(self.simulation.mechanism(), What::NotDifferentiable { why }, state.time, &state.positions)
     }
 
     /// Checks that the simulation has made no steps of other kinds.
@@ -170,8 +199,7 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         if is_here && self.simulation.changes() == 0 && self.simulation.steps().singularities.is_empty() {
             return Ok(());
         }
-        let why = "it passes a singular position, or an event changes it";
-        Err(Failure::at(self.simulation.mechanism(), What::NotDifferentiable { why }, state.time, &state.positions))
+        Err(self.not_differentiable("it passes a singular position, or an event changes it"))
     }
 }
 

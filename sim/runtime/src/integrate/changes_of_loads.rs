@@ -4,11 +4,18 @@
 //! method evaluates it. And what an estimate of the error says of a single change depends on where in the step it is: for some
 //! places it is nothing. So a step with a change in it is repeated up to there. One that begins beside a change is repeated if
 //! there is another one, up to between both: all methods with an estimate evaluate at the end, and see it.
+//!
+//! Where accelerations jump at the change, an estimate is too small there too: where a jump lies before the second stage of dopri5,
+//! by a factor of 75. But no method is wrong by more than the jump of the accelerations times the length of the step. So a step
+//! over a jump is so short that this is a part of the tolerance, and steps come up to the jump until one that goes as far beyond
+//! it is.
 
 use super::Step;
+use super::jump::{difference, jump};
 use crate::numerics::root::{find_minimum, find_root};
 use crate::numerics::signs::{crosses, is_foretold, may_reach_zero, turns_back};
 use crate::state::failure::Failure;
+use crate::state::settings::Tolerance;
 use crate::state::trajectory::Sample;
 use sim_kernel::{Array, Mechanism, Switching};
 
@@ -23,15 +30,36 @@ const SAME: f64 = 1e-9;
 /// A step begins beside a change that is within this part of its length, and one that is to come up to a change ends before it by
 /// this part.
 const NEAR: f64 = 0.01;
+/// The most that a step over a jump may be wrong by, in units of the tolerance: the jumps of a motion mostly go the same way.
+const SLIGHT: f64 = 0.1;
+/// A step of so many roundings of its time is not made shorter.
+const SHORTEST: f64 = 64.0;
 
 /// Where a step ends better in which loads change their form; nothing if they do not, or at its beginning alone.
 ///
 /// # Errors
 /// As the dense output.
 #[inline]
-pub(super) fn before_change<M: Mechanism>(step: &mut Step<M>) -> Result<Option<f64>, Failure> {
+pub(super) fn before_change<M: Mechanism>(step: &mut Step<M>, tolerance: &Tolerance) -> Result<Option<f64>, Failure> {
     let conditions = step.motion.mechanism().description().load_conditions;
-    if conditions.is_empty() { Ok(None) } else { Search { step, conditions, found: Vec::new() }.before_change() }
+    if conditions.is_empty() { Ok(None) } else { Search::new(step, conditions).before_change(tolerance) }
+}
+
+/// A change of form of a load within a step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Change {
+    /// Its time, in seconds.
+    pub(super) time: f64,
+    /// Whether it is a row of a table: there the load is continuous.
+    pub(super) is_row: bool,
+}
+
+/// The changes of form of loads within a step, in order; those at one time are one.
+///
+/// # Errors
+/// As the dense output.
+pub(super) fn changes<M: Mechanism>(step: &mut Step<M>) -> Result<Vec<Change>, Failure> {
+    Search::new(step, step.motion.mechanism().description().load_conditions).changes()
 }
 
 /// A condition at both ends of an interval of time.
@@ -72,9 +100,36 @@ struct Look<M: Mechanism> {
     seconds: M::LoadConditions,
 }
 
-impl<M: Mechanism> Search<'_, '_, M> {
+impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
+    fn new(step: &'a mut Step<'s, M>, conditions: &'static [Switching]) -> Search<'a, 's, M> {
+        Search { step, conditions, found: Vec::new() }
+    }
+
     #[cold]
-    fn before_change(mut self) -> Result<Option<f64>, Failure> {
+    fn before_change(mut self, tolerance: &Tolerance) -> Result<Option<f64>, Failure> {
+        self.search_parts(|search| search.better_end(tolerance))
+    }
+
+    #[cold]
+    fn changes(mut self) -> Result<Vec<Change>, Failure> {
+        self.search_parts(|_| Ok(None::<()>))?;
+        let found = std::mem::take(&mut self.found);
+        let mut changes = found.iter().map(|between| self.change(between)).collect::<Result<Vec<Change>, Failure>>()?;
+        changes.sort_by(|a, b| a.time.total_cmp(&b.time));
+        let least = SAME * self.step.length();
+        changes.dedup_by(|next, kept| {
+            let is_same = next.time - kept.time <= least;
+            kept.is_row &= next.is_row || !is_same;
+            is_same
+        });
+        Ok(changes)
+    }
+
+    /// Searches all parts of the step in turn; where changes have been found, until something comes of them.
+    fn search_parts<T>(
+        &mut self,
+        mut come_of: impl FnMut(&mut Self) -> Result<Option<T>, Failure>,
+    ) -> Result<Option<T>, Failure> {
         let [begin, end] = [self.step.from, self.step.to].map(|sample| sample.state.time);
         let parts = self.step.parts_by_angles();
         let length = (end - begin) / parts;
@@ -88,9 +143,9 @@ impl<M: Mechanism> Search<'_, '_, M> {
                 self.search_part(condition, [&from, &to])?;
             }
             if !self.found.is_empty()
-                && let Some(better) = self.better_end()?
+                && let Some(found) = come_of(self)?
             {
-                return Ok(Some(better));
+                return Ok(Some(found));
             }
             from = to;
         }
@@ -220,18 +275,51 @@ impl<M: Mechanism> Search<'_, '_, M> {
     }
 
     /// Up to the first change, or between that and the next one. Several conditions may say the same.
-    fn better_end(&mut self) -> Result<Option<f64>, Failure> {
+    fn better_end(&mut self, tolerance: &Tolerance) -> Result<Option<f64>, Failure> {
         let (begin, length) = (self.step.from.state.time, self.step.length());
         let found = std::mem::take(&mut self.found);
-        let mut times = found.iter().map(|between| self.locate(between)).collect::<Result<Vec<f64>, Failure>>()?;
+        let mut changes = found.iter().map(|between| self.change(between)).collect::<Result<Vec<Change>, Failure>>()?;
         self.found.extend(found.into_iter().take(1));
-        times.sort_by(f64::total_cmp);
-        let first = times.first().copied().unwrap_or(begin);
-        if first - begin > NEAR * length {
-            return Ok(Some(first - NEAR * (first - begin)));
-        }
-        let second = times.into_iter().find(|time| time - first > SAME * length);
-        Ok(second.map(|second| first + (second - first) / 2.0))
+        changes.sort_by(|a, b| a.time.total_cmp(&b.time));
+        let Some(first) = changes.first().copied() else { return Ok(None) };
+        let apart = SAME * length;
+        let second = changes.iter().find(|change| change.time - first.time > apart).map(|change| change.time);
+        let between = second.map(|second| first.time + (second - first.time) / 2.0);
+        let distance = first.time - begin;
+        let before = first.time - NEAR * distance;
+        let jump = match changes.iter().all(|change| change.is_row || change.time - first.time > apart) {
+            true => None,
+            false => self.jump_at(first.time, between.unwrap_or(self.step.to.state.time))?,
+        };
+        let error = |length: f64| jump.as_ref().map_or(0.0, |jump| self.error_over(jump, length, tolerance));
+        let [bound, of_crossing] = [length, 2.0 * distance].map(error);
+        let beyond = first.time + distance;
+        Ok(match () {
+            _ if length <= SHORTEST * f64::EPSILON * begin.abs() => None,
+            _ if jump.is_some() && between.is_none() && bound <= SLIGHT => None,
+            _ if distance > NEAR * length => Some(before),
+            _ if jump.is_none() => between,
+            _ if of_crossing <= SLIGHT => Some(between.map_or(beyond, |between| between.min(beyond))),
+            _ => Some(before),
+        })
+    }
+
+    /// The jump of accelerations at a change, before which nothing else changes in the step, and after it nothing until a time.
+    fn jump_at(&mut self, time: f64, until: f64) -> Result<Option<M::Q>, Failure> {
+        let beside = (time - self.step.from.state.time).min(until - time) / 2.0;
+        if beside > 0.0 { Ok(jump(self.step, time, beside)?.as_ref().map(difference)) } else { Ok(None) }
+    }
+
+    /// The most that a step of a length over a jump is wrong by, in units of the tolerance.
+    fn error_over(&self, jump: &M::Q, length: f64, tolerance: &Tolerance) -> f64 {
+        let [from, to] = [self.step.from, self.step.to].map(|sample| &sample.state);
+        let [of_positions, of_speeds] = [length * length / 2.0, length].map(|factor| jump.like(|i| factor * jump[i]));
+        tolerance.norm(self.step.motion.measures(), from, to, [&of_positions, &of_speeds])
+    }
+
+    fn change(&mut self, between: &Between) -> Result<Change, Failure> {
+        let is_row = self.conditions[between.condition].table.is_some();
+        Ok(Change { time: self.locate(between)?, is_row })
     }
 
     /// The time of a change, to a small part of the step.
@@ -245,14 +333,16 @@ impl<M: Mechanism> Search<'_, '_, M> {
 
 /// The values of a condition, on the way from one to another, at which its load changes its form: of a table the row behind, and
 /// as many ahead as matter.
-fn levels(condition: &Switching, [from, to]: [f64; 2]) -> Vec<f64> {
-    let Some(table) = condition.table else { return vec![0.0] };
-    let (ahead, behind) = if from <= to {
-        (table.next_row(from), table.last_row(from))
-    } else {
-        (table.last_row(from), table.next_row(from))
-    };
-    let further = |row: &f64| Some(if from <= to { table.next_row(*row) } else { table.last_row(*row) });
-    let rows = std::iter::successors(Some(ahead), further).take(3).chain([behind]);
-    rows.filter(|row| row.is_finite()).collect()
+fn levels(condition: &Switching, [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
+    let rows = condition.table.map(|table| {
+        let (ahead, behind) = if from <= to {
+            (table.next_row(from), table.last_row(from))
+        } else {
+            (table.last_row(from), table.next_row(from))
+        };
+        let further = move |row: &f64| Some(if from <= to { table.next_row(*row) } else { table.last_row(*row) });
+        std::iter::successors(Some(ahead), further).take(3).chain([behind])
+    });
+    let zero = rows.is_none().then_some(0.0);
+    rows.into_iter().flatten().chain(zero).filter(|level| level.is_finite())
 }

@@ -12,6 +12,8 @@ mod dop853_tableau;
 mod explicit;
 mod headway;
 mod integrator;
+mod jump;
+mod jumps_of_loads;
 mod method;
 #[cfg(test)]
 mod order_conditions;
@@ -28,6 +30,7 @@ pub use dop853::Dop853;
 pub use dop853_tableau::DOP853;
 pub use explicit::ExplicitRungeKutta;
 pub(crate) use integrator::{Integrator, tableau};
+pub(crate) use jump::jump_by;
 pub use method::{Advance, Attempt};
 pub(crate) use pace::{Aim, Target};
 pub(crate) use plain::{Reached, attempt_plainly};

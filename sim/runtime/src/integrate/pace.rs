@@ -82,6 +82,12 @@ impl Pace {
         }
     }
 
+    /// Whether steps are equal.
+    #[inline(always)]
+    pub(super) fn is_equal(&self) -> bool {
+        matches!(self, Pace::Equal { .. })
+    }
+
     /// Finds the first length of adaptive steps, from a sample.
     ///
     /// # Errors

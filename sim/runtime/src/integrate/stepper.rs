@@ -5,12 +5,14 @@
 use super::attempt::attempt;
 use super::changes_of_loads::before_change;
 use super::crossing::Crossing;
+use super::jumps_of_loads::note_jump;
 use super::method::Advance;
 use super::pace::{Aim, Pace, Target};
 use super::{Course, Step, Steps};
 use crate::motion::Motion;
 use crate::state::failure::Failure;
 use crate::state::saved::{Bytes, Damaged, blank_sample};
+use crate::state::settings::Tolerance;
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::Mechanism;
 
@@ -40,13 +42,13 @@ fn better_end<M: Mechanism>(
     motion: &Motion<M>,
     method: &mut dyn Advance<M>,
     [from, to]: [&Sample<M>; 2],
-    crossing: &Crossing<M>,
+    (crossing, tolerance): (&Crossing<M>, &Tolerance),
 ) -> Result<Option<f64>, Failure> {
     if crossing.is_surprised(motion) {
         return Ok(Some(from.state.time + (to.state.time - from.state.time) / 2.0));
     }
     let end_sine = motion.relative(motion.least_sine());
-    before_change(&mut Step { motion, method, from, to, begun: from, reached: to, end_sine })
+    before_change(&mut Step { motion, method, from, to, begun: from, reached: to, end_sine }, tolerance)
 }
 
 /// The kind of the last step.
@@ -201,8 +203,10 @@ impl<M: Mechanism> Stepper<M> {
         let is_adaptive = target.tolerance.is_some();
         // That of the end: looks into the step find others.
         let least_sine = motion.least_sine();
-        let better_end = match attempted {
-            Ok(error) if is_adaptive && error <= 1.0 => better_end(motion, method, [&*from, &*to], &self.crossing)?,
+        let better_end = match (&attempted, &target.tolerance) {
+            (Ok(error), Some(tolerance)) if *error <= 1.0 => {
+                better_end(motion, method, [&*from, &*to], (&self.crossing, tolerance))?
+            }
             _ => None,
         };
         let judged = self.pace.judge(motion, (from, self.course.end), target, attempted, better_end);
@@ -214,7 +218,12 @@ impl<M: Mechanism> Stepper<M> {
             self.crossing.ended(least_sine);
             steps.accepted += 1;
             if target.notes {
-                steps.note(motion, method, [from, to], 1)?;
+                steps.note(motion, method, [&*from, &*to], 1)?;
+            }
+            if self.pace.is_equal() {
+                let end_sine = motion.relative(least_sine);
+                let mut step = Step { motion, method, from, to, begun: from, reached: to, end_sine };
+                note_jump(&mut step, &mut steps.sudden_changes);
             }
             self.last = Some(Made::Normally);
         }

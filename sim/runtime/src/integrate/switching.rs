@@ -3,7 +3,8 @@
 //!
 //! An adaptive step over a force that begins and ends within it might see nothing of it, and one over a jump is refused
 //! many times. So steps end before such a time, and a step as short as rounding allows leads over it. A table is
-//! continuous: its row itself is the end of a step. Equal steps stay equal; those that lead over such times are counted.
+//! continuous: its row itself is the end of a step. Equal steps stay equal; those that lead over such times are counted, as are
+//! those over changes by positions and speeds ([`super::jumps_of_loads`]).
 
 use super::changes_in_time::{First, What, first_change, tick};
 use crate::motion::Motion;
@@ -56,6 +57,15 @@ pub struct SuddenChanges {
 }
 
 impl SuddenChanges {
+    /// Counts a step until a time, whose first sudden change this is.
+    pub(super) fn count(changes: &mut Option<SuddenChanges>, first: f64, until: f64) {
+        let changes = changes.get_or_insert(SuddenChanges { steps: 0, first, until: f64::NEG_INFINITY });
+        // An event within a step ends it, and another begins.
+        if changes.until < until {
+            *changes = SuddenChanges { steps: changes.steps + 1, until, ..*changes };
+        }
+    }
+
     pub(super) fn transfer(changes: &mut Option<SuddenChanges>, bytes: &mut Bytes) -> Result<(), Damaged> {
         let none = || SuddenChanges { steps: 0, first: 0.0, until: 0.0 };
         bytes.option(changes, none, |bytes, SuddenChanges { steps, first, until }| {
@@ -77,11 +87,8 @@ pub(super) fn note_change<M: Mechanism>(
     if functions.is_empty() {
         return;
     }
-    let Some(first) = sudden_change(motion, functions, now, until) else { return };
-    let changes = changes.get_or_insert(SuddenChanges { steps: 0, first, until: f64::NEG_INFINITY });
-    // An event within a step ends it, and another begins.
-    if changes.until < until {
-        *changes = SuddenChanges { steps: changes.steps + 1, until, ..*changes };
+    if let Some(first) = sudden_change(motion, functions, now, until) {
+        SuddenChanges::count(changes, first, until);
     }
 }
 

@@ -258,6 +258,16 @@ impl<M: Mechanism> Motion<M> {
         }
     }
 
+    /// What a look at states says, without a trace of it in what the motion records of its rows.
+    pub(crate) fn aside<T>(&self, look: impl FnOnce() -> T) -> T {
+        let (longest, widest, closeness) = (self.longest.get(), self.widest.get(), self.closeness.get());
+        let found = look();
+        self.longest.set(longest);
+        self.widest.set(widest);
+        self.closeness.set(closeness);
+        found
+    }
+
     /// Records the squares of the lengths of rows.
     pub(crate) fn lengthen(&self, square: impl Fn(usize) -> f64) {
         let mut longest = self.longest.take();

@@ -1,7 +1,7 @@
 //! Simulations whose steps others attempt: on other numbers, or beside other simulations.
 
 use super::Simulation;
-use crate::integrate::{Aim, ExplicitRungeKutta, Target};
+use crate::integrate::{Aim, ExplicitRungeKutta, Target, jump_by};
 use crate::motion::Motion;
 use crate::state::failure::Failure;
 use crate::state::settings::Settings;
@@ -81,6 +81,17 @@ impl<M: Mechanism> Simulation<M> {
     /// The sample that the step starts from which was aimed at.
     pub(crate) fn start_of_step(&mut self) -> Option<&Sample<M>> {
         self.stepper.as_mut().map(|stepper| &*stepper.ends()[0])
+    }
+
+    /// The samples before and after a jump in the last step, where a condition of loads changes its sign; none if loads are
+    /// continuous there.
+    ///
+    /// # Errors
+    /// As the dense output and the right-hand side.
+    pub(crate) fn jump_by(&mut self, condition: usize) -> Result<Option<[Sample<M>; 2]>, Failure> {
+        let (motion, method) = (&self.motion, self.integrator.method());
+        let step = self.stepper.as_mut().and_then(|stepper| stepper.last_step(motion, method));
+        step.map_or(Ok(None), |mut step| motion.aside(|| jump_by(&mut step, condition)))
     }
 
     /// Takes or refuses an attempt that was made elsewhere, on other numbers, by a method with these stages.
