@@ -107,6 +107,19 @@ fn links_without_mass_are_told() {
 fn what_is_not_read_is_listed_once() {
     let parts = "<transmission name=\"a\"/><gazebo/>\n<transmission name=\"b\"/>";
     check(parts, &["3 `transmission` is ignored, here and 1 times more", "3 `gazebo` is ignored"]);
+    let dynamics = |attributes: &str| link(&format!("{LIMIT}<dynamics {attributes}/>"), INERTIAL);
+    check(&dynamics("dampng=\"1\""), &["3 `dampng` of `dynamics` (did you mean `damping`?) is ignored"]);
+    check(&dynamics("damping=\"1\" armature=\"2\""), &["3 `armature` of `dynamics` is ignored"]);
+}
+
+/// A joint that slides in a plane has no damping by itself.
+#[test]
+fn damping_of_joints_with_several_coordinates_is_told() {
+    let planar = format!(
+        "<joint name=\"k\" type=\"planar\"><parent link=\"base\"/><child link=\"arm\"/>\
+         <dynamics damping=\"2\" friction=\"0\"/></joint>\n<link name=\"arm\">{INERTIAL}</link>"
+    );
+    check(&planar, &["3 damping is known of joints with one coordinate; here it is left out"]);
 }
 
 #[test]

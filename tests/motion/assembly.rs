@@ -1,7 +1,7 @@
 //! Assembly of the start.
 
-use sim::{What, assemble, declared_start, mechanism};
-use tests::any_model::run;
+use sim::{Settings, What, assemble, declared_start, mechanism};
+use tests::any_model::{interpreted, run};
 
 mechanism! {
     /// A four-bar linkage.
@@ -114,5 +114,51 @@ fn starts_do_not_depend_on_the_size_of_a_row() {
         // Positions are met to 1e-12 of the terms.
         assert!((found.speeds[1] - rate).abs() < 1e-10, "{s}: {} for {rate}", found.speeds[1]);
         assert!((found.positions[1] - c).abs() < 1e-10, "{s}: {}", found.positions[1]);
+    }
+}
+
+/// A door on two hinges along one axis, of which the second is written in so many digits that it lies 2e-17 m beside: no
+/// coordinate moves its rows, and it closes.
+#[test]
+fn a_second_hinge_may_be_off_by_rounding() {
+    let door = interpreted(
+        "pub Door; bodies { door: mass 20 [kg], inertia [1 [kg*m^2], 1 [kg*m^2], 2 [kg*m^2]]; }
+        joints {
+            lower: revolute ground at [0, 0, 0] axis [0, 0.6, 0.8] to door at [-0.4 [m], 0, 0] axis [0, 0, 1];
+            upper: revolute ground at [0, 0.19999999999999998 [m], 0.26666666666666666 [m]] axis [0, 0.6, 0.8]
+                to door at [-0.4 [m], 0, 0.3333333333333333 [m]] axis [0, 0, 1];
+        }
+        loads { gravity [0, 0, -9.81 [m/s^2]]; } initial { lower = 0.3; }",
+    )
+    .unwrap();
+    let run = tests::run_with(door, &Settings::new(1.0)).unwrap();
+    assert_eq!(run.trajectory.failure, None);
+    // The moment of inertia about the hinges is 2 + 20 0.4^2 kg m^2; the energy is conserved.
+    let last = run.trajectory.samples.last().unwrap();
+    let (kinetic, work) = (last.state.speeds[0].powi(2) * (2.0 + 20.0 * 0.16) / 2.0, last.state.work);
+    assert!((kinetic - work).abs() < 1e-8 && kinetic > 0.1, "{kinetic} J, {work} J");
+}
+
+/// What turns fast, or is large, carries a loop that is closed in itself: the rates at which it opens are rounding.
+#[test]
+fn rates_of_what_is_carried_along_are_rounding() {
+    for (size, speed) in [(1.0, 1e6), (1e5, 2.0), (1e6, 2.0)] {
+        let carried = interpreted(&format!(
+            "pub Carried;
+            bodies {{ a: mass 1 [kg], inertia [1 [kg*m^2], 1 [kg*m^2], 1 [kg*m^2]];
+                b: mass 1 [kg], inertia [1 [kg*m^2], 1 [kg*m^2], 1 [kg*m^2]]; }}
+            joints {{
+                j0: revolute ground at [0, 0, 0] axis [0, 0.6, 0.8] to a at [{} [m], 0, 0] axis [0, 0.6, 0.8];
+                j1: planar a at [0, 0, 0] axis [0, 0, 1] to b at [0, 0, 0] axis [0, 0, 1];
+                k0: ball b at [{} [m], 0, 0] to a at [{} [m], {} [m], 0];
+            }}
+            initial {{ guess j0 = 0.3; guess j1_x = {} [m]; guess j1_y = {} [m]; guess j1_turn = 0.4; dot(j0) = {speed}; }}",
+            -0.3 * size, 0.37 * size, 0.7 * size, 0.11 * size, 0.1 * size, 0.1 * size
+        ))
+        .unwrap();
+        let state = assemble(&carried, &declared_start(&carried)).unwrap();
+        assert!((state.speeds[0] - speed).abs() < 1e-9 * speed);
+        // Those of the loop in itself are 0.
+        assert!((1..4).all(|j| state.speeds[j].abs() < 1e-9 * speed * size), "{:?}", state.speeds);
     }
 }

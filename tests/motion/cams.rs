@@ -1,8 +1,9 @@
 //! The cam by a table against the law that its rows were taken from.
 
 use models::CamFollower;
-use sim::{Compiled, Method, Run, Settings, Table};
+use sim::{Compiled, Method, Run, Settings, Table, What};
 use std::f64::consts::{PI, TAU};
+use tests::any_model::interpreted;
 use tests::run_with;
 
 const LIFT: f64 = 0.012;
@@ -101,4 +102,43 @@ fn a_cam_that_is_too_fast() {
     println!("the follower leaves at {:.4} rad, by the law at {before:.4} rad", floats[0]);
     // The error of the second derivative over its slope: 4e-3 of the largest over 3 per radian.
     assert!((floats[0] - before).abs() < 2e-3);
+}
+
+/// A follower on a table of time that is smooth at its ends, 3 s^2 - 2 s^3, and stands still then: its acceleration jumps where
+/// steps end, and it goes on; a spring carries a mass after it, u'' = w^2 (x - u), which all methods move alike.
+#[test]
+fn accelerations_may_jump_at_rows_of_a_drive() {
+    for rate in [0.7, 3.7, 5.0, 10.0, 123.4] {
+        let declaration = format!(
+            "pub Follower; coordinates {{ x [m]; u [m]; }} tables {{ f [m] over [s] = cubic, clamped {{ 0, 0; 1, 1; }} }}
+            bodies {{ follower: mass 2 [kg] at [x, 0]; carried: mass 1 [kg] at [u, 0]; }}
+            loads {{ force 40 [N/m]*(x - u) on u; }} constraints {{ d: x = f({rate}*t); }}
+            initial {{ guess x = 0; u = 0; dot(u) = 0; }}"
+        );
+        let mut ends = Vec::new();
+        for method in [Method::Dop853, Method::Dopri5, Method::Radau5] {
+            let run = run_with(interpreted(&declaration).unwrap(), &Settings::adaptive(method, 2.0, 1e-10)).unwrap();
+            assert_eq!(run.trajectory.failure, None, "{rate} {method:?}");
+            for sample in &run.trajectory.samples {
+                let s = f64::min(1.0, rate * sample.state.time);
+                assert!((sample.state.positions[0] - s * s * (3.0 - 2.0 * s)).abs() < 1e-11, "{rate} {method:?}");
+            }
+            ends.push(run.trajectory.samples.last().unwrap().state.positions[1]);
+        }
+        // A hundred tolerances.
+        assert!(ends.iter().all(|end| (end - ends[0]).abs() < 1e-8), "{rate}: {ends:?}");
+    }
+}
+
+/// Where a drive ends with a speed, its speed would jump: no law says how, and the run ends there.
+#[test]
+fn speeds_that_a_drive_would_make_jump_are_refused() {
+    let declaration = "pub Driven; coordinates { x [m]; } tables { f [m] over [s] = monotone { 0, 0; 1, 1; 2, 3; } }
+        bodies { follower: mass 2 [kg] at [x, 0]; } constraints { d: x = f(1.3*t); }";
+    for method in [Method::Dop853, Method::Dopri5, Method::Radau5] {
+        let run = run_with(interpreted(declaration).unwrap(), &Settings::adaptive(method, 2.0, 1e-10)).unwrap();
+        let failure = run.trajectory.failure.unwrap();
+        assert!(matches!(failure.what, What::Kink { .. }), "{method:?}: {}", failure.what);
+        assert!((failure.time - 2.0 / 1.3).abs() < 1e-9, "{}", failure.time);
+    }
 }

@@ -1,8 +1,9 @@
 //! Events: several in one step, touching ones, fast ones, and the period to a picosecond.
 
 use models::QuickReturn;
-use sim::{Crossing, Method, Run, Settings, StopAt, mechanism};
+use sim::{Crossing, Mechanism, Method, Run, Settings, StopAt, mechanism};
 use std::f64::consts::PI;
+use tests::any_model::interpreted;
 use tests::{decimal, reference, run_with};
 
 mechanism! {
@@ -150,5 +151,24 @@ fn large_coordinates_make_no_events() {
         let expected: Vec<f64> = (0..6).map(|k| f64::from(k) + 0.5).collect();
         // Errors of steps add up in the period, and with it in the time, over some hundred steps.
         near(&found, &expected, 1e4 * tolerance);
+    }
+}
+
+/// `set` uses the state before it; another action in between makes it that behind the first.
+#[test]
+fn what_stands_between_actions_separates_them() {
+    for (between, y) in [("", 1.0), ("record;", 5.0), ("stop after 3;", 5.0)] {
+        let declaration = format!(
+            "pub Puck; coordinates {{ x [m]; y [m]; }} parameters {{ n = 0; p = 0; }} bodies {{ puck: mass 1 [kg] at [x, y]; }}
+            initial {{ x = 1; y = 2; }}
+            events {{ a: t = 1 [s] {{ set x = 5; {between} set y = x; set n = n + 1; swap x, y; set p = n; }} }}"
+        );
+        let run = run_with(interpreted(&declaration).unwrap(), &Settings::new(2.0)).unwrap();
+        assert_eq!(run.trajectory.failure, None);
+        let (mechanism, last) =
+            (&run.trajectory.phases.last().unwrap().mechanism, run.trajectory.samples.last().unwrap());
+        // Swapped in the end.
+        assert_eq!(last.state.positions.as_ref(), [y, 5.0], "{between}");
+        assert_eq!(mechanism.parameters().as_ref(), [1.0, 1.0], "{between}");
     }
 }

@@ -62,8 +62,13 @@ fn steps(
     interpreter: &mut Interpreter,
 ) -> Vec<EventStep> {
     let mut steps: Vec<EventStep> = Vec::new();
+    let mut before = None;
     for action in &event.actions {
-        match (steps.last_mut(), step(action, declaration, known, interpreter)) {
+        // What stands between two actions of one kind separates them, `record` too.
+        let kind = std::mem::discriminant(action);
+        let continues = before.replace(kind) == Some(kind);
+        let last = if continues { steps.last_mut() } else { None };
+        match (last, step(action, declaration, known, interpreter)) {
             (Some(EventStep::Set(before)), Some((EventStep::Set(more), place))) => {
                 if let Some((target, _)) = more.iter().find(|(target, _)| before.iter().any(|(b, _)| b == target)) {
                     let what = told(*target, known);

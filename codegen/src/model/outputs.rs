@@ -19,8 +19,10 @@ pub(super) fn resolve_outputs(
     columns.extend(
         coordinates.iter().flat_map(|c| [c.name.clone(), format!("{}_dot", c.name), format!("{}_ddot", c.name)]),
     );
-    columns.extend(constraints.iter().map(|c| format!("lambda_{}", c.name)));
+    let multipliers: Vec<String> = constraints.iter().map(|c| format!("lambda_{}", c.name)).collect();
     let of_sweeps = columns_of_sweeps(declaration, coordinates);
+    refuse_taken(declaration, [&multipliers, &of_sweeps], interpreter);
+    columns.extend(multipliers);
     let mut names = Names::new("output");
     let mut figures = Vec::new();
     let (mut outputs, mut groups) = (Vec::new(), Vec::new());
@@ -59,6 +61,21 @@ pub(super) fn resolve_outputs(
         }
     }
     (outputs, groups)
+}
+
+/// Refuses coordinates whose columns are those of multipliers, or of sweeps.
+fn refuse_taken(declaration: &Declaration, [multipliers, of_sweeps]: [&[String]; 2], interpreter: &mut Interpreter) {
+    for coordinate in &declaration.coordinates {
+        let name = plain(&coordinate.name);
+        let own = ["", "_dot", "_ddot"].map(|suffix| format!("{name}{suffix}"));
+        let mut refuse = |message: String| interpreter.mistakes.add(Region::from(&coordinate.name).error(message));
+        if let Some(column) = own.iter().find(|column| multipliers.contains(column)) {
+            let constraint = column.trim_start_matches("lambda_");
+            refuse(format!("`{column}` is the column of the reaction of `{constraint}`; choose another name"));
+        } else if let Some(column) = own.iter().find(|column| of_sweeps.contains(column)) {
+            refuse(format!("a sweep has a column `{column}`; choose another name"));
+        }
+    }
 }
 
 /// The columns of sweeps beyond those of runs.

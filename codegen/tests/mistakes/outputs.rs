@@ -34,6 +34,14 @@ fn outputs() {
         &["8:11 `phi` is already a column of the results; choose another name"],
     );
     check(
+        "phi [rad]; }",
+        "phi [rad]; lambda_c; drive_phi; } constraints { c: lambda_c = phi; d: drive_phi = phi; }",
+        &[
+            "2:31 `lambda_c` is the column of the reaction of `c`; choose another name",
+            "2:41 a sweep has a column `drive_phi`; choose another name",
+        ],
+    );
+    check(
         "height [m] = P.y",
         "h [m] = P.y; ratio_h [m] = P.x",
         &["8:24 a sweep has a column `ratio_h`; choose another name"],

@@ -2,6 +2,7 @@
 //! forms and equations by hand.
 
 mod accumulating;
+mod at_times;
 mod bouncing;
 mod pulled;
 

@@ -9,6 +9,7 @@ use crate::motion::Motion;
 use crate::motion::generalized_speeds::has_generalized_speeds;
 use crate::motion::gimbal;
 use crate::motion::measures::Measures;
+use crate::motion::residuals::rates;
 use crate::motion::singular::{AT, weakest_constraint};
 use crate::state::failure::{Failure, What, constraint_name, largest};
 use crate::state::settings::Tolerance;
@@ -97,6 +98,20 @@ pub(super) fn too_small<M: Mechanism>(motion: &Motion<M>, at: &State<M>, step: f
     let cause =
         cause.unwrap_or_else(|| Failure::at(motion.mechanism(), What::StepTooSmall { step }, at.time, &at.positions));
     gimbal::explained(explained(motion, at, cause), motion.mechanism(), at.time, &at.positions)
+}
+
+/// The part of a constraint's scale by which a jump of speeds that counts opens it in the longest step.
+const LEAST_JUMP: f64 = 1e-9;
+
+/// Whether the speeds at a sample still meet the constraints so much later: accelerations alone jump there, as at the rows of a
+/// table of time. The longest step was so long.
+pub(super) fn keeps_its_speeds<M: Mechanism>(motion: &Motion<M>, at: &Sample<M>, [later, longest]: [f64; 2]) -> bool {
+    let (mechanism, time) = (motion.mechanism(), at.state.time + later);
+    let ahead = at.state.changed(time, later, &at.rates());
+    let linear = mechanism.constraint_linearization(time, &ahead.positions);
+    let open = rates(mechanism, &linear, &ahead.speeds);
+    let sizes = motion.measures().constraints();
+    (0..open.len()).all(|row| open[row].abs() * longest <= LEAST_JUMP * sizes[row])
 }
 
 /// Why the constraints take steps back from a state on.

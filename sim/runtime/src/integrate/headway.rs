@@ -47,6 +47,11 @@ impl Headway {
         self.longest = self.longest.max(length);
     }
 
+    /// The longest step so far, in seconds.
+    pub(super) fn longest(&self) -> f64 {
+        self.longest
+    }
+
     /// Whether a step is so short that no shorter one will do where projection takes it back.
     pub(super) fn is_short(&self, length: f64) -> bool {
         length < Headway::SHORT * self.longest

@@ -2,12 +2,13 @@
 //!
 //! Times of equal steps are computed from the start each time, so that they do not accumulate rounding.
 
-use super::attempt::{explained, taken_back, too_small};
+use super::attempt::{explained, keeps_its_speeds, taken_back, too_small};
+use super::changes_in_time::tick;
 use super::control::{Controller, initial_step};
 use super::crossing::{Crossing, Way};
 use super::headway::Headway;
 use super::method::Advance;
-use super::switching::{Stop, next_stop, note_change};
+use super::switching::{ASIDE, Stop, next_stop, note_change};
 use super::{Course, Steps};
 use crate::motion::Motion;
 use crate::state::failure::{Failure, What};
@@ -68,6 +69,11 @@ pub(super) struct Adaptive {
     /// The length of the first step.
     first: f64,
     headway: Headway,
+    /// Whether accelerations jump at rows of tables of time, since constraints prescribe them.
+    rows_jump: bool,
+    /// Where a step has ended at such a jump, and whether the next one leads over it.
+    jumped: f64,
+    is_across: bool,
 }
 
 impl Pace {
@@ -77,7 +83,16 @@ impl Pace {
             Stepping::Equal(count) => Pace::Equal { count, step: first_step(course, count, now) },
             Stepping::Adaptive(tolerance) => {
                 let controller = Controller::new(method.control_order().unwrap_or(1.0));
-                Pace::Adaptive(Adaptive { tolerance, controller, h: 0.0, first: 0.0, headway: Headway::from(now) })
+                Pace::Adaptive(Adaptive {
+                    tolerance,
+                    controller,
+                    h: 0.0,
+                    first: 0.0,
+                    headway: Headway::from(now),
+                    rows_jump: false,
+                    jumped: f64::NEG_INFINITY,
+                    is_across: false,
+                })
             }
         }
     }
@@ -166,8 +181,10 @@ impl Pace {
         match self {
             // The time tells which is the next.
             Pace::Equal { .. } => Ok(()),
-            Pace::Adaptive(Adaptive { controller, h, first, headway, .. }) => {
+            Pace::Adaptive(Adaptive { controller, h, first, headway, rows_jump, jumped, .. }) => {
                 controller.transfer(bytes)?;
+                bytes.flag(rows_jump)?;
+                bytes.number(jumped)?;
                 bytes.duration(h)?;
                 bytes.duration(first)?;
                 headway.transfer(bytes)?;
@@ -254,7 +271,15 @@ impl Adaptive {
         }
         // The last step is not followed by a tiny one.
         let h = self.h.max(shortest(now));
-        let stop = next_stop(motion, now, course.end.min(now + 1.01 * h));
+        let stop = match self.is_across {
+            true => Some(Stop::Across(now + ASIDE * tick(now, course.end))),
+            false => next_stop(motion, now, course.end.min(now + 1.01 * h), self.rows_jump),
+        };
+        if let (Some(Stop::Across(time)), true) = (stop, self.rows_jump) {
+            if !keeps_its_speeds(motion, from, [time - now, self.headway.longest()]) {
+                return Err(taken_back(motion, from, time - now));
+            }
+        }
         let wanted = match stop {
             Some(Stop::Before(time) | Stop::Across(time)) => time.min(course.end),
             None if now + 1.01 * h >= course.end => course.end,
@@ -301,6 +326,9 @@ impl Adaptive {
             }
             (refused, _) => {
                 self.h = (time - now) * self.controller.rejected(refused.as_ref().ok().copied());
+                if refused.is_ok() && self.headway.is_short(self.h) && self.is_beside_jump(motion, from, [time, end]) {
+                    return Ok(false);
+                }
                 if refused.as_ref().is_ok_and(|error| *error == f64::INFINITY) && self.headway.is_short(self.h) {
                     return Err(explained(motion, &from.state, taken_back(motion, from, self.h)));
                 }
@@ -312,9 +340,26 @@ impl Adaptive {
         }
     }
 
+    /// Whether steps from a sample fail since accelerations that the constraints prescribe jump at a row there, or ahead of it.
+    #[cold]
+    fn is_beside_jump<M: Mechanism>(&mut self, motion: &Motion<M>, from: &Sample<M>, [time, end]: [f64; 2]) -> bool {
+        let (now, longest) = (from.state.time, self.headway.longest());
+        let aside = ASIDE * tick(now, end);
+        let is_known = |[from, to]: [f64; 2]| next_stop(motion, from, to, true).is_some();
+        let is_ahead = !self.rows_jump && is_known([now, now + 10.0 * (time - now)]);
+        let is_new = !self.headway.is_short(now - self.jumped);
+        let is_here = is_new && is_known([now - 2.0 * aside, now + 2.0 * aside]);
+        if is_here && keeps_its_speeds(motion, from, [aside, longest]) {
+            (self.is_across, self.jumped) = (true, now);
+        }
+        self.rows_jump |= is_ahead || self.is_across;
+        is_ahead || self.is_across
+    }
+
     /// Records a step between two times, of this desired length and error, on the way to an end.
     fn accepted(&mut self, [now, time, wanted]: [f64; 3], error: f64, end: f64) {
         self.headway.comes(time - now);
+        self.is_across = false;
         let next = (time - now) * self.controller.accepted(error);
         // A step that was cut short says little about the possible length.
         let is_cut = time < wanted || time < now + self.h;

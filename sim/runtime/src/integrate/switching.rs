@@ -13,7 +13,7 @@ use sim_kernel::{Mechanism, Switching};
 
 /// The distance from a time at which a function has the sign that it has on that side, in [`tick`]s: more than its
 /// rounding.
-const ASIDE: f64 = 4.0;
+pub(super) const ASIDE: f64 = 4.0;
 
 /// Where the next step ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,20 +24,26 @@ pub(super) enum Stop {
     Across(f64),
 }
 
-/// The end that the first change of form after now puts to a step until this time.
+/// The end that the first change of form after now puts to a step until this time. Accelerations may jump at rows too.
 #[inline]
-pub(super) fn next_stop<M: Mechanism>(motion: &Motion<M>, now: f64, until: f64) -> Option<Stop> {
+pub(super) fn next_stop<M: Mechanism>(motion: &Motion<M>, now: f64, until: f64, rows_jump: bool) -> Option<Stop> {
     let functions = motion.mechanism().description().switching;
-    if functions.is_empty() { None } else { first_stop(motion, functions, now, until) }
+    if functions.is_empty() { None } else { first_stop(motion, functions, [now, until], rows_jump) }
 }
 
 #[cold]
-fn first_stop<M: Mechanism>(motion: &Motion<M>, functions: &[Switching], now: f64, until: f64) -> Option<Stop> {
+fn first_stop<M: Mechanism>(
+    motion: &Motion<M>,
+    functions: &[Switching],
+    [now, until]: [f64; 2],
+    rows_jump: bool,
+) -> Option<Stop> {
     let tick = tick(now, until);
     let First { time, what } = first_change(motion.mechanism(), functions, now, until)?;
     Some(match what {
-        What::Row | What::Unknown => Stop::Before(time),
-        What::Zero => match time - ASIDE * tick {
+        What::Row if !rows_jump => Stop::Before(time),
+        What::Unknown => Stop::Before(time),
+        What::Row | What::Zero => match time - ASIDE * tick {
             before if before > now + tick => Stop::Before(before),
             _ => Stop::Across(time + ASIDE * tick),
         },

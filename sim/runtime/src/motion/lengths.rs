@@ -21,7 +21,12 @@ pub(crate) fn measure(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> (Ve
     (coordinates, constraints)
 }
 
-/// For each constraint the largest of its terms, or of its changes by such changes of the coordinates, m.
+/// A row this small beside another one in the same unit is rounding: no coordinate moves it, and its terms cancel, as those of a
+/// second hinge whose place is written in so many digits.
+const CANCELLED: f64 = 1e-12;
+
+/// For each constraint the largest of its terms, or of its changes by such changes of the coordinates, m; where these are but
+/// rounding, the least of the others.
 pub(crate) fn of_constraints(mechanism: &dyn AnyMechanism, time: f64, q: &[f64], coordinates: &[f64]) -> Vec<f64> {
     let (terms, jacobian) = (mechanism.constraint_magnitudes(time, q), mechanism.constraint_jacobian(time, q));
     let of_row = |row: usize| {
@@ -29,7 +34,18 @@ pub(crate) fn of_constraints(mechanism: &dyn AnyMechanism, time: f64, q: &[f64],
         let size = changes.fold(terms[row].abs(), f64::max);
         if size > 0.0 && size.is_finite() { size } else { 1.0 }
     };
-    (0..jacobian.nrows()).map(of_row).collect()
+    let sizes: Vec<f64> = (0..jacobian.nrows()).map(of_row).collect();
+    let rows = mechanism.description().constraints;
+    let with_others = |row: usize| {
+        let alike = || (0..sizes.len()).filter(|other| rows[*other].unit == rows[row].unit).map(|other| sizes[other]);
+        let cancelled = CANCELLED * alike().fold(0.0, f64::max);
+        if sizes[row] > cancelled {
+            sizes[row]
+        } else {
+            alike().filter(|size| *size > cancelled).fold(f64::INFINITY, f64::min)
+        }
+    };
+    (0..sizes.len()).map(with_others).collect()
 }
 
 /// For each coordinate the change that counts as 1, in SI units: the mechanism's own length for lengths, 1 for angles and

@@ -162,7 +162,7 @@ fn assemble_speeds(mechanism: &dyn AnyMechanism, start: &Given, q: &[f64]) -> Re
     let given = start.speeds.iter().zip(start.speed_given);
     let mut speeds = DVector::from_iterator(q.len(), given.map(|(speed, given)| if *given { *speed } else { 0.0 }));
     let mut open = &jacobian * &speeds + &time_derivative;
-    let (mut contradicted, terms) = (0, measure(mechanism, 0.0, q).1);
+    let (mut contradicted, (sizes, terms)) = (0, measure(mechanism, 0.0, q));
     // Once is enough, unless lengths are far from 1 m and the decomposition of J loses digits.
     for _ in 0..MOST_REFINEMENTS {
         let (rows, left) = of_one_size((jacobian.clone(), open), &terms);
@@ -173,8 +173,11 @@ fn assemble_speeds(mechanism: &dyn AnyMechanism, start: &Given, q: &[f64]) -> Re
         speeds -= step;
         open = &jacobian * &speeds + &time_derivative;
         let moved = |i: usize| jacobian.row(i).iter().zip(&speeds).map(|(c, v)| (c * v).abs()).sum::<f64>();
+        // Those of J are rounding where they cancel, as the way of a point about an axis through it.
+        let of_terms = |i: usize| terms[i] * speeds.iter().zip(&sizes).map(|(v, size)| (v / size).abs()).sum::<f64>();
         // Least squares leave a residual of a few roundings of the terms; a contradiction leaves a fraction of them.
-        match (0..open.len()).find(|i| !(open[*i].abs() <= 1e-9 * moved(*i) + 1e-12)) {
+        let most = |i: usize| 1e-9 * moved(i) + 1e-13 * of_terms(i) + 1e-12;
+        match (0..open.len()).find(|i| !(open[*i].abs() <= most(*i))) {
             None => return Ok(speeds.as_slice().to_vec()),
             Some(row) => contradicted = row,
         }

@@ -30,12 +30,28 @@ pub(super) fn read<'t>(text: &'t str, straight: f64, warnings: &mut Warnings<'t>
     }
 }
 
+/// The attributes of elements that say how a robot moves, those of limits that no motion depends on among them.
+const ATTRIBUTES: [(&str, &[&str]); 12] = [
+    ("link", &["name", "type"]),
+    ("joint", &["name", "type"]),
+    ("inertial", &[]),
+    ("origin", &["xyz", "rpy"]),
+    ("mass", &["value"]),
+    ("inertia", &["ixx", "iyy", "izz", "ixy", "ixz", "iyz"]),
+    ("parent", &["link"]),
+    ("child", &["link"]),
+    ("axis", &["xyz"]),
+    ("limit", &["lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk"]),
+    ("dynamics", &["damping", "friction"]),
+    ("mimic", &["joint", "multiplier", "offset"]),
+];
+
 struct Reader<'t, 'w> {
     text: &'t str,
     straight: f64,
     warnings: &'w mut Warnings<'t>,
     mistakes: Vec<Mistake>,
-    /// Elements that are left out, by name: how many, and where the first is.
+    /// Elements and attributes that are left out, by what is told of them: how many, and where the first is.
     ignored: IndexMap<String, (usize, Place)>,
 }
 
@@ -75,6 +91,7 @@ impl Reader<'_, '_> {
         for node in elements().filter(|node| !is_known(node)) {
             self.ignore(node);
         }
+        elements().filter(|node| is_read(node)).for_each(|node| self.ignore_attributes(node));
         if links.is_empty() {
             return self.refuse(tag(root), "there is no robot here: a robot has a `<link name=\"..\">` at least");
         }
@@ -284,12 +301,17 @@ impl Reader<'_, '_> {
 
     /// Damping and friction.
     fn dynamics(&mut self, node: Node, kind: Kind) -> Option<[Number; 2]> {
-        let Some(part) = child(node, "dynamics").filter(|_| kind.is_single()) else {
-            return Some([Number::ZERO, Number::ZERO]);
-        };
         let mut found = [Number::ZERO; 2];
+        let Some(part) = child(node, "dynamics") else { return Some(found) };
         for (number, name) in found.iter_mut().zip(["damping", "friction"]) {
             let given = self.number(part, name)?.unwrap_or(Number::ZERO);
+            if !kind.is_single() {
+                if given.value != 0.0 {
+                    let message = format!("{name} is known of joints with one coordinate; here it is left out");
+                    self.warnings.add(&value(part, name), message);
+                }
+                continue;
+            }
             if given.value < 0.0 {
                 self.warnings.add(&value(part, name), format!("negative {name} would drive the joint; it is left out"));
                 continue;
@@ -309,6 +331,9 @@ impl Reader<'_, '_> {
 
     fn origin(&mut self, node: Node) -> Option<Origin> {
         let Some(part) = child(node, "origin") else { return Some(Origin::none()) };
+        if part.has_attribute("quat_xyzw") {
+            return self.refuse(value(part, "quat_xyzw"), "quaternions are not read; give the rotation by `rpy`");
+        }
         let xyz = if part.has_attribute("xyz") { self.three(part, "xyz")? } else { [Number::ZERO; 3] };
         let rpy = if part.has_attribute("rpy") { self.three(part, "rpy")?.map(|angle| angle.value) } else { [0.0; 3] };
         let is_asked = self.straight > super::Options::STRAIGHT;
@@ -351,14 +376,31 @@ impl Reader<'_, '_> {
     }
 
     fn ignore(&mut self, node: Node) {
-        let (count, _) = self.ignored.entry(node.tag_name().name().to_owned()).or_insert_with(|| (0, tag(node)));
+        self.count_ignored(format!("`{}`", short(node.tag_name().name())), tag(node));
+    }
+
+    fn count_ignored(&mut self, what: String, place: Place) {
+        let (count, _) = self.ignored.entry(what).or_insert((0, place));
         *count += 1;
     }
 
+    /// Leaves out the attributes of links, joints and their parts that are not known; what is drawn may have any.
+    fn ignore_attributes(&mut self, node: Node) {
+        let name = node.tag_name().name();
+        let Some((_, known)) = ATTRIBUTES.iter().find(|(element, _)| *element == name) else { return };
+        for attribute in node.attributes().filter(|attribute| attribute.namespace().is_none()) {
+            if !known.contains(&attribute.name()) {
+                let near = nearest::suggestion(attribute.name(), known.iter().copied());
+                self.count_ignored(format!("`{}` of `{name}`{near}", short(attribute.name())), attribute.range());
+            }
+        }
+        node.children().filter(Node::is_element).for_each(|part| self.ignore_attributes(part));
+    }
+
     fn warn_of_ignored(&mut self) {
-        for (name, (count, place)) in std::mem::take(&mut self.ignored) {
+        for (what, (count, place)) in std::mem::take(&mut self.ignored) {
             let others = if count > 1 { format!(", here and {} times more", count - 1) } else { String::new() };
-            self.warnings.add(&place, format!("`{}` is ignored{others}", short(&name)));
+            self.warnings.add(&place, format!("{what} is ignored{others}"));
         }
     }
 }

@@ -1,0 +1,39 @@
+//! Blows at times and at places that they do not turn back.
+
+use super::all_settings;
+use tests::any_model::interpreted;
+use tests::run_with;
+
+/// A puck that flies at 1 m/s is stopped at 1.3 s by a blow that throws it back at half its speed; it happens once.
+#[test]
+fn a_blow_at_a_time_happens_once() {
+    let declaration = "pub Puck; coordinates { x [m]; } bodies { puck: mass 1 [kg] at [x, 0]; }
+        constraints { hand: dot(x) = 0 initially released; } initial { x = 0; dot(x) = 1; }
+        events { blow: t = 1.3 [s] rising { impact hand restitution 0.5; } }";
+    for settings in all_settings(2.0) {
+        let run = run_with(interpreted(declaration).unwrap(), &settings).unwrap();
+        assert_eq!(run.trajectory.failure, None);
+        assert_eq!(run.events.len(), 1);
+        let x = run.trajectory.samples.last().unwrap().state.positions[0];
+        assert!((x - (1.3 - 0.5 * 0.7)).abs() < 1e-11, "{x}");
+    }
+}
+
+/// A wheel turns at 2 rad/s, whatever happens to a puck beside it, which a blow throws back at each turn of the wheel.
+#[test]
+fn a_blow_by_what_it_does_not_touch_happens_once() {
+    let declaration = "pub Beside; coordinates { x [m]; phi [rad]; }
+        bodies { puck: mass 1 [kg] at [x, 0]; wheel: inertia 1 [kg*m^2], angle phi; }
+        constraints { hand: x = 5 [m] initially released; } initial { x = 0; dot(x) = 1; phi = 0; dot(phi) = 2; }
+        events { blow: sin(phi) = 0.5 rising { impact hand restitution 0.5; } }";
+    for settings in all_settings(7.0) {
+        let run = run_with(interpreted(declaration).unwrap(), &settings).unwrap();
+        assert_eq!(run.trajectory.failure, None);
+        // At pi/12, and pi later each: at 1, -1/2, 1/4 and -1/8 m/s.
+        assert_eq!(run.events.len(), 3);
+        let (first, turn) = (std::f64::consts::PI / 12.0, std::f64::consts::PI);
+        let expected = first - turn / 2.0 + turn / 4.0 - (7.0 - first - 2.0 * turn) / 8.0;
+        let x = run.trajectory.samples.last().unwrap().state.positions[0];
+        assert!((x - expected).abs() < 1e-10, "{x} {expected}");
+    }
+}
