@@ -275,10 +275,10 @@ impl Adaptive {
             true => Some(Stop::Across(now + ASIDE * tick(now, course.end))),
             false => next_stop(motion, now, course.end.min(now + 1.01 * h), self.rows_jump),
         };
-        if let (Some(Stop::Across(time)), true) = (stop, self.rows_jump) {
-            if !keeps_its_speeds(motion, from, [time - now, self.headway.longest()]) {
-                return Err(taken_back(motion, from, time - now));
-            }
+        if let (Some(Stop::Across(time)), true) = (stop, self.rows_jump)
+            && !keeps_its_speeds(motion, from, [time - now, self.headway.longest()])
+        {
+            return Err(taken_back(motion, from, time - now));
         }
         let wanted = match stop {
             Some(Stop::Before(time) | Stop::Across(time)) => time.min(course.end),
