@@ -37,8 +37,8 @@ fn outputs() {
         "phi [rad]; }",
         "phi [rad]; lambda_c; drive_phi; } constraints { c: lambda_c = phi; d: drive_phi = phi; }",
         &[
-            "2:31 `lambda_c` is the column of the reaction of `c`; choose another name",
-            "2:41 a sweep has a column `drive_phi`; choose another name",
+            "2:26 `lambda_c` is the column of the reaction of `c`; choose another name",
+            "2:36 a sweep has a column `drive_phi`; choose another name",
         ],
     );
     check(

@@ -16,7 +16,7 @@ fn parameters_and_lets() {
         "l [m*] = 1;",
         &["3:19 this is not a unit; units are written like `[kg*m^2]`, `[m/s^2]` or `[1/s]`"],
     );
-    check("l [m] = 1;", "l [in] = 1;", &["3:16 `in` is not a unit; inches are `inch`"]);
+    check("l [m] = 1;", "l [in] = 1;", &["3:17 `in` is not a unit; inches are `inch`"]);
     check("l [m] = 1;", "l [] = 1;", &["3:16 an empty unit; write `[m]`, or `[1]` for a pure number"]);
     check("let P = l*", "let P = Q; let Q = l*", &["4:9 `Q` is defined only below; move its line above this one"]);
     check("let P = l*", "let P = P + l*", &["4:9 `P` is defined by itself"]);
