@@ -136,7 +136,7 @@ fn a_second_hinge_may_be_off_by_rounding() {
     // The moment of inertia about the hinges is 2 + 20 0.4^2 kg m^2; the energy is conserved.
     let last = run.trajectory.samples.last().unwrap();
     let (kinetic, work) = (last.state.speeds[0].powi(2) * (2.0 + 20.0 * 0.16) / 2.0, last.state.work);
-    assert!((kinetic - work).abs() < 1e-8 && kinetic > 0.1, "{kinetic} J, {work} J");
+    assert!((kinetic - work).abs() < 1e-8 && kinetic > 0.01, "{kinetic} J, {work} J");
 }
 
 /// What turns fast, or is large, carries a loop that is closed in itself: the rates at which it opens are rounding.

@@ -59,12 +59,12 @@ fn small_bounces_are_not_lost() {
 /// their durations.
 #[test]
 fn small_drops_do_not_go_through_the_floor() {
-    for action in ["impact floor restitution e", "set dot(y) = -e*dot(y)"] {
+    for action in ["impact floor restitution k", "set dot(y) = -k*dot(y)"] {
         for height in [1.0, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
             for e in [0.3, 0.5, 0.9] {
                 let run = run_with(
                     interpreted(&format!(
-                        "pub Ball; coordinates {{ y [m]; }} parameters {{ e = {e}; }} bodies {{ ball: mass 1 [kg] at [0 [m], y]; }}
+                        "pub Ball; coordinates {{ y [m]; }} parameters {{ k = {e}; }} bodies {{ ball: mass 1 [kg] at [0 [m], y]; }}
                         loads {{ gravity [0, -9.81 [m/s^2]]; }} constraints {{ floor: y = 0 initially released; }}
                         initial {{ y = {height}; }} events {{ bounce: y = 0 falling {{ {action}; }} }}"
                     ))

@@ -92,7 +92,8 @@ fn a_ball_that_comes_to_rest_chatters_and_says_so() {
         let failure = run.trajectory.failure.as_ref().unwrap();
         let rest = (2.0 / G).sqrt() * 1.8 / 0.2;
         assert!(matches!(failure.what, What::Accumulating { event: "landing", .. }), "{failure}");
-        assert!((failure.time - rest).abs() < 1e-7, "{} instead of {rest}", failure.time);
+        // Bounces end below the tolerance of constraints, 4e-12 m: one takes 2e-6 s there, and all to come five times that.
+        assert!((failure.time - rest).abs() < 1e-5, "{} instead of {rest}", failure.time);
         assert!(failure.to_string().contains("`landing` chatters"));
         assert!(run.trajectory.samples.len() > 300);
     }

@@ -197,7 +197,7 @@ impl<M: Mechanism> EventHandler<M> {
             if onset.as_ref().is_some_and(|onset| turns_back(motion.mechanism(), onset, event)) {
                 self.turned[event] = sample.state.time;
             }
-            if onset.as_ref().is_some_and(|onset| self.is_due(motion.mechanism(), onset, event, &sample.state)) {
+            if onset.as_ref().is_some_and(|onset| self.is_due(motion.mechanism(), onset, event, sample.state.time)) {
                 self.happen_at_start(motion.mechanism(), event, sample)?;
             }
         }
@@ -249,8 +249,8 @@ impl<M: Mechanism> EventHandler<M> {
     /// that it returns to zero within an instant or without having left it by more than rounding. One that releases a
     /// constraint because of a force happens also if its condition is beyond zero: a contact that a blow has closed does not
     /// pull. What holds already does not land again: its condition stays where it is.
-    fn is_due(&self, mechanism: &M, onset: &Onset<M>, index: usize, state: &State<M>) -> bool {
-        let (described, time) = (&mechanism.description().events[index], state.time);
+    fn is_due(&self, mechanism: &M, onset: &Onset<M>, index: usize, time: f64) -> bool {
+        let described = &mechanism.description().events[index];
         let Some(through) = through(described) else { return false };
         if is_done(mechanism, described) && onset.stays(index) {
             return false;
@@ -262,7 +262,7 @@ impl<M: Mechanism> EventHandler<M> {
         let goes_on = match just_happened {
             true if onset.leaving(index) == through => {
                 let hits = described.steps.iter().any(|step| matches!(step, event::Step::Impact(_)));
-                let hits = hits && !self.keeps_its_rate(mechanism, index, state);
+                let hits = hits && !self.kept_its_rate(mechanism, index);
                 let is_undone = [true, false].into_iter().any(|on| switches(mechanism, described, on));
                 hits || is_undone || time - self.turned[index] < self.instant()
             }
@@ -275,13 +275,13 @@ impl<M: Mechanism> EventHandler<M> {
         !described.steps.is_empty() && onset.holds(index) && goes_on
     }
 
-    /// Whether what has happened since an event has left the rate of its condition as it was, as that of a time.
-    fn keeps_its_rate(&self, mechanism: &M, event: usize, now: &State<M>) -> bool {
+    /// Whether the actions of an event have left the rate of its condition as it was, as that of a time.
+    fn kept_its_rate(&self, mechanism: &M, event: usize) -> bool {
         let last = self.search.found.iter().rev().find(|found| found.event == event);
         let rate = |state: &State<M>| change(mechanism, state, event, self.span);
-        last.is_some_and(|last| {
-            let before = rate(&last.state);
-            (rate(now) - before).abs() <= KEPT * before.abs()
+        last.and_then(|last| Some((&last.state, last.change.as_ref()?))).is_some_and(|(before, change)| {
+            let before = rate(before);
+            (rate(&change.state) - before).abs() <= KEPT * before.abs()
         })
     }
 

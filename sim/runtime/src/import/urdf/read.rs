@@ -4,7 +4,7 @@ use super::number::Number;
 use super::pose::{is_straightened, roll_pitch_yaw};
 use super::robot::{Geometry, Inertial, Joint, Kind, Limit, Link, Mimicked, Origin, Place, Robot, Visual};
 use super::warnings::{CODE, Warnings};
-use super::xml::{MACRO, MOST_NODES, child, is_of_xacro, is_plain, malformed, short, tag, value};
+use super::xml::{ATTRIBUTES, MACRO, MOST_NODES, child, is_of_xacro, is_plain, malformed, short, tag, value};
 use codegen::mistakes::Mistake;
 use codegen::nearest;
 use indexmap::IndexMap;
@@ -29,22 +29,6 @@ pub(super) fn read<'t>(text: &'t str, straight: f64, warnings: &mut Warnings<'t>
         _ => Err(reader.mistakes),
     }
 }
-
-/// The attributes of elements that say how a robot moves, those of limits that no motion depends on among them.
-const ATTRIBUTES: [(&str, &[&str]); 12] = [
-    ("link", &["name", "type"]),
-    ("joint", &["name", "type"]),
-    ("inertial", &[]),
-    ("origin", &["xyz", "rpy"]),
-    ("mass", &["value"]),
-    ("inertia", &["ixx", "iyy", "izz", "ixy", "ixz", "iyz"]),
-    ("parent", &["link"]),
-    ("child", &["link"]),
-    ("axis", &["xyz"]),
-    ("limit", &["lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk"]),
-    ("dynamics", &["damping", "friction"]),
-    ("mimic", &["joint", "multiplier", "offset"]),
-];
 
 struct Reader<'t, 'w> {
     text: &'t str,

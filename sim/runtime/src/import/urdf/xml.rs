@@ -5,6 +5,22 @@ use super::warnings::CODE;
 use codegen::mistakes::Mistake;
 use roxmltree::Node;
 
+/// The attributes of elements that say how a robot moves, those of limits that no motion depends on among them.
+pub(super) const ATTRIBUTES: [(&str, &[&str]); 12] = [
+    ("link", &["name", "type"]),
+    ("joint", &["name", "type"]),
+    ("inertial", &[]),
+    ("origin", &["xyz", "rpy"]),
+    ("mass", &["value"]),
+    ("inertia", &["ixx", "iyy", "izz", "ixy", "ixz", "iyz"]),
+    ("parent", &["link"]),
+    ("child", &["link"]),
+    ("axis", &["xyz"]),
+    ("limit", &["lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk"]),
+    ("dynamics", &["damping", "friction"]),
+    ("mimic", &["joint", "multiplier", "offset"]),
+];
+
 /// A file has at most so many elements, attributes aside.
 pub(super) const MOST_NODES: u32 = 500_000;
 
