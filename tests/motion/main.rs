@@ -23,6 +23,7 @@ mod nonholonomic;
 mod order;
 mod owner;
 mod pendulum;
+mod pushes;
 mod quick_return;
 mod records;
 mod scaled;
