@@ -244,11 +244,12 @@ impl<M: Mechanism> EventHandler<M> {
     }
 
     /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and
-    /// continues through zero. If the event has just happened, this requires that it was an impact which has changed its rate
-    /// and should have turned it back, that a constraint it switched has been switched back, that the condition had turned back since, or
-    /// that it returns to zero within an instant or without having left it by more than rounding. One that releases a
-    /// constraint because of a force happens also if its condition is beyond zero: a contact that a blow has closed does not
-    /// pull. What holds already does not land again: its condition stays where it is.
+    /// continues through zero. If the event has just happened, this requires that it was an impact, which has changed the
+    /// condition's rate and should have turned it back, that a constraint it switched has been switched back, that the
+    /// condition had turned back since, or that it returns to zero within an instant or without having left it by more than
+    /// the tolerance of constraints. One that releases a constraint because of a force happens also if its condition is beyond
+    /// zero: a contact that a blow has closed does not pull. What holds already does not land again: its condition stays where
+    /// it is.
     fn is_due(&self, mechanism: &M, onset: &Onset<M>, index: usize, time: f64) -> bool {
         let described = &mechanism.description().events[index];
         let Some(through) = through(described) else { return false };
@@ -262,9 +263,10 @@ impl<M: Mechanism> EventHandler<M> {
         let goes_on = match just_happened {
             true if onset.leaving(index) == through => {
                 let hits = described.steps.iter().any(|step| matches!(step, event::Step::Impact(_)));
-                let hits = hits && !self.kept_its_rate(mechanism, index);
                 let is_undone = [true, false].into_iter().any(|on| switches(mechanism, described, on));
-                hits || is_undone || time - self.turned[index] < self.instant()
+                (hits && !self.kept_its_rate(mechanism, index))
+                    || is_undone
+                    || time - self.turned[index] < self.instant()
             }
             true => {
                 let soon = onset.returns_after(index) < self.instant() || onset.hides_return(index);

@@ -100,7 +100,7 @@ pub(super) fn too_small<M: Mechanism>(motion: &Motion<M>, at: &State<M>, step: f
     gimbal::explained(explained(motion, at, cause), motion.mechanism(), at.time, &at.positions)
 }
 
-/// The part of a constraint's scale by which a jump of speeds that counts opens it in the longest step.
+/// The part of a constraint's scale, or of its terms, by which a jump of speeds that counts opens it in the longest step.
 const LEAST_JUMP: f64 = 1e-9;
 
 /// Whether the speeds at a sample still meet the constraints so much later: accelerations alone jump there, as at the rows of a
@@ -110,8 +110,9 @@ pub(super) fn keeps_its_speeds<M: Mechanism>(motion: &Motion<M>, at: &Sample<M>,
     let ahead = at.state.changed(time, later, &at.rates());
     let linear = mechanism.constraint_linearization(time, &ahead.positions);
     let open = rates(mechanism, &linear, &ahead.speeds);
-    let sizes = motion.measures().constraints();
-    (0..open.len()).all(|row| open[row].abs() * longest <= LEAST_JUMP * sizes[row])
+    // The scale of a start at the origin says little of where the motion has come.
+    let (sizes, terms) = (motion.measures().constraints(), mechanism.constraint_magnitudes(time, &ahead.positions));
+    (0..open.len()).all(|row| open[row].abs() * longest <= LEAST_JUMP * sizes[row].max(terms[row]))
 }
 
 /// Why the constraints take steps back from a state on.
