@@ -70,7 +70,7 @@ fn refuse_taken(declaration: &Declaration, [multipliers, of_sweeps]: [&[String];
         let own = ["", "_dot", "_ddot"].map(|suffix| format!("{name}{suffix}"));
         let mut refuse = |message: String| interpreter.mistakes.add(Region::from(&coordinate.name).error(message));
         if let Some(column) = own.iter().find(|column| multipliers.contains(column)) {
-            let constraint = column.trim_start_matches("lambda_");
+            let constraint = &column["lambda_".len()..];
             refuse(format!("`{column}` is the column of the reaction of `{constraint}`; choose another name"));
         } else if let Some(column) = own.iter().find(|column| of_sweeps.contains(column)) {
             refuse(format!("a sweep has a column `{column}`; choose another name"));
