@@ -34,20 +34,6 @@ impl<const N: usize> Lanes<N> {
         self.0
     }
 
-    /// So many lanes, from one on.
-    #[inline(always)]
-    pub fn part<const COUNT: usize>(&self, first: usize) -> [f64; COUNT] {
-        let mut part = [0.0; COUNT];
-        part.copy_from_slice(&self.0[first..first + COUNT]);
-        part
-    }
-
-    /// Sets so many lanes, from one on.
-    #[inline(always)]
-    pub fn set_part<const COUNT: usize>(&mut self, first: usize, values: [f64; COUNT]) {
-        self.0[first..first + COUNT].copy_from_slice(&values);
-    }
-
     /// One lane.
     #[inline(always)]
     pub fn lane(&self, lane: usize) -> f64 {
@@ -58,6 +44,18 @@ impl<const N: usize> Lanes<N> {
     #[inline(always)]
     pub fn set_lane(&mut self, lane: usize, value: f64) {
         self.0[lane] = value;
+    }
+
+    /// The lanes in memory.
+    #[inline(always)]
+    pub fn as_array(&self) -> &[f64; N] {
+        &self.0
+    }
+
+    /// The lanes in memory, to be written.
+    #[inline(always)]
+    pub fn as_array_mut(&mut self) -> &mut [f64; N] {
+        &mut self.0
     }
 
     #[inline(always)]

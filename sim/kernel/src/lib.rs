@@ -33,4 +33,4 @@ pub use mechanism::{
 pub use scalar::{Mask, Scalar};
 pub use speeds::{GeneralizedSpeeds, SpeedDynamics};
 pub use table::Table;
-pub use wave::give_sin_cos;
+pub use wave::{give_sin_cos, sin_cos_of_block};

@@ -57,13 +57,8 @@ pub(super) fn allocate(Parts { instructions, waves, look_ups }: &Parts, sizes: S
                 }
             }
         }
-        allocated.push(instruction.map(&mut |place, access| {
-            if access == Access::Write {
-                // All operands have been read by now.
-                homes.leave(touched.drain(..).filter(|local| ends(*local)));
-            }
-            homes.of(place, &mut touched)
-        }));
+        // A value does not overwrite an operand: a block of states is then computed without a copy.
+        allocated.push(instruction.map(&mut |place, _| homes.of(place, &mut touched)));
         if let Instruction::LookUp { place, .. } = instruction {
             look_ups[*place as usize].to.iter_mut().for_each(|to| *to = homes.of(*to, &mut touched));
         }

@@ -3,7 +3,7 @@
 
 use super::compact::SumOfProduct;
 use codegen::emit::bytecode::{MINUS_ZERO, ONE};
-use sim_kernel::Lanes;
+use sim_kernel::{Lanes, Scalar};
 
 /// What a sum of a product is at a block: capital letters are blocks, small ones numbers.
 #[derive(Clone, Copy, Debug)]
@@ -34,18 +34,21 @@ enum Form {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BlockSum {
     form: Form,
-    /// -1 where the product is subtracted, and 1 elsewhere. A number takes it as a factor, which changes no bit.
-    sign: f64,
     to: u32,
     a: u32,
     b: u32,
     c: u32,
+    /// a, where it is a number.
+    addend: f64,
+    /// b, where it is a number, or -b where the product is subtracted, which changes no bit.
+    factor: f64,
 }
 
 impl BlockSum {
-    /// The sum. So many registers, the first ones, hold the same number at all states.
-    pub(super) fn of(sum: &SumOfProduct<u32>, numbers: usize) -> BlockSum {
-        let is_number = |register: u32| (register as usize) < numbers;
+    /// The sum. The first registers hold these numbers, the same at all states.
+    pub(super) fn of(sum: &SumOfProduct<u32>, numbers: &[f64]) -> BlockSum {
+        let number = |register: u32| numbers.get(register as usize).copied();
+        let is_number = |register: u32| number(register).is_some();
         // A product is the same either way round. The block of a number holds it at all states, which serves if both are numbers.
         let [b, c] = if is_number(sum.c) { [sum.c, sum.b] } else { [sum.b, sum.c] };
         let form = match (sum.a, is_number(b), sum.is_negative) {
@@ -61,74 +64,54 @@ impl BlockSum {
             (_, false, true) => Form::Difference,
         };
         let sign = if sum.is_negative { -1.0 } else { 1.0 };
-        BlockSum { form, sign, to: sum.to, a: sum.a, b, c }
+        let [addend, factor] = [sum.a, b].map(|register| number(register).unwrap_or_default());
+        BlockSum { form, to: sum.to, a: sum.a, b, c, addend, factor: sign * factor }
     }
 
     #[inline(always)]
-    pub(super) fn execute<const AT_ONCE: usize, const STATES: usize>(
-        self,
-        numbers: &[f64],
-        file: &mut [Lanes<STATES>],
-    ) {
-        let BlockSum { to, a, b, c, .. } = self;
-        let number = |register: u32| numbers[register as usize];
-        let scale = || self.sign * number(b);
+    pub(super) fn execute<const STATES: usize>(self, file: &mut [Lanes<STATES>]) {
+        let BlockSum { to, a, b, c, addend, factor, .. } = self;
         match self.form {
-            Form::Product => each::<AT_ONCE, STATES, 2>(file, to, [b, c], |[b, c]| b * c),
-            Form::Scaled => {
-                let b = scale();
-                each::<AT_ONCE, STATES, 1>(file, to, [c], |[c]| b * c);
-            }
-            Form::Sum => each::<AT_ONCE, STATES, 3>(file, to, [a, b, c], |[a, b, c]| a + b * c),
-            Form::Difference => each::<AT_ONCE, STATES, 3>(file, to, [a, b, c], |[a, b, c]| a - b * c),
-            Form::SumOfScaled => {
-                let b = scale();
-                each::<AT_ONCE, STATES, 2>(file, to, [a, c], |[a, c]| a + b * c);
-            }
-            Form::PlainSum => each::<AT_ONCE, STATES, 2>(file, to, [a, c], |[a, c]| a + c),
-            Form::PlainDifference => each::<AT_ONCE, STATES, 2>(file, to, [a, c], |[a, c]| a - c),
-            Form::ShiftedProduct => {
-                let a = number(a);
-                each::<AT_ONCE, STATES, 2>(file, to, [b, c], |[b, c]| a + b * c);
-            }
-            Form::ReflectedProduct => {
-                let a = number(a);
-                each::<AT_ONCE, STATES, 2>(file, to, [b, c], |[b, c]| a - b * c);
-            }
-            Form::ShiftedScaled => {
-                let (a, b) = (number(a), scale());
-                each::<AT_ONCE, STATES, 1>(file, to, [c], |[c]| a + b * c);
-            }
+            Form::Product => each(file, to, [b, c], |[b, c]| b * c),
+            Form::Scaled => each(file, to, [c], |[c]| factor * c),
+            Form::Sum => each(file, to, [a, b, c], |[a, b, c]| a + b * c),
+            Form::Difference => each(file, to, [a, b, c], |[a, b, c]| a - b * c),
+            Form::SumOfScaled => each(file, to, [a, c], |[a, c]| a + factor * c),
+            Form::PlainSum => each(file, to, [a, c], |[a, c]| a + c),
+            Form::PlainDifference => each(file, to, [a, c], |[a, c]| a - c),
+            Form::ShiftedProduct => each(file, to, [b, c], |[b, c]| addend + b * c),
+            Form::ReflectedProduct => each(file, to, [b, c], |[b, c]| addend - b * c),
+            Form::ShiftedScaled => each(file, to, [c], |[c]| addend + factor * c),
         }
     }
 }
 
-/// Computes a block, as many states at once as a vector holds, so that nothing goes through memory between reading operands and
-/// writing the value. Loops, since what closures of `array::map` hold may be left in memory.
+/// Computes a block. A value has a register of its own, which is no operand's: the compiler has to know that, or it takes the
+/// states one by one.
 #[inline(always)]
-fn each<const AT_ONCE: usize, const STATES: usize, const OPERANDS: usize>(
+fn each<const STATES: usize, const OPERANDS: usize>(
     file: &mut [Lanes<STATES>],
     to: u32,
     operands: [u32; OPERANDS],
     value: impl Fn([f64; OPERANDS]) -> f64,
 ) {
-    // All are there. Known before the loop, it is not checked at each vector.
-    if to as usize >= file.len() || operands.iter().any(|operand| *operand as usize >= file.len()) {
-        return;
-    }
-    for first in (0..STATES).step_by(AT_ONCE) {
-        let mut vectors = [[0.0; AT_ONCE]; OPERANDS];
-        for (vector, operand) in vectors.iter_mut().zip(operands) {
-            *vector = file[operand as usize].part(first);
-        }
-        let mut values = [0.0; AT_ONCE];
-        for lane in 0..AT_ONCE {
-            let mut of_lane = [0.0; OPERANDS];
-            for i in 0..OPERANDS {
-                of_lane[i] = vectors[i][lane];
-            }
-            values[lane] = value(of_lane);
-        }
-        file[to as usize].set_part(first, values);
+    let at = to as usize;
+    // All registers are there.
+    let Some((before, [target, after @ ..])) = file.split_at_mut_checked(at) else { return };
+    let operands = operands.map(|operand| {
+        let operand = operand as usize;
+        if operand < at { &before[operand] } else { &after[operand - at - 1] }
+    });
+    fill(target, operands, value);
+}
+
+#[inline(always)]
+fn fill<const STATES: usize, const OPERANDS: usize>(
+    target: &mut Lanes<STATES>,
+    operands: [&Lanes<STATES>; OPERANDS],
+    value: impl Fn([f64; OPERANDS]) -> f64,
+) {
+    for state in 0..STATES {
+        target.set_lane(state, value(operands.map(|operand| operand.lane(state))));
     }
 }

@@ -9,16 +9,12 @@ use crate::numerics::vectors::Work;
 use crate::{Results, States};
 use codegen::emit::bytecode::{Code, Instruction, Wave};
 use codegen::kernel_id::Argument;
-use sim_kernel::{Input, Lanes, Mask, Scalar, Table, give_sin_cos};
+use sim_kernel::{Input, Lanes, Scalar, Table, pivot_is_refused, sin_cos_of_block};
 use std::ops::Range;
 
 /// How many states a block has. Not a power of two: registers would stand such a number of bytes apart, and loads would wait for
 /// stores whose addresses have the same lowest 12 bits.
 const STATES: usize = 72;
-
-/// How many states are taken together where the way from an operand to the value is long: two vectors of AVX2 share the constants
-/// on it, and neither waits for the other.
-const TOGETHER: usize = 8;
 
 /// A number at each of them.
 type Block = Lanes<STATES>;
@@ -47,14 +43,14 @@ impl Work for OfMany<'_> {
         let mut registers: Vec<Block> = self.image.iter().map(|number| Block::from_f64(*number)).collect();
         registers.resize(code.registers, Block::ZERO);
         let body = body(code, |register| register);
-        let sums: Vec<BlockSum> = body.sums.iter().map(|sum| BlockSum::of(sum, self.image.len())).collect();
+        let sums: Vec<BlockSum> = body.sums.iter().map(|sum| BlockSum::of(sum, self.image)).collect();
         let width: usize = places.rows.iter().map(ExactSizeIterator::len).sum();
         let count = states.times.len();
         let (mut numbers, mut refusals) = (Vec::with_capacity(width * count), Vec::new());
         for first in (0..count).step_by(STATES) {
             let filled = STATES.min(count - first);
             gather(code, states, first, filled, &mut registers);
-            execute::<AT_ONCE>((&body, &sums, self.image), &given, &mut registers);
+            execute(&body, &sums, &given, &mut registers);
             // Block by block, so that they are in the cache when they are written.
             numbers.resize((first + filled) * width, 0.0);
             scatter(&registers, &places.rows, &mut numbers[first * width..], width);
@@ -70,14 +66,10 @@ impl Work for OfMany<'_> {
 
 /// Executes a program on registers that hold its image.
 #[inline(always)]
-fn execute<const AT_ONCE: usize>(
-    (body, sums, numbers): (&Body<u32>, &[BlockSum], &[f64]),
-    given: &Given<Block>,
-    registers: &mut [Block],
-) {
+fn execute(body: &Body<u32>, sums: &[BlockSum], given: &Given<Block>, registers: &mut [Block]) {
     for group in &body.groups {
         for sum in &sums[group.sums.clone()] {
-            sum.execute::<AT_ONCE, STATES>(numbers, registers);
+            sum.execute(registers);
         }
         match group.last {
             Some(Instruction::Waves { place }) => {
@@ -93,24 +85,34 @@ fn execute<const AT_ONCE: usize>(
 
 #[inline(always)]
 fn sin_cos(Wave { angle, sin, cos }: Wave<u32>, registers: &mut [Block]) {
-    for first in (0..STATES).step_by(TOGETHER) {
-        let angles: [f64; TOGETHER] = registers[angle as usize].part(first);
-        give_sin_cos(angles, |sines, cosines| {
-            registers[sin as usize].set_part(first, sines);
-            registers[cos as usize].set_part(first, cosines);
-        });
-    }
+    // Angles, sines and cosines have registers of their own.
+    let Ok([angles, sines, cosines]) = registers.get_disjoint_mut([angle, sin, cos].map(|register| register as usize))
+    else {
+        return;
+    };
+    sin_cos_of_block(angles.as_array(), sines.as_array_mut(), cosines.as_array_mut());
 }
 
 /// Finds the states of a block that a program refuses.
 #[inline(always)]
-fn each_refused(places: &Places, registers: &[Block], mut found: impl FnMut(usize)) {
-    for first in (0..STATES).step_by(TOGETHER) {
-        let is_refused = places.refused(|register| Lanes::<TOGETHER>::from(registers[register as usize].part(first)));
-        if is_refused.any() {
-            (0..TOGETHER).filter(|lane| is_refused.lane(*lane)).for_each(|lane| found(first + lane));
+fn each_refused(places: &Places, registers: &[Block], found: impl FnMut(usize)) {
+    let is_refused = |state: usize| places.refused(|register| registers[register as usize].lane(state));
+    if places.pivots.as_ref().is_none_or(|pivots| is_any_refused(pivots, registers)) {
+        (0..STATES).filter(|state| is_refused(*state)).for_each(found);
+    }
+}
+
+#[inline(always)]
+fn is_any_refused(pivots: &[[u32; 2]], registers: &[Block]) -> bool {
+    // As wide as the numbers, so that vectors hold both.
+    let mut any = 0u64;
+    for [pivot, terms] in pivots {
+        let [pivot, terms] = [pivot, terms].map(|register| registers[*register as usize].as_array());
+        for state in 0..STATES {
+            any |= u64::from(pivot_is_refused(pivot[state], terms[state]));
         }
     }
+    any != 0
 }
 
 /// The results of a block, state by state.

@@ -35,7 +35,8 @@ pub(super) struct Places {
     pub(super) room: usize,
     /// The rows of the results, in their order: of a linearisation C, C_t, and then C_q.
     pub(super) rows: Vec<Range<usize>>,
-    pivots: Option<Vec<[u32; 2]>>,
+    /// Pivots and the magnitudes of their terms; without them every state is refused.
+    pub(super) pivots: Option<Vec<[u32; 2]>>,
 }
 
 impl Places {
