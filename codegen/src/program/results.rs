@@ -31,7 +31,7 @@ impl<T> Results<T> {
     }
 
     /// Every entry, in order.
-    pub(super) fn entries(&self) -> Vec<&T> {
+    pub fn entries(&self) -> Vec<&T> {
         let mut entries = Vec::new();
         self.visit(&mut |entry| entries.push(entry));
         entries

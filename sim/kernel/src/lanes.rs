@@ -5,7 +5,7 @@
 //! batches loop instead of passing closures.
 
 use crate::wave::{give_sin_cos, sin_cos_each};
-use crate::{Mask, Scalar};
+use crate::{Mask, Scalar, Vectors, Work};
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 
 /// `N` numbers side by side, on which every operation is that of `f64` lane by lane, with the same bits.
@@ -167,6 +167,11 @@ impl<const N: usize> Scalar for Lanes<N> {
     type Mask = LaneMask<N>;
     const HALF_DIGITS: f64 = <f64 as Scalar>::HALF_DIGITS;
     const ZERO: Lanes<N> = Lanes([0.0; N]);
+
+    #[inline(always)]
+    fn compute_part<W: Work>(work: W) -> W::Output {
+        Vectors::widest().run(work)
+    }
 
     #[inline(always)]
     fn from_f64(value: f64) -> Self {

@@ -1,5 +1,6 @@
 //! The interface shared by generated kernels and the runtime: the trait of a mechanism, the scalars that kernels run
-//! on, and the description of a mechanism. `no_std`; the only dependency is libm.
+//! on, and the description of a mechanism. `no_std`; the only dependencies are libm, and cpufeatures, which asks the processor
+//! what it has.
 
 #![no_std]
 
@@ -17,6 +18,7 @@ mod mechanism;
 mod scalar;
 pub mod speeds;
 mod table;
+mod vectors;
 mod wave;
 
 pub use array::{Array, Element, FixedArray};
@@ -33,4 +35,5 @@ pub use mechanism::{
 pub use scalar::{Mask, Scalar};
 pub use speeds::{GeneralizedSpeeds, SpeedDynamics};
 pub use table::Table;
+pub use vectors::{Vectors, Work};
 pub use wave::{give_sin_cos, sin_cos_of_block};

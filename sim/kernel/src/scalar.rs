@@ -1,5 +1,6 @@
 //! The numbers that kernels run on.
 
+use crate::vectors::{Work, apart};
 use crate::wave::sin_cos_each;
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
@@ -62,6 +63,19 @@ pub trait Scalar:
         Self::select(self.greater(Self::from_f64(0.0)), above, no)
     }
 
+    /// Does the work of a long kernel. On single numbers with the vector instructions that the processor has, which are looked for;
+    /// numbers that are vectors themselves are within a function for such instructions already.
+    #[inline(always)]
+    fn compute<W: Work>(work: W) -> W::Output {
+        work.run::<1>()
+    }
+
+    /// Does a part of the work of a long kernel, in a function of its own: then numbers that are vectors look for instructions, too.
+    #[inline(always)]
+    fn compute_part<W: Work>(work: W) -> W::Output {
+        Self::compute(work)
+    }
+
     /// Numbers that are looked up by the value of `self`; they do not change with it.
     fn gather<const N: usize>(self, of: impl Fn(f64) -> [f64; N]) -> [Self; N];
 
@@ -100,6 +114,10 @@ macro_rules! real {
             const HALF_DIGITS: f64 = $half;
             const ZERO: $type = 0.0;
 
+            #[inline(always)]
+            fn compute<W: Work>(work: W) -> W::Output {
+                apart(work)
+            }
             #[inline(always)]
             fn from_f64(value: f64) -> Self {
                 value as $type

@@ -59,7 +59,6 @@ pub use motion::residuals::{rates, residuals};
 pub use motion::singular::Singularity;
 pub use motion::typed::accelerate;
 pub use numerics::eigen::{Eigen, NoEigenvalues, eigen};
-pub use numerics::vectors::{Vectors, Work};
 pub use output::formats::{Format, write_table};
 pub use output::show;
 pub use output::write::{WriteError, summary, write_commented_csv, write_csv, write_json};
@@ -70,7 +69,7 @@ pub use run::{
 };
 pub use sim_kernel::{
     self, Array, Compiled, Description, Dual, Dynamics, FixedArray, GeneralizedSpeeds, Input, Interval, Lanes,
-    Mechanism, Scalar,
+    Mechanism, Scalar, Vectors, Work,
 };
 pub use start::assemble::{Start, assemble, branches, declared_start};
 pub use start::derivative::Direction;

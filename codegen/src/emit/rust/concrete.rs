@@ -94,13 +94,18 @@ impl<'a> Concrete<'a> {
 
     /// `t: S, q: &[S; n], ..`
     pub(super) fn arguments(&self, arguments: Arguments) -> Vec<TokenStream> {
+        self.arguments_by(arguments, &quote! { & })
+    }
+
+    /// The same, vectors by such references.
+    pub(super) fn arguments_by(&self, arguments: Arguments, reference: &TokenStream) -> Vec<TokenStream> {
         let argument = |argument: &Argument| {
             let name = ident(argument.name());
             match argument.vector() {
                 None => quote! { #name: S },
                 Some(vector) => {
                     let vector = self.associated(vector);
-                    quote! { #name: &#vector }
+                    quote! { #name: #reference #vector }
                 }
             }
         };

@@ -1,6 +1,7 @@
 //! Each program as a method of the mechanism.
 
 use super::concrete::{Concrete, vector};
+use super::function::{Function, is_apart};
 use super::names::{output_rates_name, outputs_name, prepared_name};
 use super::record::record_type;
 use super::{ident, size, table_constant};
@@ -39,23 +40,39 @@ pub(super) fn kernels(
 
 fn function(equations: &EquationsOfMotion, kernel: &Kernel, concrete: &Concrete, path: &TokenStream) -> TokenStream {
     let model = &equations.model;
-    let name = ident(kernel.id.name());
     let docs = format!("{}\n\nOperations: {}.", kernel.docs, kernel.operations);
     let docs = docs.lines().map(|line| format!(" {line}"));
-    let arguments = concrete.arguments(kernel.id.signature().arguments);
-    let returns = returns(model, kernel, concrete);
     let statements = kernel.statements.iter().map(|each| statement(equations, each, path));
     let body = [entries(kernel), calls(kernel)].into_iter().chain(statements).chain([results(model, kernel, path)]);
-    let body = braces(body);
     let inline = inline(kernel);
     let pieces =
         kernel.pieces.iter().enumerate().map(|(i, piece)| piece_function(equations, kernel, i, piece, concrete, path));
+    let function = Function {
+        name: ident(kernel.id.name()),
+        of: receiver(model, kernel),
+        arguments: kernel.id.signature().arguments,
+        is_part: !kernel.pieces.is_empty(),
+        found: None,
+        returns: returns(model, kernel, concrete),
+        body: &braces(body),
+    };
+    let public = quote! { pub };
+    let function =
+        if is_apart(kernel) { function.apart(&public, concrete, path) } else { function.plain(&public, concrete) };
     quote! {
         #(#pieces)*
 
         #(#[doc = #docs])*
         #inline
-        pub fn #name(&self #(, #arguments)*) -> #returns #body
+        #function
+    }
+}
+
+/// What a kernel is a method of.
+fn receiver(model: &Model, kernel: &Kernel) -> Ident {
+    match kernel.id.signature().receiver {
+        Receiver::Mechanism => ident(&model.name),
+        Receiver::Prepared => prepared_name(model),
     }
 }
 
@@ -77,21 +94,25 @@ fn piece_function(
     concrete: &Concrete,
     path: &TokenStream,
 ) -> TokenStream {
-    let name = piece_name(kernel, i);
-    let mut arguments = concrete.arguments(kernel.id.signature().arguments);
-    let mut unpacked = None;
-    if !piece.given.is_empty() {
-        let (len, names) = (size(piece.given.len()), piece.given.iter().map(|name| ident(name)));
-        arguments.push(quote! { found: &[S; #len] });
-        unpacked = Some(quote! { let [#(#names),*] = *found; });
-    }
     let statements = piece.statements.iter().map(|each| statement(equations, each, path));
-    let (len, handed_on) = (size(piece.handed_on.len()), piece.handed_on.iter().map(|name| ident(name)));
+    let given = piece.given.iter().map(|name| ident(name));
+    let unpacked = (!piece.given.is_empty()).then(|| quote! { let [#(#given),*] = *found; });
+    let handed_on = piece.handed_on.iter().map(|name| ident(name));
     let handed_on = quote! { [#(#handed_on),*] };
     let body = braces([entries(kernel)].into_iter().chain(unpacked).chain(statements).chain([handed_on]));
+    let function = Function {
+        name: piece_name(kernel, i),
+        of: receiver(&equations.model, kernel),
+        arguments: kernel.id.signature().arguments,
+        is_part: true,
+        found: Some(piece.given.len()).filter(|len| *len > 0),
+        returns: vector(piece.handed_on.len()),
+        body: &body,
+    };
+    let function = function.apart(&TokenStream::new(), concrete, path);
     quote! {
         #[inline(never)]
-        fn #name(&self #(, #arguments)*) -> [S; #len] #body
+        #function
     }
 }
 

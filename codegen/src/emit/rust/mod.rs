@@ -6,6 +6,7 @@ mod documentation;
 mod equations;
 mod format;
 mod forward;
+mod function;
 mod implementation;
 mod kernel;
 mod marker;

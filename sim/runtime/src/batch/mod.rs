@@ -6,9 +6,8 @@ mod solved;
 
 use crate::Failure;
 use crate::motion::typed::accelerate;
-use crate::numerics::vectors::{Vectors, Work};
 use crate::state::trajectory::State;
-use sim_kernel::{Array, Dynamics, LaneMask, Lanes, Mask, Mechanism, Scalar};
+use sim_kernel::{Array, Dynamics, LaneMask, Lanes, Mask, Mechanism, Scalar, Vectors, Work};
 pub use simulations::advance_each;
 pub use solved::solve_each;
 

@@ -9,12 +9,11 @@ use super::lanes::{InLanes, Numbers, gather, lane_of, measures, mechanism, sampl
 use crate::integrate::{ExplicitRungeKutta, Reached, Target, attempt_plainly, tableau};
 use crate::motion::field::Field;
 use crate::motion::plain::Plain;
-use crate::numerics::vectors::{Vectors, Work};
 use crate::run::{Attempted, Simulation};
 use crate::state::failure::Failure;
 use crate::state::settings::{Stabilisation, Tolerance};
 use crate::state::trajectory::Sample;
-use sim_kernel::{Lanes, Mechanism};
+use sim_kernel::{Lanes, Mechanism, Vectors, Work};
 
 /// Advances many simulations of one mechanism to a time, each with its own parameters, inputs, state and steps: each has
 /// the same bits as after [`Simulation::advance_to`], but eight motions are computed at once, with the widest vector

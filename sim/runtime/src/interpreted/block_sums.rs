@@ -3,7 +3,7 @@
 
 use super::compact::SumOfProduct;
 use codegen::emit::bytecode::{MINUS_ZERO, ONE};
-use sim_kernel::{Lanes, Scalar};
+use sim_kernel::Lanes;
 
 /// What a sum of a product is at a block: capital letters are blocks, small ones numbers.
 #[derive(Clone, Copy, Debug)]

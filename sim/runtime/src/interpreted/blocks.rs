@@ -5,11 +5,10 @@ use super::block_sums::BlockSum;
 use super::compact::{Body, body};
 use super::execute::{Given, step};
 use super::one_program::Places;
-use crate::numerics::vectors::Work;
 use crate::{Results, States};
 use codegen::emit::bytecode::{Code, Instruction, Wave};
 use codegen::kernel_id::Argument;
-use sim_kernel::{Input, Lanes, Scalar, Table, pivot_is_refused, sin_cos_of_block};
+use sim_kernel::{Input, Lanes, Scalar, Table, Work, pivot_is_refused, sin_cos_of_block};
 use std::ops::Range;
 
 /// How many states a block has. Not a power of two: registers would stand such a number of bytes apart, and loads would wait for

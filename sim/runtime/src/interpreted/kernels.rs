@@ -5,9 +5,8 @@ use super::programs::Programs;
 use super::registers::Number;
 use crate::model::At;
 use crate::model::erased::{Found, Kernel, Results, States, Values};
-use crate::numerics::vectors::Vectors;
 use codegen::kernel_id::{KernelId, Receiver};
-use sim_kernel::Scalar;
+use sim_kernel::{Scalar, Vectors};
 
 /// A mechanism with values, on numbers of any kind.
 #[derive(Clone, Copy)]

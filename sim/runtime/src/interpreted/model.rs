@@ -4,10 +4,9 @@ use super::kernels::{Kernels, given, program};
 use super::programs::Programs;
 use crate::model::erased::{Found, Kernel, Model, Prepared, Results, States, Values, one_by_one};
 use crate::model::{At, exactly};
-use crate::numerics::vectors::Vectors;
 use codegen::Derived;
 use codegen::kernel_id::KernelId;
-use sim_kernel::{Description, Dual, Input, Interval};
+use sim_kernel::{Description, Dual, Input, Interval, Vectors};
 use std::sync::Arc;
 
 /// A mechanism made of a declaration at run time.

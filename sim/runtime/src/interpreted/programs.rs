@@ -6,12 +6,11 @@ use super::leaked::{Kept, kept};
 use super::one_program::OneProgram;
 use super::registers::{Number, with_registers};
 use crate::model::erased::{Found, Results, States};
-use crate::numerics::vectors::Vectors;
 use codegen::Derived;
 use codegen::emit::bytecode::{Order, codes};
 use codegen::kernel_id::KernelId;
 use codegen::symbolic::evaluate;
-use sim_kernel::{Description, Mask, Scalar, Table};
+use sim_kernel::{Description, Mask, Scalar, Table, Vectors};
 
 /// The programs of a mechanism, and what is told of it.
 #[derive(Debug)]

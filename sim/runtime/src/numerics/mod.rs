@@ -12,4 +12,3 @@ pub(crate) mod power_of_two;
 pub(crate) mod root;
 pub(crate) mod signs;
 pub(crate) mod solve;
-pub(crate) mod vectors;

@@ -2,8 +2,7 @@
 
 use super::each::{Results, States};
 use crate::model::At;
-use crate::numerics::vectors::Vectors;
-use sim_kernel::{Description, Dual, Input, Interval, Scalar};
+use sim_kernel::{Description, Dual, Input, Interval, Scalar, Vectors};
 use std::fmt::Debug;
 use std::sync::Arc;
 

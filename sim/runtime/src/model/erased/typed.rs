@@ -5,8 +5,7 @@ use super::model::{Found, Kernel, Model, Prepared, Values};
 use super::one_by_one::one_by_one;
 use crate::model::{At, exactly};
 use crate::numerics::arrays::array;
-use crate::numerics::vectors::Vectors;
-use sim_kernel::{Array, Compiled, Description, Dual, Input, Interval, Mask, Mechanism, Scalar};
+use sim_kernel::{Array, Compiled, Description, Dual, Input, Interval, Mask, Mechanism, Scalar, Vectors};
 use std::sync::Arc;
 
 /// A compiled mechanism as a [`Model`].

@@ -1,6 +1,11 @@
 //! Vector instructions: code compiled for each width that a processor may have, chosen at run time.
 
-use std::fmt;
+use core::fmt;
+
+#[cfg(target_arch = "x86_64")]
+cpufeatures::new!(has_avx2, "avx2");
+#[cfg(target_arch = "x86_64")]
+cpufeatures::new!(has_avx512, "avx512f", "avx512dq");
 
 /// Work that is compiled for every width of vector instructions, with the functions that are inlined into it.
 pub trait Work {
@@ -50,7 +55,7 @@ impl Vectors {
     #[inline]
     pub fn avx2() -> Option<Vectors> {
         #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx2") {
+        if has_avx2::get() {
             return Some(Vectors(Width::Avx2));
         }
         None
@@ -60,7 +65,7 @@ impl Vectors {
     #[inline]
     pub fn avx512() -> Option<Vectors> {
         #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx512f") && std::arch::is_x86_feature_detected!("avx512dq") {
+        if has_avx512::get() {
             return Some(Vectors(Width::Avx512));
         }
         None
@@ -94,4 +99,20 @@ fn with_avx2<W: Work>(work: W) -> W::Output {
 #[target_feature(enable = "avx512f,avx512dq")]
 fn with_avx512<W: Work>(work: W) -> W::Output {
     work.run::<8>()
+}
+
+/// Work on single numbers, which long kernels are: AVX2, where the processor has it, saves copies between registers. It is compiled
+/// apart from where it is done, twice, and once in a build that is not for speed.
+#[inline]
+pub(crate) fn apart<W: Work>(work: W) -> W::Output {
+    #[cfg(not(debug_assertions))]
+    if let Some(vectors) = Vectors::avx2() {
+        return vectors.run(work);
+    }
+    with_baseline(work)
+}
+
+#[inline(never)]
+fn with_baseline<W: Work>(work: W) -> W::Output {
+    work.run::<1>()
 }
