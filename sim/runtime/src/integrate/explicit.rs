@@ -4,6 +4,7 @@
 //! take and give states by value in functions of their own, so that the states of stages stay in registers.
 
 use super::dense::{cubic, nested};
+use super::error_of_work::with_work;
 use super::method::{Advance, Attempt};
 use super::tableau::{ErrorEstimate, MOST_STAGES, RK4, Tableau, Weight};
 use crate::motion::Motion;
@@ -111,10 +112,21 @@ impl<S: Scalar, M: Mechanism<S>> ExplicitRungeKutta<M, S> {
         h: S,
         tolerance: &Tolerance,
     ) -> Result<S, Failure> {
-        let size = |weights: &[Weight]| {
+        let norm = |[positions, speeds]: [&M::Q; 2]| tolerance.norm(field.measures(), from, to, [positions, speeds]);
+        let error = self.estimate(|weights| {
             let (positions, speeds) = field.in_speeds(from, &self.combined(weights))?;
-            Ok(h.abs() * tolerance.norm(field.measures(), from, to, [&positions, &speeds]))
-        };
+            Ok(h.abs() * norm([&positions, &speeds]))
+        })?;
+        let works = self.stages[..self.tableau.c.len()].iter().map(|stage| h * stage.work).chain([from.work, to.work]);
+        let of_work = self.estimate(|weights| Ok(h.abs() * self.combined(weights).work.abs()))?;
+        let kinetic_energies =
+            || [from, to].map(|at| field.mechanism().kinetic_energy(at.time, &at.positions, &at.speeds));
+        let speeds = || norm([&to.positions.like(|_| S::ZERO), &to.speeds]);
+        Ok(with_work(error, of_work, works, tolerance.relative, (kinetic_energies, speeds)))
+    }
+
+    /// The estimate of an error by the sizes of weighted stages.
+    fn estimate(&self, size: impl Fn(&[Weight]) -> Result<S, Failure>) -> Result<S, Failure> {
         match self.tableau.error {
             ErrorEstimate::None => Ok(S::ZERO),
             ErrorEstimate::Embedded(weights) => size(weights),
