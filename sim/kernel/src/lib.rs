@@ -15,6 +15,7 @@ mod input;
 mod interval;
 mod lanes;
 mod mechanism;
+mod root;
 mod scalar;
 pub mod speeds;
 mod table;

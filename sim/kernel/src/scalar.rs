@@ -1,5 +1,6 @@
 //! The numbers that kernels run on.
 
+use crate::root;
 use crate::vectors::{Work, apart};
 use crate::wave::sin_cos_each;
 use core::fmt::Debug;
@@ -108,7 +109,7 @@ pub trait Scalar:
 }
 
 macro_rules! real {
-    ($type:ident, half_digits $half:expr, $atan2:ident, $pow:ident, [$($name:ident $function:ident),*]) => {
+    ($type:ident, half_digits $half:expr, $sqrt:ident, $atan2:ident, $pow:ident, [$($name:ident $function:ident),*]) => {
         impl Scalar for $type {
             type Mask = bool;
             const HALF_DIGITS: f64 = $half;
@@ -160,6 +161,10 @@ macro_rules! real {
                 let (sines, cosines) = sin_cos_each(angles.map(f64::from));
                 (sines.map(|sine| sine as $type), cosines.map(|cosine| cosine as $type))
             }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                root::$sqrt(self)
+            }
             #[inline]
             fn atan2(self, x: Self) -> Self {
                 libm::$atan2(self, x)
@@ -177,10 +182,10 @@ macro_rules! real {
 }
 
 #[rustfmt::skip]
-real!(f64, half_digits 1.490_116_119_384_765_6e-8, atan2, pow, [
-    tan tan, asin asin, acos acos, atan atan, sinh sinh, cosh cosh, tanh tanh, exp exp, ln log, sqrt sqrt, abs fabs
+real!(f64, half_digits 1.490_116_119_384_765_6e-8, sqrt, atan2, pow, [
+    tan tan, asin asin, acos acos, atan atan, sinh sinh, cosh cosh, tanh tanh, exp exp, ln log, abs fabs
 ]);
 #[rustfmt::skip]
-real!(f32, half_digits 3.452_669_8e-4, atan2f, powf, [
-    tan tanf, asin asinf, acos acosf, atan atanf, sinh sinhf, cosh coshf, tanh tanhf, exp expf, ln logf, sqrt sqrtf, abs fabsf
+real!(f32, half_digits 3.452_669_8e-4, sqrtf, atan2f, powf, [
+    tan tanf, asin asinf, acos acosf, atan atanf, sinh sinhf, cosh coshf, tanh tanhf, exp expf, ln logf, abs fabsf
 ]);
