@@ -2,7 +2,8 @@
 
 use super::concrete::Concrete;
 use super::ident;
-use super::kernel::{argument_names, record_of};
+use super::kernel::record_of;
+use super::names::argument_names;
 use crate::kernel_id::{Associated, KernelId, Receiver, Trait, Type};
 use crate::model::Model;
 use crate::program::Program;

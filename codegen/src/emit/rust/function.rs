@@ -1,7 +1,7 @@
 //! Functions that compute kernels. Long ones are work of its own, which is done with the vector instructions that the processor has.
 
 use super::concrete::{Concrete, vector};
-use super::kernel::argument_names;
+use super::names::argument_names;
 use crate::kernel_id::{Arguments, KernelId};
 use crate::program::Kernel;
 use proc_macro2::{Group, Ident, TokenStream};

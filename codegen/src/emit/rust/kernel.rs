@@ -2,11 +2,11 @@
 
 use super::concrete::{Concrete, vector};
 use super::function::{Function, is_apart};
-use super::names::{output_rates_name, outputs_name, prepared_name};
+use super::names::{argument_names, output_rates_name, outputs_name, prepared_name};
 use super::record::record_type;
 use super::{ident, size, table_constant};
 use crate::dynamics::EquationsOfMotion;
-use crate::kernel_id::{Argument, Arguments, Associated, KernelId, Receiver, Record, Type};
+use crate::kernel_id::{Argument, Associated, KernelId, Receiver, Record, Type};
 use crate::model::Model;
 use crate::program::{Columns, Kernel, LookUp, Name, Piece, Program, Results, Statement, Tree};
 use proc_macro2::{Delimiter, Group, Ident, Literal, TokenStream};
@@ -160,11 +160,6 @@ fn shortcut(model: &Model, kernel: &Kernel, concrete: &Concrete) -> TokenStream 
             self.prepare().#name(#(#names),*)
         }
     }
-}
-
-/// `t, q, ..`
-pub(super) fn argument_names(arguments: Arguments) -> Vec<Ident> {
-    arguments.list().iter().map(|argument| ident(argument.name())).collect()
 }
 
 /// Names for the entries of the arguments.
