@@ -2,7 +2,7 @@
 
 use models::BouncingBall;
 use sim::{Column, Compiled, Method, Rows, Run, Settings, Table, mechanism};
-use tests::{any_model, run_with};
+use tests::run_with;
 
 mechanism! {
     /// A sledge on a spring, pushed by a constant force, with a mass on it that a motor drags to and fro across.
@@ -122,26 +122,6 @@ fn events_inside_steps_keep_the_work() {
             // Some tolerances for all steps together, and one half for each of up to 238 events.
             let bound = (30.0 + run.events.len() as f64 / 2.0) * tolerance;
             assert!(worst < bound, "{method:?}, {w}, {tolerance:e}: {worst:e} after {} events", run.events.len());
-        }
-    }
-}
-
-/// m x'' = 4 t^3: dop853 and dopri5 have x = t^5/5 exactly however long a step is, and the work t^8/2 is not.
-#[test]
-fn the_work_of_a_polynomial_force_shortens_steps() {
-    let sledge = any_model::interpreted(
-        "pub Pushed; coordinates { x [m]; } bodies { sledge: mass 1 [kg] at [x, 0]; } \
-         loads { force [4 [N/s^3]*t^3, 0] at [x, 0]; }",
-    );
-    let sledge = sledge.unwrap();
-    for method in [Method::Dop853, Method::Dopri5] {
-        let settings = Settings { rows: Rows::Even(100), ..Settings::adaptive(method, 2.0, 1e-10) };
-        let run = run_with(sledge.clone(), &settings).unwrap();
-        // A thousand tolerances in each of few steps, and the same between their ends.
-        assert!(run.energy_balance < 1e-6, "{method:?}: {:e}", run.energy_balance);
-        for sample in &run.trajectory.samples {
-            let (t, work) = (sample.state.time, sample.state.work);
-            assert!((work - t.powi(8) / 2.0).abs() < 1e-6 * (t.powi(8) + 1e-2), "{method:?} at {t}: {work:e}");
         }
     }
 }

@@ -4,7 +4,6 @@
 //! take and give states by value in functions of their own, so that the states of stages stay in registers.
 
 use super::dense::{cubic, nested};
-use super::error_of_work::{larger, with_work};
 use super::method::{Advance, Attempt};
 use super::tableau::{ErrorEstimate, MOST_STAGES, RK4, Tableau, Weight};
 use crate::motion::Motion;
@@ -112,27 +111,20 @@ impl<S: Scalar, M: Mechanism<S>> ExplicitRungeKutta<M, S> {
         h: S,
         tolerance: &Tolerance,
     ) -> Result<S, Failure> {
-        let norm = |[positions, speeds]: [&M::Q; 2]| tolerance.norm(field.measures(), from, to, [positions, speeds]);
-        let sizes = |weights: &[Weight]| {
-            let error = self.combined(weights);
-            let (positions, speeds) = field.in_speeds(from, &error)?;
-            Ok([norm([&positions, &speeds]), error.work.abs()].map(|size| h.abs() * size))
+        let size = |weights: &[Weight]| {
+            let (positions, speeds) = field.in_speeds(from, &self.combined(weights))?;
+            Ok(h.abs() * tolerance.norm(field.measures(), from, to, [&positions, &speeds]))
         };
-        let [error, of_work] = match self.tableau.error {
-            ErrorEstimate::None => return Ok(S::ZERO),
-            ErrorEstimate::Embedded(weights) => sizes(weights)?,
+        match self.tableau.error {
+            ErrorEstimate::None => Ok(S::ZERO),
+            ErrorEstimate::Embedded(weights) => size(weights),
             ErrorEstimate::Embedded53(fifth, third) => {
-                let ([e5, w5], [e3, w3]) = (sizes(fifth)?, sizes(third)?);
-                [embedded53(e5, e3), embedded53(w5, w3)]
+                let (e5, e3) = (size(fifth)?, size(third)?);
+                // (II.10.17); both are zero in equilibrium.
+                let norm = e5 * e5 / (e5 * e5 + S::from_f64(0.01) * e3 * e3).sqrt();
+                Ok(S::select(e5.at_most(S::ZERO), S::ZERO, norm))
             }
-        };
-        let others = || {
-            let works = self.stages[..self.tableau.c.len()].iter().map(|stage| h * stage.work);
-            let energies = [from, to].map(|at| field.mechanism().kinetic_energy(at.time, &at.positions, &at.speeds));
-            works.chain(energies).fold(S::ZERO, larger)
-        };
-        let speeds = || norm([&to.positions.like(|_| S::ZERO), &to.speeds]);
-        Ok(with_work([error, of_work], [from.work, to.work], tolerance.relative, (others, speeds)))
+        }
     }
 
     /// Advances from a sample to a time: see [`Advance::step`].
@@ -207,13 +199,6 @@ impl<M: Mechanism> Advance<M> for ExplicitRungeKutta<M> {
         let found = motion.integrated(&from.state).changed(between.time, 1.0, &change);
         motion.state(found.moved_to(between.positions))
     }
-}
-
-/// (II.10.17); both are zero in equilibrium.
-#[inline(always)]
-fn embedded53<S: Scalar>(e5: S, e3: S) -> S {
-    let norm = e5 * e5 / (e5 * e5 + S::from_f64(0.01) * e3 * e3).sqrt();
-    S::select(e5.at_most(S::ZERO), S::ZERO, norm)
 }
 
 #[cold]

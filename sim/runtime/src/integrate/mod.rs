@@ -9,7 +9,6 @@ mod crossing;
 mod dense;
 mod dop853;
 mod dop853_tableau;
-mod error_of_work;
 mod explicit;
 mod headway;
 mod integrator;
