@@ -105,9 +105,12 @@ fn with_avx512<W: Work>(work: W) -> W::Output {
 /// apart from where it is done, twice, and once in a build that is not for speed.
 #[inline]
 pub(crate) fn apart<W: Work>(work: W) -> W::Output {
-    #[cfg(not(debug_assertions))]
-    if let Some(vectors) = Vectors::avx2() {
-        return vectors.run(work);
+    // Called by itself: by `Vectors::run` a third copy would be compiled, to be thrown away.
+    #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
+    if has_avx2::get() {
+        // Safety: the processor was found to have the instructions.
+        #[allow(unsafe_code)]
+        return unsafe { with_avx2(work) };
     }
     with_baseline(work)
 }
