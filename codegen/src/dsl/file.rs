@@ -20,8 +20,8 @@ pub fn folder_of_tables(file: &Path) -> PathBuf {
 
 /// Replaces the names of files, which are relative to `folder`, by their rows. Gives the names of the files too.
 ///
-/// A row is a line of two numbers, with a comma, a semicolon, a tab or spaces between them. Empty lines, what follows a `#`,
-/// and a first line of words are left out.
+/// A row is a line of two numbers, with a comma, a semicolon, a tab or spaces between them. Empty lines and what follows a
+/// `#` are left out. A first line of two words stays with the rows, because it may say units.
 ///
 /// # Errors
 /// Files that cannot be read, and lines that are no rows; declarations beyond the limits.
@@ -113,13 +113,17 @@ fn rows(name: &str, folder: &Path, span: Span) -> std::result::Result<TokenTree,
         let is_heading = std::mem::take(&mut is_first) && cells.iter().all(|cell| cell.parse::<f64>().is_err());
         match cells.as_slice() {
             [] => is_first = words.is_empty(),
-            _ if is_heading => {}
-            [argument, value] => {
-                words.extend(number(argument, name, at)?);
-                words.push(Punct::new(',', Spacing::Alone).into());
-                words.extend(number(value, name, at)?);
-                words.push(Punct::new(';', Spacing::Alone).into());
-            }
+            cells if is_heading => match headings(cells).as_slice() {
+                [argument, value] => words.extend(row(quoted(argument), quoted(value))),
+                _ if line.contains('[') => {
+                    return Err(format!(
+                        "{name}, line {}: a heading names the arguments and the values, as in `t [s], F [N]`",
+                        at + 1
+                    ));
+                }
+                _ => {}
+            },
+            [argument, value] => words.extend(row(number(argument, name, at)?, number(value, name, at)?)),
             cells => {
                 return Err(format!(
                     "{name}, line {}: a row has two numbers, an argument and a value; this one has {}",
@@ -135,11 +139,37 @@ fn rows(name: &str, folder: &Path, span: Span) -> std::result::Result<TokenTree,
     Ok(rows.into())
 }
 
+/// The cells of a line, without the quotes that a spreadsheet may write around them.
 fn cells(line: &str) -> Vec<&str> {
-    match line.contains([',', ';', '\t']) {
-        true => line.split([',', ';', '\t']).map(str::trim).filter(|cell| !cell.is_empty()).collect(),
-        false => line.split_whitespace().collect(),
+    fn bare(cell: &str) -> &str {
+        cell.trim().trim_matches('"').trim()
     }
+    match line.contains([',', ';', '\t']) {
+        true => line.split([',', ';', '\t']).map(bare).filter(|cell| !cell.is_empty()).collect(),
+        false => line.split_whitespace().map(bare).collect(),
+    }
+}
+
+/// `argument, value;`
+fn row(argument: Vec<TokenTree>, value: Vec<TokenTree>) -> Vec<TokenTree> {
+    let mark = |of| vec![Punct::new(of, Spacing::Alone).into()];
+    [argument, mark(','), value, mark(';')].concat()
+}
+
+/// The words of a heading, each with the unit that follows it.
+fn headings(cells: &[&str]) -> Vec<String> {
+    let mut headings: Vec<String> = Vec::new();
+    for cell in cells {
+        match headings.last_mut() {
+            Some(before) if cell.starts_with(['[', '(']) => *before += &format!(" {cell}"),
+            _ => headings.push((*cell).to_owned()),
+        }
+    }
+    headings
+}
+
+fn quoted(heading: &str) -> Vec<TokenTree> {
+    vec![Literal::string(heading).into()]
 }
 
 fn number(cell: &str, name: &str, at: usize) -> std::result::Result<Vec<TokenTree>, String> {

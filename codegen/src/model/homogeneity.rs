@@ -4,8 +4,10 @@
 
 use super::interpreter::Interpreter;
 use super::measured::Measured;
+use super::origin::Origin;
+use super::scope::plain;
 use super::{Dimension, Point, Unit};
-use crate::dsl::Expression;
+use crate::dsl::{Expression, Kind};
 use crate::symbolic::Expr;
 
 impl Interpreter {
@@ -21,7 +23,26 @@ impl Interpreter {
                 let mistake = self.unlike(left.expression, of_left, right.expression, of_right, rule);
                 self.blame(mistake, &[left.expression, right.expression])
             }
-            (of_left, of_right) => Some(of_left.clone().or_else(|| of_right.clone())),
+            (of_left, of_right) => {
+                let of_both = of_left.clone().or_else(|| of_right.clone());
+                self.refuse_bare_degrees(left.expression, right.expression)?;
+                self.refuse_bare_degrees(right.expression, left.expression)?;
+                Some(of_both)
+            }
+        }
+    }
+
+    /// A bare number beside an angle that is declared in degrees or revolutions is in radians: hardly what is meant.
+    fn refuse_bare_degrees(&mut self, angle: &Expression, number: &Expression) -> Option<()> {
+        let (Kind::Name(name), Some(literal)) = (&angle.kind, lone_number(number)) else { return Some(()) };
+        match self.origins.get(&plain(name)) {
+            Some(Origin::Declared(Some(unit))) if ["deg", "rev"].contains(&unit.as_str()) => {
+                let message = format!(
+                    "`{name}` is declared in [{unit}], and `{literal}` is in radians; write `{literal} [{unit}]` or `{literal} [rad]`"
+                );
+                self.refuse(number.region, message)
+            }
+            _ => Some(()),
         }
     }
 
@@ -101,5 +122,16 @@ impl Interpreter {
             _ => "a pure number",
         };
         self.expect_dimension(argument, &Dimension::none(), &format!("`{function}(..)` takes {what}"))
+    }
+}
+
+/// A number other than 0 that stands alone, without a unit.
+fn lone_number(expression: &Expression) -> Option<String> {
+    match &expression.kind {
+        Kind::Number { literal, unit: None } => {
+            literal.contains(|digit| ('1'..='9').contains(&digit)).then(|| literal.clone())
+        }
+        Kind::Negate(operand) => lone_number(operand).map(|number| format!("-{number}")),
+        _ => None,
     }
 }

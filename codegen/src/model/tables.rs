@@ -32,6 +32,7 @@ fn resolve_table(written: &dsl::DeclaredTable, interpreter: &mut Interpreter) ->
     let (unit, over) = (resolve_unit(&written.unit, interpreter), resolve_unit(&written.over, interpreter));
     let form = check_form(written, &name, interpreter);
     let (unit, over) = (unit?, over?);
+    check_headings(written, &name, [&over, &unit], interpreter)?;
     let rows = written.rows.iter().map(|[x, y]| {
         let arguments = format!("the arguments of table `{name}` are");
         let (x, y) = (
@@ -79,6 +80,44 @@ fn check_form(written: &dsl::DeclaredTable, name: &str, interpreter: &mut Interp
         1 => interpreter.refuse(place, format!("table `{name}` has one row; a function is given by two or more")),
         _ => Some(()),
     }
+}
+
+/// A heading that says another unit than the declaration belongs to rows in that unit.
+fn check_headings(
+    written: &dsl::DeclaredTable,
+    name: &str,
+    declared: [&Unit; 2],
+    interpreter: &mut Interpreter,
+) -> Option<()> {
+    let Some(headings) = &written.headings else { return Some(()) };
+    for ((heading, declared), column) in headings.iter().zip(declared).zip(["arguments", "values"]) {
+        let Some(said) = said_unit(&heading.value()) else { continue };
+        let message = match said {
+            Ok(said) if said.is_same_as(declared) => continue,
+            Ok(said) => {
+                let (said, declared) = (said.text(), declared.text());
+                format!(
+                    "the heading says that the {column} of table `{name}` are in [{said}]; they are declared in [{declared}]"
+                )
+            }
+            Err(text) => {
+                format!("the heading says [{text}], which is no unit; write one such as `[deg]` or `[1]`, or none")
+            }
+        };
+        return interpreter.refuse(heading.span().into(), message);
+    }
+    Some(())
+}
+
+/// The unit at the end of a heading: `F [kN]`, `F (kN)`. Words in parentheses need not be one.
+fn said_unit(heading: &str) -> Option<Result<Unit, String>> {
+    let heading = heading.trim();
+    let within = |open, close| Some(heading.strip_suffix(close)?.rsplit_once(open)?.1.trim());
+    if let Some(text) = within('[', ']') {
+        let is_pure = matches!(text, "" | "-");
+        return Some(if is_pure { Ok(Unit::none()) } else { Unit::parse(text).map_err(|_| text.to_owned()) });
+    }
+    within('(', ')').and_then(|text| Unit::parse(text).ok()).map(Ok)
 }
 
 /// An argument or a value of a row in SI units; plain numbers are in the unit of the column.

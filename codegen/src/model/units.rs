@@ -140,6 +140,14 @@ impl Unit {
         }
     }
 
+    /// Whether numbers in one are numbers in the other: `J` and `N*m`, `rad` and `1`.
+    pub fn is_same_as(&self, other: &Unit) -> bool {
+        self.dimension == other.dimension
+            && self.rational == other.rational
+            && self.pi_power == other.pi_power
+            && self.mistaken_for(other).is_none()
+    }
+
     /// Whether it was written rather than left out.
     pub fn is_declared(&self) -> bool {
         *self != Unit::none()

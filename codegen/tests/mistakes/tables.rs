@@ -119,6 +119,32 @@ fn units() {
 }
 
 #[test]
+fn headings() {
+    let headed = |headings: &str, expected: &[&str]| {
+        table(&format!("lift [mm] over [deg] = linear {{ {headings}; 0, 0; 90, 10; }}"), expected);
+    };
+    for sound in ["angle [deg]\", \"lift [mm]", "angle\", \"lift", "phi (deg)\", \"lift (of the valve)"] {
+        headed(&format!("\"{sound}\""), &[]);
+    }
+    table(r#"x = linear { "a [-]", "b []"; 0, 0; 90, 10; }"#, &[]);
+    table(r#"x [J] over [1] = linear { "a [rad]", "b [N*m]"; 0, 0; 90, 10; }"#, &[]);
+    let declared = |column, said, declared| {
+        format!("the heading says that the {column} of table `lift` are in [{said}]; they are declared in [{declared}]")
+    };
+    headed(r#""angle [deg]", "lift [m]""#, &[&format!("4:57 {}", declared("values", "m", "mm"))]);
+    headed(r#""angle (rad)", "lift""#, &[&format!("4:42 {}", declared("arguments", "rad", "deg"))]);
+    headed(r#""angle [-]", "lift""#, &[&format!("4:42 {}", declared("arguments", "1", "deg"))]);
+    headed(
+        r#""angle [°]", "lift""#,
+        &["4:42 the heading says [°], which is no unit; write one such as `[deg]` or `[1]`, or none"],
+    );
+    headed(
+        r#""angle [deg]""#,
+        &["4:55 a heading has two texts, for the arguments and for the values: `\"t [s]\", \"F [N]\";`"],
+    );
+}
+
+#[test]
 fn uses() {
     used("v [m] = lift;", &["8:19 `lift` is a table; it takes an argument: `lift(x)`"]);
     used("v [m] = lift(phi, 2);", &["8:19 table `lift` is written `lift(x)`: 1 argument wanted, 2 given"]);
@@ -202,6 +228,11 @@ fn in_file(text: &str) -> Result<usize, String> {
 #[test]
 fn files() {
     for sound in [
+        "angle [deg],lift [mm]\n0,0\n90,10.5\n180,20\n",
+        "angle (left)\tlift (mm)\n0\t0\n90\t10.5\n180\t20\n",
+        "angle [deg] lift\n0 0\n90 10.5\n180 20\n",
+        "\"0\",\"0\"\n\"90\",\"10.5\"\n\"180\",\"20\"\n",
+        "angle of the cam\n0 0\n90 10.5\n180 20\n",
         "angle,lift\n0,0\n90,10.5\n# the top\n180,20\n",
         "\u{feff}0;0\r\n90;10.5\r\n\r\n180;-2e1",
         "0 0\n90\t10.5 # here\n  180 20",
@@ -217,6 +248,13 @@ fn files() {
     refused("0,0,3\n", &format!("{place}, line 1: a row has two numbers, an argument and a value; this one has 3"));
     refused("0,0\n", "4:10 table `lift` has one row; a function is given by two or more");
     refused("0,0\n2,0\n1,0\n", "4:50 the arguments of a table must increase from row to row; 1.0 follows 2.0");
+    let said = "the heading says that the arguments of table `lift` are in [rad]; they are declared in [deg]";
+    for heading in ["angle [rad],lift [mm]", "angle [rad] lift", "\"angle [rad]\";\"lift\"", "angle (rad)\tlift (left)"]
+    {
+        refused(&format!("{heading}\n0,0\n1,1\n"), &format!("4:50 {said}"));
+    }
+    let two = "a heading names the arguments and the values, as in `t [s], F [N]`";
+    refused("lift [mm]\n0,0\n1,1\n", &format!("{place}, line 1: {two}"));
     let read = |written: &str| {
         let text = SOUND.replacen("let P", &format!("tables {{ lift = linear from {written}; }} let P"), 1);
         let folder = std::path::Path::new("/nowhere");

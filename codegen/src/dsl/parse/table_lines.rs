@@ -9,7 +9,7 @@ use crate::dsl::vocabulary::TableWord;
 use crate::dsl::{Between, DeclaredTable, Ends, Expression, Outside, Region};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Result};
-use syn::{Ident, Token};
+use syn::{Ident, LitStr, Token};
 
 const FORM: &str = "a table is written `lift [mm] over [deg] = cubic, periodic { 0, 0; 90, 10; 360, 0; }`";
 const ROW: &str = "a row is an argument and a value: `90, 10;`";
@@ -44,10 +44,23 @@ pub(super) fn table(input: ParseStream) -> Result<DeclaredTable> {
     }
     let content;
     syn::braced!(content in input);
+    let headings = if content.peek(LitStr) { Some(ended(headings)(&content)?) } else { None };
     let rows = lines(&content, ended(row))?;
     input.parse::<Option<Token![;]>>()?;
     let outside = words.outside.unwrap_or(Outside::Held);
-    Ok(DeclaredTable { docs, name, unit, over, between, ends: words.ends, outside, rows })
+    Ok(DeclaredTable { docs, name, unit, over, between, ends: words.ends, outside, headings, rows })
+}
+
+/// `"t [ms]", "F [kN]"`, as over the rows of a file.
+fn headings(input: ParseStream) -> Result<[LitStr; 2]> {
+    let argument = input.parse()?;
+    if input.parse::<Option<Token![,]>>()?.is_none() || !input.peek(LitStr) {
+        return Err(here(
+            input,
+            "a heading has two texts, for the arguments and for the values: `\"t [s]\", \"F [N]\";`",
+        ));
+    }
+    Ok([argument, input.parse()?])
 }
 
 fn row(input: ParseStream) -> Result<[Expression; 2]> {

@@ -1,7 +1,7 @@
 //! Functions given by rows.
 
 use crate::dsl::{Expression, Region, Unit};
-use syn::Ident;
+use syn::{Ident, LitStr};
 
 /// `lift [mm] over [deg] = cubic, periodic { 0, 0; 90, 10; 360, 0; }`
 pub struct DeclaredTable {
@@ -19,6 +19,8 @@ pub struct DeclaredTable {
     pub ends: Option<(Ends, Region)>,
     /// The extension beyond the rows.
     pub outside: Outside,
+    /// What stands over the arguments and over the values, where they have a heading.
+    pub headings: Option<[LitStr; 2]>,
     /// Arguments and values, row by row.
     pub rows: Vec<[Expression; 2]>,
 }
