@@ -34,7 +34,11 @@
 
   /** Loads the page anew, where it was. */
   function reload() {
-    if (window.report) sessionStorage.setItem(KEPT, JSON.stringify(window.report.state()));
+    if (window.report) {
+      sessionStorage.setItem(KEPT, JSON.stringify(window.report.state()));
+      // Frames of this page would only delay the next.
+      window.report.player.pause();
+    }
     location.reload();
   }
 

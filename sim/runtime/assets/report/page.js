@@ -11,12 +11,14 @@ function addPlots() {
     const plot = new PlotCard(figure, opened);
     plots.push(plot);
     byId("plots").append(plot.card);
-    if (opened) plot.build();
   };
   for (const figure of run.figures) add(figure, true);
   for (const figure of run.more) add(figure, false);
   const phase = new Phase();
   byId("plots").append(phase.card);
+  // Those in sight at once, the others when they come near.
+  const inSight = plots.filter((plot) => plot.card.getBoundingClientRect().top < innerHeight);
+  for (const plot of inSight) if (plot.opened) plot.build();
   return phase;
 }
 
@@ -165,6 +167,7 @@ function fitEquations(width) {
 addEventListener("beforeprint", () => {
   darkBeforePrint = isDark();
   setTheme(false);
+  for (const plot of plots) plot.show();
   for (const plot of plots) if (plot.chart) plot.chart.setSize({ width: PRINTED, height: HEIGHT });
   fitEquations(PRINTED);
   player.render();

@@ -1,6 +1,8 @@
 // Curves over time, their zoom in common, and a cursor at the animation's time.
 
 const HEIGHT = 190;
+/** Of one row of the legend. */
+const LEGEND = 32;
 const plots = [];
 let zoom = null;
 
@@ -10,7 +12,8 @@ class PlotCard {
     this.columns = figure.columns.map((index) => run.columns[index]);
     this.hidden = new Set();
     this.visible = false;
-    this.body = element("div");
+    this.opened = opened;
+    this.body = element("div", opened ? { style: `min-height: ${HEIGHT + LEGEND}px` } : {});
     this.card = element("article", { class: `plot card${opened ? " open" : ""}` });
     if (opened) {
       this.card.append(element("h3", {}, figure.title), this.body);
@@ -25,8 +28,14 @@ class PlotCard {
     }
     new IntersectionObserver(([entry]) => {
       this.visible = entry.isIntersecting;
-      if (this.visible) this.update(player.shown());
-    }).observe(this.card);
+      if (this.visible) this.show();
+    }, { rootMargin: "50%" }).observe(this.card);
+  }
+
+  /** Draws an open card when it is seen, or about to be. */
+  show() {
+    if (this.opened && !this.chart) this.build();
+    this.update(player.shown());
   }
 
   /** What a closed card would show. */

@@ -4,6 +4,7 @@ const run = JSON.parse(document.getElementById("run").textContent);
 
 /** Little-endian floats from base64. */
 function floats(text, Floats) {
+  if (Uint8Array.fromBase64) return new Floats(Uint8Array.fromBase64(text).buffer);
   const letters = atob(text);
   const bytes = new Uint8Array(letters.length);
   for (let i = 0; i < letters.length; i++) bytes[i] = letters.charCodeAt(i);

@@ -82,7 +82,7 @@ function restore(kept) {
     [drawing.view.azimuth, drawing.view.elevation, drawing.view.zoom] = kept.view;
     drawing.turned();
   }
-  zoomTo(kept.zoom);
+  if (kept.zoom) zoomTo(kept.zoom);
   player.seek(kept.time);
   player.render();
   scrollTo(0, kept.scroll);

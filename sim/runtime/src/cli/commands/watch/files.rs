@@ -8,7 +8,7 @@ use std::sync::{Condvar, Mutex, PoisonError};
 use std::time::{Duration, Instant, SystemTime};
 
 /// How often files are looked at.
-const BETWEEN: Duration = Duration::from_millis(10);
+const BETWEEN: Duration = Duration::from_millis(5);
 /// Files that were changed so short a time ago are compared by what is in them: their time may stay the same.
 const FRESH: Duration = Duration::from_millis(200);
 /// How long the file may be away or empty, as editors leave it for a moment.

@@ -36,15 +36,20 @@ pub(super) fn first_page() -> Result<Page, Stop> {
 /// Makes a page of each change for ever. A change ends the work on an earlier one.
 pub(super) fn follow(path: &Path, name: Option<&str>, arguments: &RunArguments, changes: &Changes, board: &Board) -> ! {
     let mut number = 1;
+    // One for all pages: a browser compiles scripts anew under another. Nothing that is shown can know it.
+    let nonce = board.now().page.nonce;
     loop {
         let (job, count) = changes.wait();
         let is_last = || changes.count() == count;
         let (page, notice) = match job {
             Job::Missing(why) => (None, Some(notice(&why, Vec::new()))),
-            Job::Run(file) => match made(&file, name, arguments, number + 1, &is_last) {
-                Ok((page, failures)) => (Some(page), said(&failures)),
-                Err(wrong) => (None, Some(wrong.shown(path))),
-            },
+            Job::Run(file) => {
+                let live = Live { number: number + 1, nonce: nonce.clone() };
+                match made(&file, name, arguments, &live, &is_last) {
+                    Ok((page, failures)) => (Some(page), said(&failures)),
+                    Err(wrong) => (None, Some(wrong.shown(path))),
+                }
+            }
         };
         if is_last() {
             number = page.as_ref().map_or(number, |page| page.number);
@@ -81,13 +86,12 @@ fn made(
     file: &DeclarationFile,
     name: Option<&str>,
     arguments: &RunArguments,
-    number: u64,
+    live: &Live,
     goes_on: &GoesOn<'_>,
 ) -> Result<(Page, Vec<String>), Wrong> {
     let model = file.model(name).map_err(Wrong::Declared)?;
-    let live = secret().map(|nonce| Live { number, nonce }).map_err(|why| Wrong::Ran(why.into()))?;
-    let drawn = stepping!(ran, model, arguments, &live, goes_on).map_err(Wrong::Ran)?;
-    Ok((Page { number, nonce: live.nonce, html: drawn.html.into() }, drawn.failures))
+    let drawn = stepping!(ran, model, arguments, live, goes_on).map_err(Wrong::Ran)?;
+    Ok((Page { number: live.number, nonce: live.nonce.clone(), html: drawn.html.into() }, drawn.failures))
 }
 
 /// Runs a mechanism as `run` does, and draws its report.

@@ -2,9 +2,10 @@
 
 /// Asks for news, shows mistakes, and loads the page anew.
 const NEWS: &str = include_str!("../../../../assets/report/live.js");
-/// What the reader chose, kept while the page is loaded anew.
-pub(super) const STATE: &str = include_str!("../../../../assets/report/state.js");
-const STYLE: &str = include_str!("../../../../assets/report/live.css");
+/// What is added to the script of a report: the reader's choices, kept while the page is loaded anew, and the news.
+pub(super) const SCRIPT: [&str; 2] = [include_str!("../../../../assets/report/state.js"), NEWS];
+/// For what is wrong.
+pub(super) const STYLE: &str = include_str!("../../../../assets/report/live.css");
 const PAGE_STYLE: &str = include_str!("../../../../assets/report/style.css");
 
 /// A page that is served.
@@ -22,10 +23,9 @@ impl Live {
         format!(" nonce=\"{}\"", self.nonce)
     }
 
-    /// What stands at the end of the page.
-    pub(super) fn part(&self) -> String {
-        let (number, nonce) = (self.number, self.attribute());
-        format!("<style>\n{STYLE}</style>\n<script{nonce} id=\"live\" data-page=\"{number}\">\n{NEWS}</script>\n")
+    /// For the script that asks for news: which page it stands on.
+    pub(super) fn number(&self) -> String {
+        format!(" id=\"live\" data-page=\"{}\"", self.number)
     }
 }
 
@@ -33,8 +33,10 @@ impl Live {
 pub(crate) fn waiting_page(live: &Live) -> String {
     format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>sim watch</title>\n\
-         <meta name=\"color-scheme\" content=\"light dark\">\n<style>\n{PAGE_STYLE}</style>\n</head>\n<body>\n\
-         <p class=\"note\">The report is shown here as soon as there is one.</p>\n{}</body>\n</html>\n",
-        live.part()
+         <meta name=\"color-scheme\" content=\"light dark\">\n<style>\n{PAGE_STYLE}{STYLE}</style>\n</head>\n<body>\n\
+         <p class=\"note\">The report is shown here as soon as there is one.</p>\n\
+         <script{}{}>\n{NEWS}</script>\n</body>\n</html>\n",
+        live.attribute(),
+        live.number()
     )
 }
