@@ -27,8 +27,14 @@ pub fn folder_of_tables(file: &Path) -> PathBuf {
 /// Files that cannot be read, and lines that are no rows; declarations beyond the limits.
 pub fn read_files(tokens: TokenStream, folder: &Path) -> Result<(TokenStream, Vec<String>)> {
     limits::check(tokens.clone())?;
-    let mut files = Vec::new();
-    Ok((put_in(tokens, folder, &mut files)?, files))
+    let mut taken = Taken { files: Vec::new(), rows: 0 };
+    Ok((put_in(tokens, folder, &mut taken)?, taken.files))
+}
+
+/// The files that were read, and how many rows they have.
+struct Taken {
+    files: Vec<String>,
+    rows: usize,
 }
 
 /// The names of the files whose rows a declaration takes, without reading them.
@@ -45,7 +51,7 @@ pub fn files_named(tokens: TokenStream) -> Vec<String> {
     names
 }
 
-fn put_in(tokens: TokenStream, folder: &Path, files: &mut Vec<String>) -> Result<TokenStream> {
+fn put_in(tokens: TokenStream, folder: &Path, taken: &mut Taken) -> Result<TokenStream> {
     let mut out: Vec<TokenTree> = Vec::new();
     for token in tokens {
         let follows_from = matches!(out.last(), Some(TokenTree::Ident(word)) if word == "from");
@@ -53,15 +59,15 @@ fn put_in(tokens: TokenStream, folder: &Path, files: &mut Vec<String>) -> Result
             TokenTree::Literal(literal) if follows_from && name(&literal).is_some() => {
                 let (span, name) = (literal.span(), name(&literal).unwrap_or_default());
                 out.pop();
-                out.push(rows(&name, folder, span).map_err(|message| Error::new(span, message))?);
-                files.push(name);
+                out.push(rows(&name, folder, span, &mut taken.rows).map_err(|message| Error::new(span, message))?);
+                taken.files.push(name);
             }
             TokenTree::Group(group) => {
-                let before = files.len();
-                let mut inner = Group::new(group.delimiter(), put_in(group.stream(), folder, files)?);
+                let before = taken.files.len();
+                let mut inner = Group::new(group.delimiter(), put_in(group.stream(), folder, taken)?);
                 inner.set_span(group.span());
                 // Brackets without a replacement keep their places.
-                out.push(TokenTree::Group(if files.len() == before { group } else { inner }));
+                out.push(TokenTree::Group(if taken.files.len() == before { group } else { inner }));
             }
             other => out.push(other),
         }
@@ -98,8 +104,8 @@ fn read(name: &str, folder: &Path) -> std::result::Result<String, String> {
     }
 }
 
-/// The rows of a file in braces.
-fn rows(name: &str, folder: &Path, span: Span) -> std::result::Result<TokenTree, String> {
+/// The rows of a file in braces, and one more for each in `count`.
+fn rows(name: &str, folder: &Path, span: Span, count: &mut usize) -> std::result::Result<TokenTree, String> {
     if Path::new(name).is_absolute() {
         return Err("the path of a table's file starts at the folder of the declaration's crate or `.mech` file: `from \"data/lift.csv\"`"
             .into());
@@ -123,7 +129,11 @@ fn rows(name: &str, folder: &Path, span: Span) -> std::result::Result<TokenTree,
                 }
                 _ => {}
             },
-            [argument, value] => words.extend(row(number(argument, name, at)?, number(value, name, at)?)),
+            [argument, value] => {
+                *count += 1;
+                limits::check_rows(*count)?;
+                words.extend(row(number(argument, name, at)?, number(value, name, at)?));
+            }
             cells => {
                 return Err(format!(
                     "{name}, line {}: a row has two numbers, an argument and a value; this one has {}",

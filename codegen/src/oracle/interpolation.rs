@@ -15,6 +15,8 @@ pub(super) struct Function {
     y: Vec<f64>,
     shape: Shape,
     outside: Outside,
+    /// Of the values and their derivatives.
+    sizes: [f64; 3],
 }
 
 enum Shape {
@@ -38,15 +40,15 @@ impl Function {
             Between::Cubic => Shape::Curvatures(curvatures(&x, &y, table.ends.map(|(ends, _)| ends), is_periodic)),
             Between::Monotone => Shape::Slopes(slopes(&x, &y, is_periodic)),
         };
-        Ok(Function { x, y, shape, outside: table.outside })
+        let size = y.iter().fold(0.0, |size: f64, y| size.max(y.abs()));
+        let step = x.windows(2).fold(f64::INFINITY, |step, x| step.min(x[1] - x[0]));
+        let sizes = [size, 2.0 * size / step, 4.0 * size / (step * step)];
+        Ok(Function { x, y, shape, outside: table.outside, sizes })
     }
 
     /// The function of a jet. Its coefficients are differences of the values, and as exact as those.
     pub(super) fn at(&self, argument: &Jet) -> Jet {
-        let size = self.y.iter().fold(0.0, |size: f64, y| size.max(y.abs()));
-        let step = self.x.windows(2).fold(f64::INFINITY, |step, x| step.min(x[1] - x[0]));
-        let sizes = [size, 2.0 * size / step, 4.0 * size / (step * step)];
-        argument.compose_of_size(self.derivatives(argument.value().value), sizes)
+        argument.compose_of_size(self.derivatives(argument.value().value), self.sizes)
     }
 
     fn derivatives(&self, x: f64) -> Derivatives {
@@ -72,7 +74,7 @@ impl Function {
     }
 
     fn inside(&self, x: f64) -> Derivatives {
-        let interval = (1..self.x.len() - 1).take_while(|row| self.x[*row] <= x).count();
+        let interval = self.x[1..self.x.len() - 1].partition_point(|row| *row <= x);
         self.on(interval, x)
     }
 

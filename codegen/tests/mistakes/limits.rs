@@ -64,3 +64,17 @@ fn every_name_of_many_equal_ones_is_shown_with_the_first() {
     assert_eq!(many.len(), 4_000);
     assert_eq!(many[3_998].split_once(' ').unwrap().1, "`phi` is defined twice; choose another name for one of them");
 }
+
+/// They count beside the words: a table of 15 s at a thousand rows a second is no long declaration.
+#[test]
+fn tables_have_so_many_rows_and_no_more() {
+    let tables = |rows: usize| {
+        let rows: String = (0..rows).map(|row| format!("{row}, -1.5; ")).collect();
+        let tables = format!(
+            "fragment Part(a) {{ let b = a; }} use Part(l) as left; tables {{ lift = linear {{ {rows} }} }} let P"
+        );
+        mistakes(&SOUND.replacen("let P", &tables, 1))
+    };
+    assert_eq!(tables(15_000), [""; 0]);
+    assert_eq!(tables(100_001), ["1:1 the tables of a declaration have at most 100000 rows altogether; give fewer"]);
+}

@@ -255,6 +255,9 @@ fn files() {
     }
     let two = "a heading names the arguments and the values, as in `t [s], F [N]`";
     refused("lift [mm]\n0,0\n1,1\n", &format!("{place}, line 1: {two}"));
+    let many = |rows: usize| (0..rows).map(|row| format!("{row},2\n")).collect::<String>();
+    assert_eq!(in_file(&many(20_000)), Ok(20_000));
+    refused(&many(100_001), "4:50 the tables of a declaration have at most 100000 rows altogether; give fewer");
     let read = |written: &str| {
         let text = SOUND.replacen("let P", &format!("tables {{ lift = linear from {written}; }} let P"), 1);
         let folder = std::path::Path::new("/nowhere");

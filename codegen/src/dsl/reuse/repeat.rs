@@ -3,7 +3,9 @@
 use super::Expander;
 use super::index::{Indices, Range, not_whole, range, whole};
 use super::names::check_free;
+use super::places::MECHANISM;
 use super::words::*;
+use crate::dsl::limits;
 use crate::dsl::region::here;
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
@@ -56,6 +58,9 @@ impl Expander<'_> {
         self.count(word, instance)?;
         out.push(match word {
             TokenTree::Group(_) if is_unit(tokens, at) => self.copy(word, instance),
+            TokenTree::Group(rows) if instance == MECHANISM && limits::is_of_literals(rows) => {
+                self.copy(word, instance)
+            }
             TokenTree::Group(group) => {
                 let inner = self.unroll(&list(group.stream()), indices, instance)?;
                 regroup(group, inner, self.places.place(group.span(), instance))

@@ -4,7 +4,6 @@ mod rotations;
 mod rows;
 
 use super::error::{OracleError, Result, refuse};
-use super::interpolation::Function;
 use super::jet::Jet;
 use super::measured::Measured;
 use super::names::{Meaning, Names};
@@ -24,8 +23,6 @@ pub(super) struct Interpreter<'d> {
     setting: Setting,
     /// The value of each `let`, once evaluated.
     definitions: Vec<Option<Value>>,
-    /// The function of each table, once evaluated.
-    tables: Vec<Option<Function>>,
     /// Words that have a meaning in one expression alone.
     local: Vec<(&'static str, Jet)>,
     /// The number of visible `let`s: a `let` sees only those above it.
@@ -49,9 +46,8 @@ impl<'d> Interpreter<'d> {
         setting: Setting,
     ) -> Interpreter<'d> {
         let visible = declaration.lets.len();
-        let tables = declaration.tables.iter().map(|_| None).collect();
         let definitions = vec![None; visible];
-        Interpreter { declaration, si_factor, names, setting, definitions, tables, local: vec![], visible }
+        Interpreter { declaration, si_factor, names, setting, definitions, local: vec![], visible }
     }
 
     pub(super) fn scalar(&mut self, expression: &Expression) -> Result<Jet> {

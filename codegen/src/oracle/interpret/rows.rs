@@ -2,7 +2,7 @@
 
 use super::Interpreter;
 use crate::dsl::{DeclaredTable, Expression, Unit};
-use crate::oracle::error::{OracleError, Result, refuse};
+use crate::oracle::error::{Result, refuse};
 use crate::oracle::interpolation::Function;
 use crate::oracle::plain::is_plain;
 use crate::oracle::setting::Setting;
@@ -14,16 +14,14 @@ impl Interpreter<'_> {
         let table = &self.declaration.tables[index];
         let [argument] = arguments else { return refuse(format!("table `{}` takes one argument", table.name)) };
         let argument = self.scalar(argument)?;
-        if self.tables[index].is_none() {
-            self.tables[index] = Some(Function::new(table, &self.rows(table)?)?);
-        }
-        let found = self.tables[index].as_ref().map(|function| Value::Scalar(function.at(&argument)));
-        found.ok_or_else(|| OracleError::new(format!("table `{}` is not known", table.name)))
+        let function = self.names.function(index, || Function::new(table, &self.rows(table)?))?;
+        Ok(Value::Scalar(function.at(&argument)))
     }
 
     /// The rows of a table in SI units; plain numbers are in the unit of their column.
     fn rows(&self, table: &DeclaredTable) -> Result<Vec<[f64; 2]>> {
-        let mut fixed = Interpreter::new(self.declaration, self.si_factor, Setting::fixed(&[]));
+        let names = self.names.clone();
+        let mut fixed = Interpreter::with_names(self.declaration, self.si_factor, names, Setting::fixed(&[]));
         let mut entry = |expression: &Expression, unit: &Option<Unit>| -> Result<f64> {
             let unit = unit.as_ref().filter(|_| is_plain(expression)).map_or(1.0, self.si_factor);
             Ok(fixed.scalar(expression)?.value().value * unit)
