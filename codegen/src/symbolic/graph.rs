@@ -167,6 +167,9 @@ impl Graph {
 
     /// The given expressions and all of their operands, operands first.
     pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
+        if let Some(few) = self.few_reachable(roots) {
+            return few;
+        }
         let mut seen = vec![false; self.len()];
         let mut stack = roots.to_vec();
         while let Some(expr) = stack.pop() {
@@ -175,6 +178,25 @@ impl Graph {
             }
         }
         (0..self.len()).map(Expr::at).filter(|expr| seen[expr.index()]).collect()
+    }
+
+    /// The same, if they are few: without a look at all of the graph, which may hold the rows of large tables.
+    fn few_reachable(&self, roots: &[Expr]) -> Option<Vec<Expr>> {
+        const FEW: usize = 32;
+        let mut found: Vec<Expr> = Vec::with_capacity(FEW);
+        let mut stack = roots.to_vec();
+        while let Some(expr) = stack.pop() {
+            if found.contains(&expr) {
+                continue;
+            }
+            if found.len() == FEW {
+                return None;
+            }
+            found.push(expr);
+            stack.extend(self.operands(expr));
+        }
+        found.sort_by_key(|expr| expr.index());
+        Some(found)
     }
 
     /// The symbols that occur in the given expressions, sorted.
