@@ -36,7 +36,7 @@ pub(super) fn check_rows(count: usize) -> std::result::Result<(), String> {
 /// Rows of numbers: the ends of lines in blocks that hold nothing else.
 fn rows(tokens: TokenStream) -> usize {
     let of_group = |group: Group| match is_of_literals(&group) {
-        true => group.stream().into_iter().filter(|token| is_end(token)).count(),
+        true => group.stream().into_iter().filter(is_end).count(),
         false => rows(group.stream()),
     };
     let groups = tokens.into_iter().filter_map(|token| match token {
