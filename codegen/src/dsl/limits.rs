@@ -36,7 +36,7 @@ pub(super) fn check_rows(count: usize) -> std::result::Result<(), String> {
 /// Rows of numbers: the ends of lines in blocks that hold nothing else.
 fn rows(tokens: TokenStream) -> usize {
     let of_group = |group: Group| match is_of_literals(&group) {
-        true => group.stream().into_iter().filter(is_end).count(),
+        true => group.stream().into_iter().filter(is_end).count().saturating_sub(usize::from(is_headed(&group))),
         false => rows(group.stream()),
     };
     let groups = tokens.into_iter().filter_map(|token| match token {
@@ -44,6 +44,11 @@ fn rows(tokens: TokenStream) -> usize {
         _ => None,
     });
     groups.map(of_group).sum()
+}
+
+/// Whether the first row is a heading.
+fn is_headed(rows: &Group) -> bool {
+    rows.stream().into_iter().next().is_some_and(|first| first.to_string().starts_with('"'))
 }
 
 fn is_end(token: &TokenTree) -> bool {
