@@ -1,10 +1,10 @@
 //! Fragments, repetitions, sums and constants.
 
-use super::mistakes;
+use super::{SOUND, mistakes};
 
 /// The sound declaration with more items at its end; the first of these stands in line 10.
 fn check(items: &str, expected: &[&str]) {
-    assert_eq!(mistakes(&format!("{}{items}", super::SOUND)), expected, "\nin: {items}");
+    assert_eq!(mistakes(&format!("{SOUND}{items}")), expected, "\nin: {items}");
 }
 
 const ROD: &str = "fragment Rod(base, angle_) {
@@ -234,4 +234,14 @@ fn constants() {
     check("const pi = 3;", &["10:7 `pi` is a word of the language and cannot name an index or anything in a fragment"]);
     check("const m = 3; let a = m;", &["3:25 `m` is a whole number here, an index or a `const`; choose another name"]);
     check("const n = 9223372036854775807 + 1;", &["10:31 this number is too large for an index"]);
+}
+
+/// A free body may have a raw name, beside fragments too.
+#[test]
+fn free_bodies_with_raw_names() {
+    let text = SOUND
+        .replacen("let P", "fragment Part(a) { let b = a; } use Part(l) as left; let P", 1)
+        .replacen("bodies {", "bodies { r#type: free, mass m, inertia 1 [kg*m^2];", 1)
+        .replacen("phi = 0.5;", "phi = 0.5; type_x = 1; type_y = 0; type_phi = 0;", 1);
+    assert_eq!(mistakes(&text), [""; 0]);
 }

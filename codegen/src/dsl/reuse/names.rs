@@ -69,7 +69,9 @@ fn in_block(tokens: &[TokenTree], names_lead: bool, names: &mut BTreeMap<String,
         {
             add(name, names);
             if is_word(tokens.get(at + 2), "free") {
-                ["x", "y", "phi"].iter().for_each(|own| add(&Ident::new(&format!("{name}_{own}"), name.span()), names));
+                ["x", "y", "phi"]
+                    .iter()
+                    .for_each(|own| add(&Ident::new(&format!("{}_{own}", plain(name)), name.span()), names));
             }
         }
         starts = is_punct(tokens.get(at), ';');
