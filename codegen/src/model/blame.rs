@@ -211,7 +211,7 @@ fn single_name(expression: &Expression) -> Option<&Ident> {
 
 /// The first number without a unit that determines the size of an expression: in `-9.81`, in `[0, 0.2]`, in
 /// `0.1*sin(w*t)`.
-fn bare_number(expression: &Expression) -> Option<(&Expression, &str)> {
+pub(super) fn bare_number(expression: &Expression) -> Option<(&Expression, &str)> {
     match &expression.kind {
         Kind::Number { literal, unit: None } => {
             let is_zero = !literal.contains(|c| ('1'..='9').contains(&c));

@@ -2,6 +2,7 @@
 //!
 //! An unknown dimension fits everywhere: that of a plain 0, and those of names that were reported already.
 
+use super::blame::bare_number;
 use super::interpreter::Interpreter;
 use super::measured::Measured;
 use super::origin::Origin;
@@ -24,21 +25,23 @@ impl Interpreter {
                 self.blame(mistake, &[left.expression, right.expression])
             }
             (of_left, of_right) => {
-                let of_both = of_left.clone().or_else(|| of_right.clone());
                 self.refuse_bare_degrees(left.expression, right.expression)?;
                 self.refuse_bare_degrees(right.expression, left.expression)?;
-                Some(of_both)
+                Some(of_left.clone().or_else(|| of_right.clone()))
             }
         }
     }
 
     /// A bare number beside an angle that is declared in degrees or revolutions is in radians: hardly what is meant.
     fn refuse_bare_degrees(&mut self, angle: &Expression, number: &Expression) -> Option<()> {
-        let (Kind::Name(name), Some(literal)) = (&angle.kind, lone_number(number)) else { return Some(()) };
+        let Kind::Name(name) = &angle.kind else { return Some(()) };
+        if !is_lone(number) || bare_number(number).is_none() {
+            return Some(());
+        }
         match self.origins.get(&plain(name)) {
             Some(Origin::Declared(Some(unit))) if ["deg", "rev"].contains(&unit.as_str()) => {
                 let message = format!(
-                    "`{name}` is declared in [{unit}], and `{literal}` is in radians; write `{literal} [{unit}]` or `{literal} [rad]`"
+                    "`{name}` is declared in [{unit}], and `{number}` is in radians; write `{number} [{unit}]` or `{number} [rad]`"
                 );
                 self.refuse(number.region, message)
             }
@@ -125,13 +128,11 @@ impl Interpreter {
     }
 }
 
-/// A number other than 0 that stands alone, without a unit.
-fn lone_number(expression: &Expression) -> Option<String> {
+/// Whether an expression is one number, with a sign or without.
+fn is_lone(expression: &Expression) -> bool {
     match &expression.kind {
-        Kind::Number { literal, unit: None } => {
-            literal.contains(|digit| ('1'..='9').contains(&digit)).then(|| literal.clone())
-        }
-        Kind::Negate(operand) => lone_number(operand).map(|number| format!("-{number}")),
-        _ => None,
+        Kind::Number { .. } => true,
+        Kind::Negate(operand) => is_lone(operand),
+        _ => false,
     }
 }

@@ -183,6 +183,7 @@ mod tests {
     fn slots_are_filled_once() {
         let page = fill("<a>{{one}}</a>{{two}}", |slot| format!("[{slot} {{{{one}}}}]"));
         assert_eq!(page, "<a>[one {{one}}]</a>[two {{one}}]");
+        assert!(!TEMPLATE.contains("</script>\n{{"));
     }
 
     #[test]
