@@ -13,7 +13,9 @@ pub(super) fn is_apart(kernel: &Kernel) -> bool {
     use KernelId as Id;
     let (results, operations) = (kernel.results.entries().len(), kernel.operations.total());
     let is_long = match kernel.id {
-        Id::Dynamics | Id::SpeedDynamics | Id::InverseDynamics => operations >= 150,
+        // Shorter ones have few equal steps side by side, and lose more by shuffling numbers than vectors save.
+        Id::Dynamics => operations >= 500,
+        Id::SpeedDynamics | Id::InverseDynamics => operations >= 150,
         Id::MassMatrix | Id::SpeedMassMatrix => operations >= 150 && results <= 36,
         Id::DynamicsJacobian | Id::DynamicsSensitivity => operations >= 1000,
         _ => false,
