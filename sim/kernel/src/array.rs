@@ -40,6 +40,26 @@ pub trait Array<T: Element>: Element + AsRef<[T]> + AsMut<[T]> + Index<usize, Ou
         Self::with_len(self.len(), f)
     }
 
+    /// The array of `f` of each element. `f` may also be called on blank elements, and must be cheap.
+    #[inline(always)]
+    fn apply(&self, f: impl Fn(&T) -> T) -> Self {
+        self.like(|i| f(&self[i]))
+    }
+
+    /// The array of `f` of each element and that of another array of this length, as in [`apply`](Array::apply).
+    #[inline(always)]
+    fn zip_with(&self, other: &Self, f: impl Fn(&T, &T) -> T) -> Self {
+        self.like(|i| f(&self[i], &other[i]))
+    }
+
+    /// Replaces each element as [`zip_with`](Array::zip_with).
+    #[inline(always)]
+    fn update(&mut self, other: &Self, f: impl Fn(&T, &T) -> T) {
+        for i in 0..self.len() {
+            self[i] = f(&self[i], &other[i]);
+        }
+    }
+
     /// The number of elements.
     #[inline(always)]
     fn len(&self) -> usize {

@@ -45,8 +45,8 @@ pub use integrate::{
 pub use interpreted::{DeclarationFile, LoadError, interpret, load};
 pub use model::conditional::is_active;
 pub use model::erased::{
-    Bounded, Erased, ErasedPrepared, Found, InPlace, Kernel, List, Model, OnHeap, Prepared, Results, States, Storage,
-    Values, erase,
+    Bounded, Erased, ErasedPrepared, Found, InPlace, Kernel, List, Model, OnHeap, Prepared, Results, Shared, States,
+    Storage, Values, erase,
 };
 pub use model::{At, Control};
 pub use motion::Motion;

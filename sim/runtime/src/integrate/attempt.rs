@@ -27,7 +27,7 @@ const MOST_TAKEN_BACK: f64 = 0.5;
 
 /// The differences of positions and speeds.
 pub(super) fn difference<S: Scalar, M: Mechanism<S>>(a: &State<M, S>, b: &State<M, S>) -> [M::Q; 2] {
-    [a.positions.like(|i| a.positions[i] - b.positions[i]), a.speeds.like(|i| a.speeds[i] - b.speeds[i])]
+    [a.positions.zip_with(&b.positions, |a, b| *a - *b), a.speeds.zip_with(&b.speeds, |a, b| *a - *b)]
 }
 
 /// One step, with its end on the constraints; gives the estimate of its error.

@@ -56,6 +56,8 @@ pub(super) enum Way {
 #[derive(Clone, Debug)]
 pub(super) struct Crossing<M: Mechanism> {
     method: Dop853<M>,
+    /// The place in its steps that is farthest from its stages.
+    gap: f64,
     /// The last step over a singular position, if the motion is still on it.
     over: Option<Box<Over<M>>>,
     /// The smallest sines at the ends of the last two steps, infinite before there are two.
@@ -76,7 +78,8 @@ struct Over<M: Mechanism> {
 
 impl<M: Mechanism> Crossing<M> {
     pub(super) fn new(mechanism: &M) -> Crossing<M> {
-        Crossing { method: Dop853::new(mechanism), over: None, sines: [f64::INFINITY; 2] }
+        let method = Dop853::new(mechanism);
+        Crossing { gap: method.gap(), method, over: None, sines: [f64::INFINITY; 2] }
     }
 
     /// Its state between steps as bytes, or from them, at a state.
@@ -175,7 +178,7 @@ impl<M: Mechanism> Crossing<M> {
     ) -> Result<Way, Failure> {
         let (mut halvings, mut length, mut longest) = (0, f64::INFINITY, longest);
         while halvings <= MOST_HALVINGS {
-            let lie = Lie { longest, gap: self.method.gap(), least_sine: LEAST_SINE * 0.5f64.powi(halvings) };
+            let lie = Lie { longest, gap: self.gap, least_sine: LEAST_SINE * 0.5f64.powi(halvings) };
             let possible = TOLERANCE * 8f64.powi(halvings);
             let absolute = tolerance.absolute.max(possible) * rate(motion, from).max(1.0);
             let relaxed = Tolerance { relative: tolerance.relative.max(possible), absolute };

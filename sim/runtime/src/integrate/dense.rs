@@ -27,7 +27,7 @@ pub(super) fn nested<M: Mechanism>(coefficients: &[Rates<M>], s: f64) -> Rates<M
     let mut sum = Rates::zero(coefficients.first().map_or(0, |first| first.speeds.len()));
     for (k, coefficient) in coefficients.iter().enumerate().rev() {
         sum.add(1.0, coefficient);
-        sum = sum.scaled(factors[k % 2]);
+        sum.scale(factors[k % 2]);
     }
     sum
 }

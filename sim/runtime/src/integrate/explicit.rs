@@ -59,8 +59,7 @@ impl<S: Scalar, M: Mechanism<S>> ExplicitRungeKutta<M, S> {
         (weights, node): (&[Weight], f64),
     ) -> Result<(), Failure> {
         let inner = start.changed(start.time() + S::from_f64(node) * h, h, &self.combined(weights));
-        self.stages[stage] = field.rates(&field.stage(inner)?);
-        Ok(())
+        field.stage(inner, &mut self.stages[stage])
     }
 
     /// The sum of weight times stage.

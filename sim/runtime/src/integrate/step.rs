@@ -80,7 +80,22 @@ impl<M: Mechanism> Step<'_, M> {
     }
 
     fn find_sample(&mut self, time: f64) -> Result<Sample<M>, Failure> {
-        let found = self.find(time)?;
+        if time == self.to.state.time {
+            return self.find_beside(time, self.end());
+        }
+        let interpolated = self.interpolated(time)?;
+        let mut kept = interpolated.clone();
+        let is_kept = self.motion.keep(&mut kept);
+        // The usual case, in which states are copied once.
+        match is_kept.is_ok() && self.motion.relative_sine() >= BESIDE {
+            true => self.motion.sample(kept),
+            false => self.find_beside(time, self.judged(kept, interpolated, is_kept)?),
+        }
+    }
+
+    /// The sample at its end, or beside a singular position.
+    #[cold]
+    fn find_beside(&self, time: f64, found: Inside<M>) -> Result<Sample<M>, Failure> {
         let direct =
             if time == self.to.state.time { Ok(self.to.clone()) } else { self.motion.sample(found.kept.clone()) };
         if found.sine >= BESIDE {
@@ -111,13 +126,35 @@ impl<M: Mechanism> Step<'_, M> {
 
     fn find(&mut self, time: f64) -> Result<Inside<M>, Failure> {
         if time == self.to.state.time {
-            let end = self.to.state.clone();
-            return Ok(Inside { kept: end.clone(), interpolated: end, sine: self.end_sine });
+            return Ok(self.end());
         }
-        let mut kept = self.method.inside(self.motion, self.begun, self.reached, self.fraction(time))?;
-        kept.time = time;
-        let interpolated = kept.clone();
-        match self.motion.keep(&mut kept) {
+        let interpolated = self.interpolated(time)?;
+        let mut kept = interpolated.clone();
+        let is_kept = self.motion.keep(&mut kept);
+        self.judged(kept, interpolated, is_kept)
+    }
+
+    fn end(&self) -> Inside<M> {
+        let end = self.to.state.clone();
+        Inside { kept: end.clone(), interpolated: end, sine: self.end_sine }
+    }
+
+    /// The state as the method has it.
+    #[inline]
+    fn interpolated(&mut self, time: f64) -> Result<State<M>, Failure> {
+        let mut state = self.method.inside(self.motion, self.begun, self.reached, self.fraction(time))?;
+        state.time = time;
+        Ok(state)
+    }
+
+    /// A state on the constraints beside the interpolated one, or this alone at a singular position.
+    fn judged(
+        &self,
+        kept: State<M>,
+        interpolated: State<M>,
+        is_kept: Result<(), Failure>,
+    ) -> Result<Inside<M>, Failure> {
+        match is_kept {
             Ok(()) => Ok(Inside { kept, interpolated, sine: self.motion.relative_sine() }),
             Err(Failure { what: What::SingularPosition { .. }, .. }) => {
                 Ok(Inside { kept: interpolated.clone(), interpolated, sine: 0.0 })

@@ -15,11 +15,11 @@ pub(crate) trait Field<M: Mechanism<S>, S: Scalar = f64> {
     fn measures(&self) -> &Measures<M, S>;
     /// A state as what is integrated.
     fn integrated(&self, state: &State<M, S>) -> Integrated<M, S>;
-    /// The sample at a stage.
+    /// The rates of the integrated variables at a stage, which are written where they stay.
     ///
     /// # Errors
     /// As the right-hand side; if any lane fails.
-    fn stage(&self, integrated: Integrated<M, S>) -> Result<Sample<M, S>, Failure>;
+    fn stage(&self, integrated: Integrated<M, S>, rates: &mut Rates<M, S>) -> Result<(), Failure>;
     /// The rates of the integrated variables at a sample.
     fn rates(&self, sample: &Sample<M, S>) -> Rates<M, S>;
     /// The state at the end of a step.
@@ -48,8 +48,8 @@ impl<M: Mechanism> Field<M> for Motion<M> {
         Motion::integrated(self, state)
     }
     #[inline(always)]
-    fn stage(&self, integrated: Integrated<M>) -> Result<Sample<M>, Failure> {
-        self.sample_in_place(self.state(integrated)?)
+    fn stage(&self, integrated: Integrated<M>, rates: &mut Rates<M>) -> Result<(), Failure> {
+        self.rates_at(integrated, rates)
     }
     #[inline(always)]
     fn rates(&self, sample: &Sample<M>) -> Rates<M> {

@@ -35,7 +35,7 @@ use crate::state::saved::{Bytes, Damaged};
 use crate::state::settings::Stabilisation;
 use crate::state::slot::Slot;
 use crate::state::trajectory::{Sample, State};
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::{Array, Dynamics, Mechanism};
 use std::cell::{Cell, RefCell};
 
 /// A mechanism in motion: its right-hand side, its stabilisation, and counts of their use.
@@ -145,9 +145,16 @@ impl<M: Mechanism> Motion<M> {
     /// which saves a quarter of a run.
     #[inline(always)]
     pub(crate) fn sample_in_place(&self, mut state: State<M>) -> Result<Sample<M>, Failure> {
+        let dynamics = self.dynamics(&mut state)?;
+        Ok(Sample::new(state, dynamics, self.mechanism.inputs()))
+    }
+
+    /// Accelerations, multipliers and power at a state inside a step, after it was brought to the constraints if it has to be.
+    #[inline(always)]
+    pub(crate) fn dynamics(&self, state: &mut State<M>) -> Result<Dynamics<f64, M::Q, M::L>, Failure> {
         self.evaluations.set(self.evaluations.get() + 1);
         if self.stabilisation == Stabilisation::Partitioning || self.keeps_stages.get() {
-            state = self.brought_to_constraints(state)?;
+            *state = self.brought_to_constraints(state.clone())?;
         }
         let mut dynamics = match self.measures.is_redundant() {
             false => solve_equations(&self.mechanism, &self.prepared, state.time, &state.positions, &state.speeds)?,
@@ -161,7 +168,7 @@ impl<M: Mechanism> Motion<M> {
             let push = baumgarte(&self.mechanism, &self.measures, state.clone(), rate)?;
             dynamics.accelerations = dynamics.accelerations.like(|i| dynamics.accelerations[i] - push[i]);
         }
-        Ok(Sample::new(state, dynamics, self.mechanism.inputs()))
+        Ok(dynamics)
     }
 
     /// By value, so that the state of every other stage stays in registers.

@@ -82,8 +82,9 @@ impl<S: Scalar, M: Mechanism<S>> Field<M, S> for Plain<M, S> {
         Integrated(state.clone())
     }
     #[inline(always)]
-    fn stage(&self, Integrated(state): Integrated<M, S>) -> Result<Sample<M, S>, Failure> {
-        self.sample(state)
+    fn stage(&self, Integrated(state): Integrated<M, S>, rates: &mut Rates<M, S>) -> Result<(), Failure> {
+        *rates = self.sample(state)?.rates();
+        Ok(())
     }
     #[inline(always)]
     fn rates(&self, sample: &Sample<M, S>) -> Rates<M, S> {

@@ -27,6 +27,9 @@ pub(crate) fn rates_of<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
 
 /// The largest magnitudes of C and of C_q q' + C_t at a state.
 pub fn residuals<M: Mechanism>(mechanism: &M, state: &State<M>) -> (f64, f64) {
+    if mechanism.m() == 0 {
+        return (0.0, 0.0);
+    }
     let linear = mechanism.constraint_linearization(state.time, &state.positions);
     let rates = rates(mechanism, &linear, &state.speeds);
     let size = |values: &M::L| largest(values.iter()).map_or(0.0, |(_, value)| value.abs());

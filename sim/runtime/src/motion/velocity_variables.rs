@@ -41,8 +41,8 @@ impl<S: Scalar, M: Mechanism<S>> Integrated<M, S> {
     pub(crate) fn change_from(&self, from: &Integrated<M, S>) -> Rates<M, S> {
         let (a, b) = (&from.0, &self.0);
         Rates {
-            positions: b.positions.like(|i| b.positions[i] - a.positions[i]),
-            speeds: b.speeds.like(|i| b.speeds[i] - a.speeds[i]),
+            positions: b.positions.zip_with(&a.positions, |b, a| *b - *a),
+            speeds: b.speeds.zip_with(&a.speeds, |b, a| *b - *a),
             work: b.work - a.work,
         }
     }
@@ -88,8 +88,30 @@ impl<M: Mechanism> Motion<M> {
     pub(crate) fn rates(&self, sample: &Sample<M>) -> Rates<M> {
         match self.is_in_generalized_speeds() {
             false => sample.rates(),
-            true => Rates { speeds: self.rates_of_velocity_variables(sample), ..sample.rates() },
+            true => Rates {
+                speeds: self.rates_of_velocity_variables(&sample.state, &sample.accelerations),
+                ..sample.rates()
+            },
         }
+    }
+
+    /// The rates of the integrated variables at a stage, which are written where they stay: a sample would be copied.
+    ///
+    /// # Errors
+    /// As [`Motion::sample`], and [`What::SpeedsUndetermined`].
+    #[inline(always)]
+    pub(crate) fn rates_at(&self, Integrated(mut state): Integrated<M>, rates: &mut Rates<M>) -> Result<(), Failure> {
+        let is_in_speeds = self.is_in_generalized_speeds();
+        if is_in_speeds {
+            state.speeds = self.speeds(&state, &state.speeds)?;
+        }
+        let solved = self.dynamics(&mut state)?;
+        rates.speeds = match is_in_speeds {
+            false => solved.accelerations,
+            true => self.rates_of_velocity_variables(&state, &solved.accelerations),
+        };
+        (rates.positions, rates.work) = (state.speeds, solved.power);
+        Ok(())
     }
 
     /// A small change of the integrated variables at a state, as one of positions and speeds.
@@ -148,12 +170,12 @@ impl<M: Mechanism> Motion<M> {
     }
 
     /// u', the derivative of W q' + w along the motion.
-    fn rates_of_velocity_variables(&self, sample: &Sample<M>) -> M::Q {
-        let (state, mechanism) = (&sample.state, self.mechanism().on(Dual::constant));
+    fn rates_of_velocity_variables(&self, state: &State<M>, accelerations: &M::Q) -> M::Q {
+        let mechanism = self.mechanism().on(Dual::constant);
         let along = |values: &M::Q, rates: &M::Q| {
             DualQ::<M>::with_len(values.len(), |i| Dual { value: values[i], derivative: rates[i] })
         };
-        let (q, qd) = (along(&state.positions, &state.speeds), along(&state.speeds, &sample.accelerations));
+        let (q, qd) = (along(&state.positions, &state.speeds), along(&state.speeds, accelerations));
         let variables = mechanism.velocity_variables(Dual::variable(state.time), &q, &qd);
         state.speeds.like(|i| variables[i].derivative)
     }

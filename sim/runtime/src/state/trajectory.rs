@@ -24,8 +24,8 @@ impl<S: Scalar, M: Mechanism<S>> State<M, S> {
     pub fn changed(&self, time: S, factor: S, rates: &Rates<M, S>) -> State<M, S> {
         State {
             time,
-            positions: self.positions.like(|i| self.positions[i] + factor * rates.positions[i]),
-            speeds: self.speeds.like(|i| self.speeds[i] + factor * rates.speeds[i]),
+            positions: self.positions.zip_with(&rates.positions, |value, rate| *value + factor * *rate),
+            speeds: self.speeds.zip_with(&rates.speeds, |value, rate| *value + factor * *rate),
             work: self.work + factor * rates.work,
         }
     }
@@ -87,19 +87,25 @@ impl<S: Scalar, M: Mechanism<S>> Rates<M, S> {
     #[inline(always)]
     pub fn scaled(&self, factor: S) -> Rates<M, S> {
         Rates {
-            positions: self.positions.like(|i| factor * self.positions[i]),
-            speeds: self.speeds.like(|i| factor * self.speeds[i]),
+            positions: self.positions.apply(|rate| factor * *rate),
+            speeds: self.speeds.apply(|rate| factor * *rate),
             work: factor * self.work,
         }
+    }
+
+    /// Multiplies these by a factor.
+    #[inline(always)]
+    pub fn scale(&mut self, factor: S) {
+        self.positions = self.positions.apply(|rate| factor * *rate);
+        self.speeds = self.speeds.apply(|rate| factor * *rate);
+        self.work = factor * self.work;
     }
 
     /// Adds a multiple of others.
     #[inline(always)]
     pub fn add(&mut self, weight: S, other: &Rates<M, S>) {
-        for i in 0..self.positions.len() {
-            self.positions[i] = self.positions[i] + weight * other.positions[i];
-            self.speeds[i] = self.speeds[i] + weight * other.speeds[i];
-        }
+        self.positions.update(&other.positions, |sum, rate| *sum + weight * *rate);
+        self.speeds.update(&other.speeds, |sum, rate| *sum + weight * *rate);
         self.work = self.work + weight * other.work;
     }
 }

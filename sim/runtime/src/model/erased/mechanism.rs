@@ -1,6 +1,7 @@
 //! A model with the interface of a compiled mechanism, so that the same loops run both.
 
-use super::arrays::{List, OnHeap, Storage};
+use super::arrays::{List, OnHeap, Shared, Storage};
+use super::entered::{Entered, Rows, enter, matrices, vectors};
 use super::model::{Kernel, Model, Prepared, Values};
 use super::place::Place;
 use sim_kernel::{
@@ -9,6 +10,7 @@ use sim_kernel::{
 };
 use std::any::Any;
 use std::marker::PhantomData;
+use std::slice;
 use std::sync::Arc;
 
 /// A model with at most `K::MOST` coordinates, constraints, inputs and events.
@@ -21,6 +23,7 @@ pub struct Erased<K: Storage, S: Scalar = f64> {
     description: &'static Description,
     rows_left: Option<&'static [usize]>,
     values: Arc<Values<S>>,
+    inputs: Shared<Input<S>>,
     storage: PhantomData<K>,
 }
 
@@ -47,7 +50,8 @@ impl<K: Storage> Erased<K> {
     fn over(model: Arc<dyn Model>) -> Erased<K> {
         let (description, rows_left) = (model.description(), model.rows_left());
         let values = Arc::new(model.values());
-        Erased { model, description, rows_left, values, storage: PhantomData }
+        let inputs = shared(&values.inputs);
+        Erased { model, description, rows_left, values, inputs, storage: PhantomData }
     }
 }
 
@@ -61,23 +65,23 @@ impl<K: Storage, S: Scalar> Erased<K, S> {
             Some(values) => self.model.with_values(values),
             None => self.model.clone(),
         };
-        Erased { model, values: Arc::new(values), ..*self }
+        Erased { model, inputs: shared(&values.inputs), values: Arc::new(values), ..*self }
     }
 
-    /// Calls a kernel, and gives each number that it finds, by row and column.
+    /// Calls a kernel, and enters what it finds.
     #[inline]
-    fn call(&self, kernel: Kernel, at: &Place<K, S>, mut found: impl FnMut(usize, usize, S)) -> bool {
+    fn call(&self, kernel: Kernel, at: &Place<K, S>, found: &mut impl Entered<S>) -> bool {
         if let Some(at) = at.on::<f64>() {
-            return self.model.call(kernel, at, &mut |row, numbers| enter(row, numbers, &mut found));
+            return self.model.call(kernel, at, &mut |row, numbers| enter(numbers, found.row(row, numbers.len())));
         }
         match (at.on::<Dual>(), (&*self.values as &dyn Any).downcast_ref::<Values<Dual>>()) {
-            (Some(at), Some(values)) => {
-                self.model.call_on_duals(values, kernel, at, &mut |row, numbers| enter(row, numbers, &mut found))
-            }
+            (Some(at), Some(values)) => self
+                .model
+                .call_on_duals(values, kernel, at, &mut |row, numbers| enter(numbers, found.row(row, numbers.len()))),
             _ => match at.on::<Dual<Interval>>() {
-                Some(at) => {
-                    self.model.call_on_intervals(kernel, at, &mut |row, numbers| enter(row, numbers, &mut found))
-                }
+                Some(at) => self
+                    .model
+                    .call_on_intervals(kernel, at, &mut |row, numbers| enter(numbers, found.row(row, numbers.len()))),
                 None => true,
             },
         }
@@ -86,39 +90,29 @@ impl<K: Storage, S: Scalar> Erased<K, S> {
     #[inline]
     fn scalar(&self, kernel: Kernel, at: &Place<K, S>) -> S {
         let mut number = nan();
-        self.call(kernel, at, |_, _, found| number = found);
+        self.call(kernel, at, &mut vectors([slice::from_mut(&mut number)]));
         number
     }
 
     #[inline]
     fn vector(&self, kernel: Kernel, at: &Place<K, S>, len: usize) -> Vector<K, S> {
         let mut vector = Vector::<K, S>::repeat(len, nan());
-        self.call(kernel, at, |_, i, found| vector[i] = found);
+        self.call(kernel, at, &mut vectors([vector.as_mut()]));
         vector
     }
 
     #[inline]
     fn list(&self, kernel: Kernel, at: &Place<K, S>, len: usize) -> List<S> {
         let mut list = List::repeat(len, nan());
-        self.call(kernel, at, |_, i, found| list[i] = found);
+        self.call(kernel, at, &mut vectors([list.as_mut()]));
         list
     }
 
     #[inline]
     fn matrix(&self, kernel: Kernel, at: &Place<K, S>, rows: usize) -> Matrix<K, S> {
         let mut matrix = Matrix::<K, S>::repeat(rows, Vector::<K, S>::repeat(self.n(), nan()));
-        self.call(kernel, at, |i, j, found| matrix[i][j] = found);
+        self.call(kernel, at, &mut matrices([matrix.as_mut()]));
         matrix
-    }
-}
-
-/// Gives each number of a row.
-#[inline]
-fn enter<A: Scalar, S: Scalar>(row: usize, numbers: &[A], found: &mut impl FnMut(usize, usize, S)) {
-    for (column, number) in numbers.iter().enumerate() {
-        if let Some(number) = (number as &dyn Any).downcast_ref() {
-            found(row, column, *number);
-        }
     }
 }
 
@@ -146,9 +140,11 @@ impl<K: Storage, S: Scalar> Clone for ErasedPrepared<K, S> {
 
 impl<K: Storage, S: Scalar> ErasedPrepared<K, S> {
     #[inline]
-    fn call(&self, kernel: Kernel, at: &Place<K, S>, mut found: impl FnMut(usize, usize, S)) -> bool {
+    fn call(&self, kernel: Kernel, at: &Place<K, S>, found: &mut impl Entered<S>) -> bool {
         match at.on::<f64>() {
-            Some(at) => self.kernels.call(kernel, at, &mut |row, numbers| enter(row, numbers, &mut found)),
+            Some(at) => {
+                self.kernels.call(kernel, at, &mut |row, numbers| enter(numbers, found.row(row, numbers.len())))
+            }
             None => self.mechanism.call(kernel, at, found),
         }
     }
@@ -167,7 +163,7 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
     type Entries = List<S>;
     type Envelope = List<S>;
     type Parameters = List<S>;
-    type Inputs = K::Array<Input<S>>;
+    type Inputs = Shared<Input<S>>;
     type Outputs = List<S>;
     type OutputRates = List<S>;
     type Events = Vector<K, S>;
@@ -190,7 +186,7 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
     fn as_declared(&self) -> Self {
         let model = self.model.as_declared();
         let values = Arc::new(model.values().map(S::from_f64));
-        Erased { model, values, ..*self }
+        Erased { model, inputs: shared(&values.inputs), values, ..*self }
     }
     fn parameters(&self) -> List<S> {
         list(&self.values.parameters)
@@ -204,25 +200,25 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
     fn with_activities(self, activities: List<S>) -> Self {
         self.with(Values { activities: activities.as_ref().to_vec(), ..Values::clone(&self.values) })
     }
-    fn inputs(&self) -> K::Array<Input<S>> {
-        K::Array::with_len(self.values.inputs.len(), |i| self.values.inputs[i])
+    fn inputs(&self) -> Shared<Input<S>> {
+        self.inputs.clone()
     }
-    fn with_inputs(&self, inputs: K::Array<Input<S>>) -> Self {
+    fn with_inputs(&self, inputs: Shared<Input<S>>) -> Self {
         match inputs.is_empty() {
             true => self.clone(),
             false => self.with(Values { inputs: inputs.as_ref().to_vec(), ..Values::clone(&self.values) }),
         }
     }
-    fn held_inputs(&self, t: S, q: &Self::Q) -> K::Array<Input<S>> {
+    fn held_inputs(&self, t: S, q: &Self::Q) -> Shared<Input<S>> {
         match Place::<K, S>::of(t, q).on::<f64>() {
             Some(at) => {
                 let held = self.model.held_inputs(at.time, at.positions);
-                K::Array::with_len(held.len(), |i| held[i].map(S::from_f64))
+                Shared::with_len(held.len(), |i| held[i].map(S::from_f64))
             }
             None => self.inputs(),
         }
     }
-    fn set_inputs(prepared: &mut Self::Prepared, inputs: K::Array<Input<S>>) {
+    fn set_inputs(prepared: &mut Self::Prepared, inputs: Shared<Input<S>>) {
         prepared.mechanism = prepared.mechanism.with_inputs(inputs);
         if let Some(values) = (&*prepared.mechanism.values as &dyn Any).downcast_ref::<Values>() {
             prepared.kernels.set_inputs(&values.inputs);
@@ -231,7 +227,8 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
     fn on<T: Scalar>(&self, convert: impl Fn(S) -> T) -> Erased<K, T> {
         let Erased { description, rows_left, .. } = *self;
         let (model, values) = (self.model.clone(), Arc::new(self.values.map(convert)));
-        Erased { model, description, rows_left, values, storage: PhantomData }
+        let inputs = shared(&values.inputs);
+        Erased { model, description, rows_left, values, inputs, storage: PhantomData }
     }
     fn initial(&self) -> Initial<Self::Q> {
         let [positions, speeds] =
@@ -243,11 +240,7 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
         self.matrix(Kernel::MassMatrix, &Place::of(t, q), self.n())
     }
     fn speed_mass_matrix(&self, t: S, q: &Self::Q) -> List<List<S>> {
-        let mut rows: Vec<Vec<S>> = Vec::new();
-        self.call(Kernel::SpeedMassMatrix, &Place::of(t, q), |row, _, found| {
-            rows.resize(rows.len().max(row + 1), Vec::new());
-            rows[row].push(found);
-        });
+        let rows = self.found(Kernel::SpeedMassMatrix, &Place::of(t, q));
         List::with_len(rows.len(), |i| list(&rows[i]))
     }
     fn convective_forces(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::Q {
@@ -275,22 +268,17 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
         let (n, m) = (self.n(), self.m());
         let [mut values, mut time_derivative] = [(); 2].map(|()| Vector::<K, S>::repeat(m, nan()));
         let mut jacobian = Matrix::<K, S>::repeat(m, Vector::<K, S>::repeat(n, nan()));
-        self.call(Kernel::ConstraintLinearization, &Place::of(t, q), |row, i, found| match row {
-            0 => values[i] = found,
-            1 => time_derivative[i] = found,
-            _ => jacobian[row - 2][i] = found,
-        });
+        let vectors = [values.as_mut(), time_derivative.as_mut()];
+        let found = &mut Rows { vectors, matrices: [jacobian.as_mut()] };
+        self.call(Kernel::ConstraintLinearization, &Place::of(t, q), found);
         ConstraintLinearization { values, jacobian, time_derivative }
     }
     fn sparse_linearization(&self, t: S, q: &Self::Q) -> ConstraintLinearization<Self::L, List<S>> {
         let [mut values, mut time_derivative] = [(); 2].map(|()| Vector::<K, S>::repeat(self.m(), nan()));
         let count = self.description().sparsity.iter().map(|row| row.columns.len()).sum();
         let mut jacobian = List::repeat(count, nan());
-        self.call(Kernel::SparseLinearization, &Place::of(t, q), |row, i, found| match row {
-            0 => values[i] = found,
-            1 => time_derivative[i] = found,
-            _ => jacobian[i] = found,
-        });
+        let found = &mut vectors([values.as_mut(), time_derivative.as_mut(), jacobian.as_mut()]);
+        self.call(Kernel::SparseLinearization, &Place::of(t, q), found);
         ConstraintLinearization { values, jacobian, time_derivative }
     }
     fn kinetic_energy(&self, t: S, q: &Self::Q, qd: &Self::Q) -> S {
@@ -304,11 +292,8 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
         let mechanism = &prepared.mechanism;
         let (mut accelerations, mut multipliers, mut power) =
             (Vector::<K, S>::repeat(q.len(), nan()), Vector::<K, S>::repeat(mechanism.m(), nan()), nan());
-        let refused = prepared.call(Kernel::Dynamics, &Place::moving(t, q, qd), |row, i, found| match row {
-            0 => accelerations[i] = found,
-            1 => multipliers[i] = found,
-            _ => power = found,
-        });
+        let found = &mut vectors([accelerations.as_mut(), multipliers.as_mut(), slice::from_mut(&mut power)]);
+        let refused = prepared.call(Kernel::Dynamics, &Place::moving(t, q, qd), found);
         Dynamics { accelerations, multipliers, power, refused: mask::<S>(refused) }
     }
     fn inverse_dynamics(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q) -> Self::Q {
@@ -318,13 +303,8 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
         let (n, m) = (self.n(), self.m());
         let rows = |count| Matrix::<K, S>::repeat(count, Vector::<K, S>::repeat(n, nan()));
         let mut parts = [rows(n), rows(n), rows(m), rows(m)];
-        let refused = self.call(Kernel::DynamicsJacobian, &Place::moving(t, q, qd), |row, j, found| {
-            let (part, i) = match row < 2 * n {
-                true => (row / n, row % n),
-                false => (2 + (row - 2 * n) / m, (row - 2 * n) % m),
-            };
-            parts[part][i][j] = found;
-        });
+        let found = &mut matrices(parts.each_mut().map(AsMut::as_mut));
+        let refused = self.call(Kernel::DynamicsJacobian, &Place::moving(t, q, qd), found);
         let [accelerations_by_positions, accelerations_by_speeds, multipliers_by_positions, multipliers_by_speeds] =
             parts;
         DynamicsJacobian {
@@ -339,10 +319,8 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
         let (n, m) = (self.n(), self.m());
         let rows = |count| List::repeat(count, List::repeat(self.values.parameters.len(), nan()));
         let (mut accelerations, mut multipliers) = (rows(n), rows(m));
-        let refused = self.call(Kernel::DynamicsSensitivity, &Place::moving(t, q, qd), |row, p, found| match row < n {
-            true => accelerations[row][p] = found,
-            false => multipliers[row - n][p] = found,
-        });
+        let found = &mut matrices([accelerations.as_mut(), multipliers.as_mut()]);
+        let refused = self.call(Kernel::DynamicsSensitivity, &Place::moving(t, q, qd), found);
         DynamicsSensitivity { accelerations, multipliers, refused: mask::<S>(refused) }
     }
     fn velocity_variables(&self, t: S, q: &Self::Q, qd: &Self::Q) -> Self::Q {
@@ -356,7 +334,7 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
             return Kinematics { rates: v.clone(), refused: mask::<S>(false) };
         }
         let mut rates = Vector::<K, S>::repeat(q.len(), nan());
-        let refused = prepared.call(Kernel::Velocities, &Place::moving(t, q, v), |_, i, found| rates[i] = found);
+        let refused = prepared.call(Kernel::Velocities, &Place::moving(t, q, v), &mut vectors([rates.as_mut()]));
         Kinematics { rates, refused: mask::<S>(refused) }
     }
     fn power(&self, t: S, q: &Self::Q, qd: &Self::Q, qdd: &Self::Q, lambda: &Self::L) -> S {
@@ -373,7 +351,7 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
         self.vector(Kernel::Events, &Place::of_all(t, [q, qd, qdd, lambda]), self.description().events.len())
     }
     fn event_values(&self, t: S, q: &Self::Q, qd: &Self::Q) -> List<S> {
-        self.found(Kernel::EventValues, &Place::moving(t, q, qd))
+        list(&self.found(Kernel::EventValues, &Place::moving(t, q, qd)).concat())
     }
     fn switching_functions(&self, t: S) -> List<S> {
         self.list(Kernel::SwitchingFunctions, &Place::at(t), self.description().switching.len())
@@ -382,19 +360,23 @@ impl<K: Storage, S: Scalar> Mechanism<S> for Erased<K, S> {
         self.list(Kernel::LoadConditions, &Place::moving(t, q, qd), self.description().load_conditions.len())
     }
     fn drawing(&self, t: S, q: &Self::Q) -> List<S> {
-        self.found(Kernel::Drawing, &Place::of(t, q))
+        list(&self.found(Kernel::Drawing, &Place::of(t, q)).concat())
     }
 }
 
 impl<K: Storage, S: Scalar> Erased<K, S> {
-    /// As many numbers as the kernel finds.
-    fn found(&self, kernel: Kernel, at: &Place<K, S>) -> List<S> {
-        let mut numbers = Vec::new();
-        self.call(kernel, at, |_, _, found| numbers.push(found));
-        list(&numbers)
+    /// As many rows and numbers as the kernel finds.
+    fn found(&self, kernel: Kernel, at: &Place<K, S>) -> Vec<Vec<S>> {
+        let mut rows = Vec::new();
+        self.call(kernel, at, &mut rows);
+        rows
     }
 }
 
 fn list<S: Scalar>(numbers: &[S]) -> List<S> {
     List::with_len(numbers.len(), |i| numbers[i])
+}
+
+fn shared<S: Scalar>(inputs: &[Input<S>]) -> Shared<Input<S>> {
+    Shared::with_len(inputs.len(), |i| inputs[i])
 }

@@ -6,13 +6,14 @@
 
 mod arrays;
 mod each;
+mod entered;
 mod mechanism;
 mod model;
 mod one_by_one;
 mod place;
 mod typed;
 
-pub use arrays::{Bounded, InPlace, List, OnHeap, Storage};
+pub use arrays::{Bounded, InPlace, List, OnHeap, Shared, Storage};
 pub use each::{Results, States};
 pub use mechanism::{Erased, ErasedPrepared};
 pub use model::{Found, Kernel, Model, Prepared, Values};
