@@ -80,16 +80,10 @@ impl<M: Mechanism> Step<'_, M> {
     }
 
     fn find_sample(&mut self, time: f64) -> Result<Sample<M>, Failure> {
-        if time == self.to.state.time {
-            return self.find_beside(time, self.end());
-        }
-        let interpolated = self.interpolated(time)?;
-        let mut kept = interpolated.clone();
-        let is_kept = self.motion.keep(&mut kept);
-        // The usual case, in which states are copied once.
-        match is_kept.is_ok() && self.motion.relative_sine() >= BESIDE {
-            true => self.motion.sample(kept),
-            false => self.find_beside(time, self.judged(kept, interpolated, is_kept)?),
+        let found = self.find(time)?;
+        match found.sine >= BESIDE && time != self.to.state.time {
+            true => self.motion.sample(found.kept),
+            false => self.find_beside(time, found),
         }
     }
 
@@ -126,35 +120,13 @@ impl<M: Mechanism> Step<'_, M> {
 
     fn find(&mut self, time: f64) -> Result<Inside<M>, Failure> {
         if time == self.to.state.time {
-            return Ok(self.end());
+            let end = self.to.state.clone();
+            return Ok(Inside { kept: end.clone(), interpolated: end, sine: self.end_sine });
         }
-        let interpolated = self.interpolated(time)?;
-        let mut kept = interpolated.clone();
-        let is_kept = self.motion.keep(&mut kept);
-        self.judged(kept, interpolated, is_kept)
-    }
-
-    fn end(&self) -> Inside<M> {
-        let end = self.to.state.clone();
-        Inside { kept: end.clone(), interpolated: end, sine: self.end_sine }
-    }
-
-    /// The state as the method has it.
-    #[inline]
-    fn interpolated(&mut self, time: f64) -> Result<State<M>, Failure> {
-        let mut state = self.method.inside(self.motion, self.begun, self.reached, self.fraction(time))?;
-        state.time = time;
-        Ok(state)
-    }
-
-    /// A state on the constraints beside the interpolated one, or this alone at a singular position.
-    fn judged(
-        &self,
-        kept: State<M>,
-        interpolated: State<M>,
-        is_kept: Result<(), Failure>,
-    ) -> Result<Inside<M>, Failure> {
-        match is_kept {
+        let mut kept = self.method.inside(self.motion, self.begun, self.reached, self.fraction(time))?;
+        kept.time = time;
+        let interpolated = kept.clone();
+        match self.motion.keep(&mut kept) {
             Ok(()) => Ok(Inside { kept, interpolated, sine: self.motion.relative_sine() }),
             Err(Failure { what: What::SingularPosition { .. }, .. }) => {
                 Ok(Inside { kept: interpolated.clone(), interpolated, sine: 0.0 })

@@ -86,32 +86,28 @@ impl<M: Mechanism> Motion<M> {
     /// The rates of the integrated variables at a sample.
     #[inline(always)]
     pub(crate) fn rates(&self, sample: &Sample<M>) -> Rates<M> {
-        match self.is_in_generalized_speeds() {
-            false => sample.rates(),
-            true => Rates {
-                speeds: self.rates_of_velocity_variables(&sample.state, &sample.accelerations),
-                ..sample.rates()
-            },
-        }
+        self.rates_by(&sample.state, sample.accelerations.clone(), sample.power)
     }
 
-    /// The rates of the integrated variables at a stage, which are written where they stay: a sample would be copied.
+    /// Those at a stage, which are written where they stay: a sample of it would be copied.
     ///
     /// # Errors
     /// As [`Motion::sample`], and [`What::SpeedsUndetermined`].
     #[inline(always)]
-    pub(crate) fn rates_at(&self, Integrated(mut state): Integrated<M>, rates: &mut Rates<M>) -> Result<(), Failure> {
-        let is_in_speeds = self.is_in_generalized_speeds();
-        if is_in_speeds {
-            state.speeds = self.speeds(&state, &state.speeds)?;
-        }
+    pub(crate) fn rates_at(&self, integrated: Integrated<M>, rates: &mut Rates<M>) -> Result<(), Failure> {
+        let mut state = self.state(integrated)?;
         let solved = self.dynamics(&mut state)?;
-        rates.speeds = match is_in_speeds {
-            false => solved.accelerations,
-            true => self.rates_of_velocity_variables(&state, &solved.accelerations),
-        };
-        (rates.positions, rates.work) = (state.speeds, solved.power);
+        *rates = self.rates_by(&state, solved.accelerations, solved.power);
         Ok(())
+    }
+
+    #[inline(always)]
+    fn rates_by(&self, state: &State<M>, accelerations: M::Q, work: f64) -> Rates<M> {
+        let speeds = match self.is_in_generalized_speeds() {
+            false => accelerations,
+            true => self.rates_of_velocity_variables(state, &accelerations),
+        };
+        Rates { positions: state.speeds.clone(), speeds, work }
     }
 
     /// A small change of the integrated variables at a state, as one of positions and speeds.

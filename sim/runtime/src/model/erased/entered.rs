@@ -11,7 +11,8 @@ pub(super) trait Entered<S> {
 
 /// Enters the numbers of a row, which are of the kind of its place.
 #[inline]
-pub(super) fn enter<A: Scalar, S: Scalar>(numbers: &[A], place: &mut [S]) {
+pub(super) fn enter<A: Scalar, S: Scalar>(found: &mut impl Entered<S>, row: usize, numbers: &[A]) {
+    let place = found.row(row, numbers.len());
     debug_assert_eq!(numbers.len(), place.len(), "a row of another length");
     for (entry, number) in place.iter_mut().zip(numbers) {
         if let Some(number) = (number as &dyn Any).downcast_ref() {

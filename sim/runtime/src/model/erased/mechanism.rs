@@ -72,16 +72,14 @@ impl<K: Storage, S: Scalar> Erased<K, S> {
     #[inline]
     fn call(&self, kernel: Kernel, at: &Place<K, S>, found: &mut impl Entered<S>) -> bool {
         if let Some(at) = at.on::<f64>() {
-            return self.model.call(kernel, at, &mut |row, numbers| enter(numbers, found.row(row, numbers.len())));
+            return self.model.call(kernel, at, &mut |row, numbers| enter(found, row, numbers));
         }
         match (at.on::<Dual>(), (&*self.values as &dyn Any).downcast_ref::<Values<Dual>>()) {
-            (Some(at), Some(values)) => self
-                .model
-                .call_on_duals(values, kernel, at, &mut |row, numbers| enter(numbers, found.row(row, numbers.len()))),
+            (Some(at), Some(values)) => {
+                self.model.call_on_duals(values, kernel, at, &mut |row, numbers| enter(found, row, numbers))
+            }
             _ => match at.on::<Dual<Interval>>() {
-                Some(at) => self
-                    .model
-                    .call_on_intervals(kernel, at, &mut |row, numbers| enter(numbers, found.row(row, numbers.len()))),
+                Some(at) => self.model.call_on_intervals(kernel, at, &mut |row, numbers| enter(found, row, numbers)),
                 None => true,
             },
         }
@@ -142,9 +140,7 @@ impl<K: Storage, S: Scalar> ErasedPrepared<K, S> {
     #[inline]
     fn call(&self, kernel: Kernel, at: &Place<K, S>, found: &mut impl Entered<S>) -> bool {
         match at.on::<f64>() {
-            Some(at) => {
-                self.kernels.call(kernel, at, &mut |row, numbers| enter(numbers, found.row(row, numbers.len())))
-            }
+            Some(at) => self.kernels.call(kernel, at, &mut |row, numbers| enter(found, row, numbers)),
             None => self.mechanism.call(kernel, at, found),
         }
     }
