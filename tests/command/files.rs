@@ -53,6 +53,17 @@ fn files_give_the_bytes_of_compiled_mechanisms() {
     }
 }
 
+/// A file of any name is read, where no mechanism of the program has that name.
+#[test]
+fn files_need_no_certain_name() {
+    let folder = folder("any-name", &[("bob.txt", BOB), ("pendulum", BOB)]);
+    let named = |file: &str| {
+        let told: Value = serde_json::from_str(&stdout(&within(&folder, &["info", file, "--json"]))).unwrap();
+        told["name"].clone()
+    };
+    assert_eq!(["bob.txt", "./pendulum", "pendulum"].map(named), ["bob", "bob", "pendulum"]);
+}
+
 /// A run file of a file makes the run again.
 #[test]
 fn a_run_from_a_file_is_made_again() {

@@ -2,6 +2,7 @@
 
 use models::BouncingBall;
 use sim::{Column, Compiled, Method, Rows, Run, Settings, Table, mechanism};
+use tests::any_model::interpreted;
 use tests::run_with;
 
 mechanism! {
@@ -122,6 +123,31 @@ fn events_inside_steps_keep_the_work() {
             // Some tolerances for all steps together, and one half for each of up to 238 events.
             let bound = (30.0 + run.events.len() as f64 / 2.0) * tolerance;
             assert!(worst < bound, "{method:?}, {w}, {tolerance:e}: {worst:e} after {} events", run.events.len());
+        }
+    }
+}
+
+/// Positions and speeds that are polynomials of time are integrated without error, the first up to the whole run in one step; the
+/// power has twice their degree. The block ends with m v^2/2, at v = F0 t^(k + 1)/((k + 1) m).
+#[test]
+fn work_of_polynomials_of_time_is_right() {
+    let (end, tolerance) = (2.0_f64, 1e-10);
+    for (k, unit, mass) in (1..=6).flat_map(|k| [(k, "m", 2.0), (k, "mm", 2e-3)]) {
+        let size = if unit == "mm" { 1e-6 } else { 1.0 };
+        let declaration = format!(
+            "pub Pushed; coordinates {{ x [{unit}]; }} parameters {{ m [kg] = {mass}; F [N/s^{k}] = {}; b [{unit}] = 1; }}
+             bodies {{ block: mass m at [b + x, 0]; }} loads {{ force [F*t^{k}, 0] at [b + x, 0]; }}",
+            4.0 * size
+        );
+        let work = |t: f64| (4.0 * size * t.powi(k + 1) / f64::from(k + 1)).powi(2) / (2.0 * mass);
+        for method in [Method::Dopri5, Method::Radau5, Method::Dop853] {
+            let settings = Settings { rows: Rows::Even(8), ..Settings::adaptive(method, end, tolerance) };
+            let run = run_with(interpreted(&declaration).unwrap(), &settings).unwrap();
+            for state in run.trajectory.samples.iter().map(|sample| &sample.state) {
+                let off = (state.work - work(state.time)).abs() / work(end);
+                // Some tolerances of speeds, in a power of high degree.
+                assert!(off < 30.0 * tolerance, "t^{k} in {unit} by {method:?} at {}: {off:e}", state.time);
+            }
         }
     }
 }

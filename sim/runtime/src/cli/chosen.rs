@@ -15,20 +15,23 @@ pub(super) struct Chosen {
 
 /// The mechanism of this name, or of this file. What a robot's file lacks is told, unless all is to be quiet.
 pub(super) fn chosen(mechanisms: &[Entry], word: &str, quiet: bool) -> Result<Chosen, Stop> {
-    match file(word) {
-        Some((path, name)) => {
-            let file = DeclarationFile::read(&path)?;
-            let model = file.model(name)?;
-            if !quiet {
-                warn(&file.warnings());
-            }
-            Ok(Chosen { model, run: None })
-        }
-        None => {
-            let entry = find(mechanisms, word)?;
-            Ok(Chosen { model: entry.model()?, run: entry.run })
-        }
+    match (file(word), find(mechanisms, word)) {
+        (Some((path, name)), _) => declared(&path, name, quiet),
+        (None, Ok(entry)) => Ok(Chosen { model: entry.model()?, run: entry.run }),
+        (None, Err(unknown)) => match any_file(word) {
+            Some((path, name)) => declared(&path, name, quiet),
+            None => Err(unknown),
+        },
     }
+}
+
+fn declared(path: &Path, name: Option<&str>, quiet: bool) -> Result<Chosen, Stop> {
+    let file = DeclarationFile::read(path)?;
+    let model = file.model(name)?;
+    if !quiet {
+        warn(&file.warnings());
+    }
+    Ok(Chosen { model, run: None })
 }
 
 /// Tells what is doubtful.
@@ -48,6 +51,11 @@ pub(super) fn file(word: &str) -> Option<(PathBuf, Option<&str>)> {
         Some((path, name)) if is_file(path) && is_name(name) => Some((path.into(), Some(name))),
         _ => is_file(word).then(|| (word.into(), None)),
     }
+}
+
+/// As [`file`], or a file of any other name that is there.
+pub(super) fn any_file(word: &str) -> Option<(PathBuf, Option<&str>)> {
+    file(word).or_else(|| Path::new(word).is_file().then(|| (word.into(), None)))
 }
 
 #[cfg(test)]

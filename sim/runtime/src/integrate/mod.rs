@@ -24,6 +24,7 @@ mod step;
 mod stepper;
 mod switching;
 mod tableau;
+mod unseen_work;
 
 pub(crate) use beside::first_sample;
 pub use dop853::Dop853;

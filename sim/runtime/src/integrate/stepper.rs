@@ -8,6 +8,7 @@ use super::crossing::Crossing;
 use super::jumps_of_loads::note_jump;
 use super::method::Advance;
 use super::pace::{Aim, Pace, Target};
+use super::unseen_work::before_wrong_work;
 use super::{Course, Step, Steps};
 use crate::motion::Motion;
 use crate::state::failure::Failure;
@@ -42,13 +43,18 @@ fn better_end<M: Mechanism>(
     motion: &Motion<M>,
     method: &mut dyn Advance<M>,
     [from, to]: [&Sample<M>; 2],
-    (crossing, tolerance): (&Crossing<M>, &Tolerance),
+    (crossing, course): (&Crossing<M>, &Course),
+    (error, tolerance): (f64, &Tolerance),
 ) -> Result<Option<f64>, Failure> {
     if crossing.is_surprised(motion) {
         return Ok(Some(from.state.time + (to.state.time - from.state.time) / 2.0));
     }
     let end_sine = motion.relative(motion.least_sine());
-    before_change(&mut Step { motion, method, from, to, begun: from, reached: to, end_sine }, tolerance)
+    let mut step = Step { motion, method, from, to, begun: from, reached: to, end_sine };
+    match before_change(&mut step, tolerance)? {
+        None => before_wrong_work(&mut step, course, error, tolerance),
+        change => Ok(change),
+    }
 }
 
 /// The kind of the last step.
@@ -205,7 +211,7 @@ impl<M: Mechanism> Stepper<M> {
         let least_sine = motion.least_sine();
         let better_end = match (&attempted, &target.tolerance) {
             (Ok(error), Some(tolerance)) if *error <= 1.0 => {
-                better_end(motion, method, [&*from, &*to], (&self.crossing, tolerance))?
+                better_end(motion, method, [&*from, &*to], (&self.crossing, &self.course), (*error, tolerance))?
             }
             _ => None,
         };

@@ -7,7 +7,7 @@ mod request;
 mod server;
 
 use crate::cli::arguments::{Voice, WatchArguments};
-use crate::cli::chosen::file;
+use crate::cli::chosen::any_file;
 use crate::cli::{Stop, print, signals};
 use board::Board;
 use files::Changes;
@@ -21,7 +21,7 @@ use std::sync::Arc;
 /// Serves the report of a file, and follows its changes until it is interrupted.
 pub(in crate::cli) fn watch(arguments: &WatchArguments, voice: Voice) -> Result<(), Stop> {
     let word = &arguments.model;
-    let Some((path, name)) = file(word) else {
+    let Some((path, name)) = any_file(word) else {
         let why = format!(
             "`{word}` is no file, and there is nothing to follow: `new --file {word}.mech --from {word}` writes a mechanism \
              that `list` shows to a file, for `watch {word}.mech`"
