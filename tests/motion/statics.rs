@@ -52,3 +52,32 @@ fn a_constrained_bead_hangs_and_is_damped() {
     assert!(found.eigenvalues.len() == 2 && (last.re + damping).abs() < 1e-9, "{found:?}");
     assert!((last.im - f64::sqrt(square - damping * damping)).abs() < 1e-9, "{found:?}");
 }
+
+mechanism! {
+    /// A truss of two links that cannot move, loaded at its apex.
+    Truss;
+    coordinates { a [deg]; b [deg]; }
+    parameters { s [mm] = 800; m [kg] = 1; P [kN] = 3; H [kN] = 1; }
+    let A = s*[cos(a), sin(a)];
+    let B = [s, 0] + s*[cos(b), sin(b)];
+    bodies { left: mass m at A; right: mass m at B; }
+    loads { force [H, -P] at A; }
+    constraints { apex: A = B; }
+    initial { guess a = 50; guess b = 130; }
+}
+
+/// What rounding moves is not compared with itself: neither the balance of energy nor verification raises an alarm.
+#[test]
+fn nothing_is_wrong_with_what_stands_still() {
+    let truss = Truss::default();
+    let run = tests::run_with(truss, &sim::Settings::new(2.0)).unwrap();
+    // Both links are at 60 degrees.
+    let forces = &run.trajectory.samples[0].multipliers;
+    let (right, down) = (1000.0, 3000.0);
+    let expected = [(right + down / 3f64.sqrt()) / 2.0, -(down + right * 3f64.sqrt()) / 2.0];
+    assert!((0..2).all(|i| (forces[i] - expected[i]).abs() < 1e-9 * down), "{forces:?} {expected:?}");
+    assert!(run.energy_balance < 1e-4, "{}", run.energy_balance);
+    for check in sim::verify::verify(truss, &declared_start(&truss), 2.0).unwrap() {
+        assert!(check.passes() || check.name == "energy and work", "{}: {:?}", check.name, check.figure);
+    }
+}

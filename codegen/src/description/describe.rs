@@ -44,7 +44,11 @@ pub fn describe(equations: &EquationsOfMotion, program: &Program, source: &Sourc
 
 fn switching(EquationsOfMotion { graph, .. }: &EquationsOfMotion, all: &[dynamics::Switching]) -> Vec<Switching> {
     let named = |id: TableId| NamedTable { index: id.index(), name: graph.table(id).name.clone() };
-    all.iter().map(|each| Switching { table: each.table.map(named), is_affine: each.is_affine }).collect()
+    let described = |each: &dynamics::Switching| {
+        let dynamics::Switching { table, is_affine, is_smooth, .. } = *each;
+        Switching { table: table.map(named), is_affine, is_smooth }
+    };
+    all.iter().map(described).collect()
 }
 
 impl Quantity {

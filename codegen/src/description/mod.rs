@@ -61,7 +61,7 @@ pub struct Description {
     pub drawing: Vec<Shape>,
     /// How it is run where nothing else is said.
     pub run: Vec<RunDefault>,
-    /// The functions of time alone where expressions change their form, in the order of their kernel.
+    /// The functions of time alone where expressions change their form or have a pulse, in the order of their kernel.
     pub switching: Vec<Switching>,
     /// Those of positions and speeds where loads do, likewise.
     pub load_conditions: Vec<Switching>,
@@ -73,6 +73,8 @@ pub struct Switching {
     pub table: Option<NamedTable>,
     /// Whether it changes at a constant rate.
     pub is_affine: bool,
+    /// Whether expressions keep their form there, which is the middle of a pulse or a step.
+    pub is_smooth: bool,
 }
 
 /// A table.

@@ -37,6 +37,7 @@ mod open_tree;
 pub mod order;
 mod outputs;
 mod parts;
+mod pulses;
 mod rows;
 mod sensitivity;
 mod separation;
@@ -140,7 +141,8 @@ fn derive_as(
     links: fn(&mut Graph, &Model, &Variables, &mut Derivatives, &[FreeBase]) -> Option<Links>,
 ) -> EquationsOfMotion {
     let Resolved { model, mut graph, displaced } = resolved;
-    let (switching, rows) = (switching::of_time(&graph, &model), load_rows(&mut graph, &model));
+    let (mut switching, rows) = (switching::of_time(&graph, &model), load_rows(&mut graph, &model));
+    switching.extend(pulses::middles(&mut graph, &model, &rows, &switching));
     let load_conditions = switching::of_loads(&graph, &model, &rows);
     let speeds = speeds::derive(&mut graph, &model, &rows);
     let formulation = formulation(&mut graph, &model, rows);

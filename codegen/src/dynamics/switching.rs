@@ -17,6 +17,8 @@ pub struct Switching {
     pub table: Option<TableId>,
     /// Whether it changes at a constant rate.
     pub is_affine: bool,
+    /// Whether expressions keep their form there, which is the middle of a pulse or a step.
+    pub is_smooth: bool,
 }
 
 /// Those of time alone in a graph, each once.
@@ -28,7 +30,12 @@ pub(super) fn of_time(graph: &Graph, model: &Model) -> Vec<Switching> {
             && is_new(&found, value, table)
             && is_of_time(graph, &mut dependences, value)
         {
-            found.push(Switching { value, table, is_affine: is_affine(graph, &mut dependences, value) });
+            found.push(Switching {
+                value,
+                table,
+                is_affine: is_affine(graph, &mut dependences, value),
+                is_smooth: false,
+            });
         }
     }
     found
@@ -44,7 +51,7 @@ pub(super) fn of_loads(graph: &Graph, model: &Model, rows: &[LoadRow]) -> Vec<Sw
             && is_new(&found, value, table)
             && dependences.of(graph, value).meets(Dependence::COORDINATE.or(Dependence::SPEED))
         {
-            found.push(Switching { value, table, is_affine: false });
+            found.push(Switching { value, table, is_affine: false, is_smooth: false });
         }
     }
     found
@@ -60,17 +67,17 @@ fn switched_by(node: &Node) -> Option<(Expr, Option<TableId>)> {
     }
 }
 
-fn is_new(found: &[Switching], value: Expr, table: Option<TableId>) -> bool {
+pub(super) fn is_new(found: &[Switching], value: Expr, table: Option<TableId>) -> bool {
     !found.iter().any(|known| (known.value, known.table) == (value, table))
 }
 
-fn is_of_time(graph: &Graph, dependences: &mut Dependences, expr: Expr) -> bool {
+pub(super) fn is_of_time(graph: &Graph, dependences: &mut Dependences, expr: Expr) -> bool {
     let on = dependences.of(graph, expr);
     on == Dependence::TIME || on == Dependence::TIME.or(Dependence::PARAMETER)
 }
 
 /// Whether a function of time is written as one of the first degree.
-fn is_affine(graph: &Graph, dependences: &mut Dependences, expr: Expr) -> bool {
+pub(super) fn is_affine(graph: &Graph, dependences: &mut Dependences, expr: Expr) -> bool {
     if !dependences.of(graph, expr).meets(Dependence::TIME) {
         return true;
     }

@@ -55,7 +55,7 @@ pub struct Description {
     /// How it is run where nothing else is said, from its block `run`.
     pub run: &'static [RunDefault],
     /// The functions of time alone, in the order of [`crate::Mechanism::switching_functions`], where what acts on the mechanism
-    /// changes its form: there the steps end that a method chooses.
+    /// changes its form or has the middle of a pulse: there the steps end that a method chooses.
     pub switching: &'static [Switching],
     /// The functions of positions and speeds, in the order of [`crate::Mechanism::load_conditions`], where loads change their form:
     /// a step in which they do so more than once may miss what is between.
@@ -69,6 +69,8 @@ pub struct Switching {
     pub table: Option<&'static Table>,
     /// Whether it changes at a constant rate.
     pub is_affine: bool,
+    /// Whether expressions keep their form there: it is the middle of a smooth pulse or step, which a long step might not see.
+    pub is_smooth: bool,
 }
 
 /// A setting of a run, as a program takes it on its command line.

@@ -74,8 +74,8 @@ fn switching(each: &Switching, path: &TokenStream) -> TokenStream {
         }
         None => quote! { ::core::option::Option::None },
     };
-    let is_affine = each.is_affine;
-    quote! { #path::Switching { table: #table, is_affine: #is_affine } }
+    let Switching { is_affine, is_smooth, .. } = each;
+    quote! { #path::Switching { table: #table, is_affine: #is_affine, is_smooth: #is_smooth } }
 }
 
 /// A coordinate with its speed and acceleration, and how it starts.

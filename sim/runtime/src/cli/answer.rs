@@ -188,7 +188,7 @@ where
     let mut table = Table::of(&found.mechanism, &found.trajectory);
     let mut summary = summary_of(&outcome, &table);
     Files::name_run(&mut table, reproduction.command.clone(), &mut [&mut reproduction.file, &mut summary]);
-    let (provenance, problems) = (table.provenance.clone(), failures(&outcome, &table));
+    let (provenance, problems) = (table.provenance.clone(), failures(outcome.failure.as_ref(), &table));
     let (told, text) = (summary.clone(), reproduction.text());
     let page = move || {
         let outcome = found.outcome();

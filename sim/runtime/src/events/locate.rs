@@ -1,6 +1,6 @@
 //! Where a condition is zero in a part of a step.
 
-use super::conditions::{Point, conditions, ends, is_root, may_reach_zero, tolerance, value};
+use super::conditions::{Point, conditions, ends, is_root, tolerance, value};
 use super::described::releases;
 use super::{Crossing, EventSearch, Occurrence};
 use crate::integrate::Step;
@@ -30,12 +30,8 @@ impl<M: Mechanism> EventSearch<M> {
         if halvings > 0 && !is_foretold(values, rates, TOUCH * self.largest[event], &mut inside)? {
             let middle = step.sample(from.time + h / 2.0)?;
             let middle = Point::of(step.motion, &middle, h / 2.0)?;
-            for (from, to) in [(from, &middle), (&middle, to)] {
-                if may_reach_zero(event, from, to) {
-                    self.search_one(step, event, from, to, halvings - 1)?;
-                }
-            }
-            return Ok(());
+            self.search_defined(step, event, from, &middle, halvings - 1)?;
+            return self.search_defined(step, event, &middle, to, halvings - 1);
         }
         match () {
             _ if crosses(values) => self.locate(step, event, [from.time, to.time], values),
@@ -67,7 +63,7 @@ impl<M: Mechanism> EventSearch<M> {
         Ok(())
     }
 
-    fn locate(
+    pub(super) fn locate(
         &mut self,
         step: &mut Step<M>,
         event: usize,

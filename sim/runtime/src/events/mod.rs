@@ -2,7 +2,7 @@
 //!
 //! Each step is searched as finely as the conditions change: if the cubic of a condition's values and rates at two
 //! times does not predict its value between them, both halves are searched. A condition that only touches zero has its
-//! extremum there.
+//! extremum there. One that is undefined in a part of the motion is searched where it is defined.
 
 mod act;
 mod conditions;
@@ -11,6 +11,7 @@ mod handler;
 mod locate;
 mod occurrence;
 mod onset;
+mod undefined;
 mod waves;
 
 pub use act::{Change, Located, act};
@@ -27,6 +28,7 @@ use conditions::{Point, ends, may_reach_zero, value};
 use onset::Onset;
 use sim_kernel::event::Direction;
 use sim_kernel::{Array, Mechanism};
+use undefined::is_defined;
 use waves::{DIVIDED_AGAIN, point};
 
 /// The number of halvings of a step, below which a condition is not resolved.
@@ -43,7 +45,7 @@ const ARRIVES: f64 = f64::NEG_INFINITY;
 /// dense output.
 ///
 /// A condition that holds at the very start, to that tolerance, does not count, and neither does a change of sign
-/// by a jump or a pole, unless it releases a constraint because of a force, or where the condition is not finite.
+/// by a jump or a pole, unless it releases a constraint because of a force.
 #[derive(Clone, Debug)]
 pub struct EventSearch<M: Mechanism> {
     /// The occurrences found.
@@ -225,11 +227,11 @@ impl<M: Mechanism> EventSearch<M> {
             }
             self.largest[event] = to.values[event].abs().max(from.values[event].abs()).max(self.largest[event]);
             let name = mechanism.description().events[event].name;
-            if !may_reach_zero(event, from, &to) {
+            if is_defined(event, from, &to) && !may_reach_zero(event, from, &to) {
                 continue;
             }
             let of_event = self.found.len();
-            self.search_one(step, event, from, &to, MOST_HALVINGS).map_err(|failure| failure.in_event(name))?;
+            self.search_defined(step, event, from, &to, MOST_HALVINGS).map_err(|failure| failure.in_event(name))?;
             let at_start = self.at_start.take().filter(|_| from.values[event].abs() == f64::MIN_POSITIVE);
             if self.found.len() == of_event && crosses(ends(event, from, &to).0) && self.returns(mechanism, event) {
                 self.found.extend(at_start);

@@ -19,6 +19,10 @@ pub(super) fn tick(now: f64, until: f64) -> f64 {
     4.0 * f64::EPSILON * now.abs().max(until.abs())
 }
 
+/// The distance from a time at which a function has the sign that it has on that side, in [`tick`]s: more than its
+/// rounding.
+pub(super) const ASIDE: f64 = 4.0;
+
 /// The first thing that is found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct First {
@@ -32,6 +36,8 @@ pub(super) enum What {
     Zero,
     /// The argument of a table reaches the next row.
     Row,
+    /// The middle of a smooth pulse is just passed.
+    Middle,
     /// Nothing changes before, and what comes then has not been searched.
     Unknown,
 }
@@ -102,8 +108,12 @@ impl<M: Mechanism> Search<'_, M> {
         let [before, after] = ends.map(values);
         let changes = self.functions.iter().enumerate().filter_map(|(k, function)| {
             let change = Change { function, ends, values: [before[k], after[k]] };
-            let what = if function.table.is_some() { What::Row } else { What::Zero };
-            change.time(|time| values(time)[k], self.tick).map(|time| First { time, what })
+            let time = change.time(|time| values(time)[k], self.tick)?;
+            Some(match function.table {
+                Some(_) => First { time, what: What::Row },
+                None if function.is_smooth => First { time: time + ASIDE * self.tick, what: What::Middle },
+                None => First { time, what: What::Zero },
+            })
         });
         changes.min_by(|a, b| a.time.total_cmp(&b.time))
     }

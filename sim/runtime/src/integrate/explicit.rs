@@ -10,7 +10,7 @@ use crate::motion::Motion;
 use crate::motion::field::Field;
 use crate::motion::velocity_variables::Integrated;
 use crate::state::failure::{Failure, What};
-use crate::state::interpolate::hermite;
+use crate::state::interpolate::{hermite, linear};
 use crate::state::settings::Tolerance;
 use crate::state::trajectory::{Rates, Sample, State};
 use sim_kernel::{Array, Mechanism, Scalar};
@@ -177,7 +177,8 @@ impl<M: Mechanism> Advance<M> for ExplicitRungeKutta<M> {
         self.advance(motion, from, time, tolerance)
     }
 
-    /// Positions by the quintic of both ends. Its derivative would lose the digits of speeds to differences of large
+    /// Linear for methods of order 1: positions that have followed the speeds at the start contradict those at the end, and a
+    /// polynomial of both would swing between them. For others positions by the quintic of both ends. Its derivative would lose the digits of speeds to differences of large
     /// positions, and no cubic has the work as accurately as the step: both are those of the method's own dense output, if
     /// it has one.
     fn inside(
@@ -187,6 +188,9 @@ impl<M: Mechanism> Advance<M> for ExplicitRungeKutta<M> {
         to: &Sample<M>,
         fraction: f64,
     ) -> Result<State<M>, Failure> {
+        if self.tableau.order == 1 {
+            return Ok(linear(from, to, fraction));
+        }
         let between = hermite(from, to, fraction);
         let Some((last, _)) = self.tableau.dense.last() else { return Ok(between) };
         let rates = [from, to].map(|sample| motion.rates(sample));

@@ -3,12 +3,12 @@
 //! Times of equal steps are computed from the start each time, so that they do not accumulate rounding.
 
 use super::attempt::{explained, keeps_its_speeds, taken_back, too_small};
-use super::changes_in_time::tick;
+use super::changes_in_time::{ASIDE, tick};
 use super::control::{Controller, initial_step};
 use super::crossing::{Crossing, Way};
 use super::headway::Headway;
 use super::method::Advance;
-use super::switching::{ASIDE, Stop, next_stop, note_change};
+use super::switching::{Stop, next_stop, note_change};
 use super::{Course, Steps};
 use crate::motion::Motion;
 use crate::state::failure::{Failure, What};

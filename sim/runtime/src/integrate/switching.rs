@@ -3,17 +3,13 @@
 //!
 //! An adaptive step over a force that begins and ends within it might see nothing of it, and one over a jump is refused
 //! many times. So steps end before such a time, and a step as short as rounding allows leads over it. A table is
-//! continuous: its row itself is the end of a step. Equal steps stay equal; those that lead over such times are counted, as are
+//! continuous: its row itself is the end of a step, and so is the middle of a smooth pulse. Equal steps stay equal; those that lead over such times are counted, as are
 //! those over changes by positions and speeds ([`super::jumps_of_loads`]).
 
-use super::changes_in_time::{First, What, first_change, tick};
+use super::changes_in_time::{ASIDE, First, What, first_change, tick};
 use crate::motion::Motion;
 use crate::state::saved::{Bytes, Damaged};
 use sim_kernel::{Mechanism, Switching};
-
-/// The distance from a time at which a function has the sign that it has on that side, in [`tick`]s: more than its
-/// rounding.
-pub(super) const ASIDE: f64 = 4.0;
 
 /// Where the next step ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,7 +38,7 @@ fn first_stop<M: Mechanism>(
     let First { time, what } = first_change(motion.mechanism(), functions, now, until)?;
     Some(match what {
         What::Row if !rows_jump => Stop::Before(time),
-        What::Unknown => Stop::Before(time),
+        What::Middle | What::Unknown => Stop::Before(time),
         What::Row | What::Zero => match time - ASIDE * tick {
             before if before > now + tick => Stop::Before(before),
             _ => Stop::Across(time + ASIDE * tick),
@@ -90,7 +86,7 @@ pub(super) fn note_change<M: Mechanism>(
     changes: &mut Option<SuddenChanges>,
 ) {
     let functions = motion.mechanism().description().switching;
-    if functions.is_empty() {
+    if functions.iter().all(|function| function.is_smooth) {
         return;
     }
     if let Some(first) = sudden_change(motion, functions, now, until) {
@@ -106,16 +102,16 @@ fn sudden_change<M: Mechanism>(motion: &Motion<M>, functions: &[Switching], now:
     let First { time, what } = known(now)?;
     match what {
         What::Row => known(time).map(|_| time),
-        What::Zero | What::Unknown => Some(time),
+        What::Zero | What::Middle | What::Unknown => Some(time),
     }
 }
 
-/// The first change, however long the search for it is.
+/// The first change of form, however long the search for it is.
 fn first_known_change<M: Mechanism>(mechanism: &M, functions: &[Switching], now: f64, until: f64) -> Option<First> {
     let mut from = now;
     loop {
         match first_change(mechanism, functions, from, until)? {
-            First { time, what: What::Unknown } => from = time,
+            First { time, what: What::Middle | What::Unknown } => from = time,
             known => return Some(known),
         }
     }

@@ -72,7 +72,8 @@ fn description(of: &made::Description, tables: &'static [Table]) -> Description 
 }
 
 fn switching(of: &made::Switching, tables: &'static [Table]) -> Switching {
-    Switching { table: of.table.as_ref().map(|table| &tables[table.index]), is_affine: of.is_affine }
+    let made::Switching { ref table, is_affine, is_smooth } = *of;
+    Switching { table: table.as_ref().map(|table| &tables[table.index]), is_affine, is_smooth }
 }
 
 /// A table with its pieces, as generated code has it.

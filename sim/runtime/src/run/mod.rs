@@ -13,6 +13,7 @@ pub use simulation::Simulation;
 
 use crate::events::Occurrence;
 use crate::integrate::Steps;
+use crate::motion::measures::Measures;
 use crate::motion::mobility::Mobility;
 use crate::motion::residuals::residuals;
 use crate::record::{DeadPoint, Recorder};
@@ -21,11 +22,15 @@ use crate::state::failure::{Failure, What};
 use crate::state::settings::Settings;
 use crate::state::trajectory::{State, Trajectory};
 use control::Control;
-use sim_kernel::Mechanism;
+use sim_kernel::{Array, Mechanism};
 use std::time::{Duration, Instant};
 
 /// Relative change of energy from which a result deserves doubt.
 pub const DOUBTFUL_BALANCE: f64 = 1e-3;
+
+/// A mechanism is at rest with speeds of this part of its scales in a second, and with moves of this part: what energy rounding
+/// gives it is not compared with itself.
+const AT_REST: f64 = 1e-7;
 
 /// The results of a run.
 #[derive(Clone, Debug)]
@@ -132,7 +137,8 @@ fn run_with<M: Mechanism>(
     let integration_time = clock.elapsed();
     let trajectory = Trajectory { samples: recorder.samples, phases: recorder.phases, failure: ended.err() };
     let (position_residual, velocity_residual) = largest_residuals(&mechanism, &trajectory);
-    let energy_balance = energy_balance(&mechanism, &trajectory, recorder.largest_work);
+    let rounding = energy_at_rest(&mechanism, &first, simulation.measures());
+    let energy_balance = energy_balance(&mechanism, &trajectory, recorder.largest_work.max(rounding));
     let (energy_taken, evaluations) = (simulation.energy_taken(), simulation.evaluations());
     let (events, steps) = simulation.conclude();
     Ok(Run {
@@ -180,7 +186,17 @@ fn largest_residuals<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) ->
     })
 }
 
-/// `largest` is the largest work between samples: a mechanism may be at rest in all of them.
+/// The energy of a mechanism at rest: that of its speeds, and the work of its loads.
+fn energy_at_rest<M: Mechanism>(mechanism: &M, start: &State<M>, measures: &Measures<M>) -> f64 {
+    let State { time, positions, speeds, .. } = start;
+    let scales = measures.coordinates();
+    let forces = mechanism.generalized_forces(*time, positions, speeds);
+    let work: f64 = forces.iter().zip(scales.iter()).map(|(force, scale)| (force * scale).abs()).sum();
+    let kinetic = mechanism.kinetic_energy(*time, positions, &scales.apply(|scale| AT_REST * *scale));
+    kinetic + AT_REST * work
+}
+
+/// `largest` is the largest work between samples, as a mechanism may be at rest in all of them, or what kinetic energy is rounding.
 fn energy_balance<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>, mut largest: f64) -> f64 {
     let (mut change, mut start) = (0.0f64, None);
     for (index, (mechanism, sample)) in trajectory.with_mechanisms(mechanism).enumerate() {

@@ -136,6 +136,11 @@ impl<M: Mechanism> Simulation<M> {
         &self.mobility
     }
 
+    /// The scales of its coordinates and constraints.
+    pub(crate) fn measures(&self) -> &Measures<M> {
+        self.motion.measures()
+    }
+
     /// The number of steps made.
     pub fn steps(&self) -> &Steps {
         &self.steps

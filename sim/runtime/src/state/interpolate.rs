@@ -24,6 +24,18 @@ pub fn hermite<M: Mechanism>(from: &Sample<M>, to: &Sample<M>, fraction: f64) ->
     }
 }
 
+/// The state at `fraction` of the way between two samples by a straight line, not projected.
+pub(crate) fn linear<M: Mechanism>(from: &Sample<M>, to: &Sample<M>, fraction: f64) -> State<M> {
+    let (a, b) = (&from.state, &to.state);
+    let between = |a: f64, b: f64| a + fraction * (b - a);
+    State {
+        time: between(a.time, b.time),
+        positions: a.positions.zip_with(&b.positions, |a, b| between(*a, *b)),
+        speeds: a.speeds.zip_with(&b.speeds, |a, b| between(*a, *b)),
+        work: between(a.work, b.work),
+    }
+}
+
 /// A quantity at both ends of an interval of length 1.
 struct Ends {
     value: [f64; 2],

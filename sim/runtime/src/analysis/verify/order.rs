@@ -44,6 +44,9 @@ pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
     let check = |figure: f64, meaning: String| Ok(Check::new("order of convergence", figure, BOUND, meaning));
     let reference = states(mechanism, start.clone(), end, &mut Dop853::new(mechanism), 4096)?;
     let sizes = Sizes::of(mechanism, &reference);
+    if sizes.at_rest {
+        return check(0.0, "the mechanism is at rest".into());
+    }
     let distance = |found: &[Sample<M>]| {
         let mut worst = Worst::default();
         found.iter().zip(&reference).for_each(|(a, b)| sizes.compare(mechanism, &a.state, &b.state, &mut worst));

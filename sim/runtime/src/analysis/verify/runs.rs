@@ -4,24 +4,27 @@ use super::scale::scales;
 use super::worst::{Worst, largest, relative};
 use super::{Check, places};
 use crate::model::{AnyMechanism, At};
+use crate::motion::measures::Measures;
 use crate::motion::typed::Any;
 use crate::run::Run;
 use crate::state::trajectory::{Sample, State};
-use sim_kernel::Mechanism;
+use sim_kernel::{Array, Mechanism};
 
 /// The constraints of every sample, in positions and velocities: each relative to the largest of its own terms in any
 /// sample. For positions this scale is at least a thousandth of the largest among constraints whose reaction has the
-/// same unit: the height of a slider may be zero, and is then rounding of the others. For velocities it is at least a
-/// row of C_q times speeds as large as that of the fastest coordinate: the row of a coordinate that stands still is
-/// rounding of the others.
+/// same unit, and of a row of C_q times the positions: the height of a slider may be zero, and is then rounding of the
+/// others. For velocities it is at least a row of C_q times speeds as large as that of the fastest coordinate: the row of
+/// a coordinate that stands still is rounding of the others.
 pub fn constraint_residuals<M: Mechanism>(run: &Run<M>) -> Check {
     let samples = &run.trajectory.samples;
     let open: Vec<[Vec<Open>; 2]> = {
         let places = places(samples);
         let scales = scales(&Any(&run.mechanism), &places);
         let speed = largest(places.iter().flat_map(|at| at.speeds.iter().zip(&scales).map(|(u, s)| s * u)));
+        let rest = at_rest(&run.mechanism, samples);
+        let speed = rest.iter().zip(&scales).fold(speed, |speed, (rest, s)| speed.max(s * rest));
         let with = run.trajectory.with_mechanisms(&run.mechanism).zip(&places);
-        with.map(|((mechanism, _), at)| residuals(&Any(&mechanism), at, &scales, speed)).collect()
+        with.map(|((mechanism, _), at)| residuals(&Any(&mechanism), at, (&scales, speed), &rest)).collect()
     };
     let mut worst = Worst::<(&str, &str, f64)>::default();
     let mechanism = &run.mechanism;
@@ -51,6 +54,16 @@ pub fn constraint_residuals<M: Mechanism>(run: &Run<M>) -> Check {
 /// Rounding is 1e-16 of the largest terms, and 1e-13 of a thousandth of them; the bound is 1e-9.
 const LEAST_PART: f64 = 1e-3;
 
+/// A mechanism is at rest that moves by less than this part of its scales, or of them in a second: its rounding is not compared
+/// with itself.
+const AT_REST: f64 = 1e-6;
+
+/// That part of the scale of each coordinate.
+fn at_rest<M: Mechanism>(mechanism: &M, samples: &[Sample<M>]) -> Vec<f64> {
+    let Some(State { time, positions, .. }) = samples.first().map(|sample| &sample.state) else { return Vec::new() };
+    Measures::at(mechanism, *time, positions).coordinates().iter().map(|scale| AT_REST * scale).collect()
+}
+
 /// The residual of a constraint, and the magnitude of its terms.
 struct Open {
     open: f64,
@@ -58,11 +71,20 @@ struct Open {
 }
 
 /// C, then C_q q' + C_t.
-fn residuals(mechanism: &dyn AnyMechanism, at: &At<f64>, scales: &[f64], speed: f64) -> [Vec<Open>; 2] {
+fn residuals(
+    mechanism: &dyn AnyMechanism,
+    at: &At<f64>,
+    (scales, speed): (&[f64], f64),
+    rest: &[f64],
+) -> [Vec<Open>; 2] {
     let (t, q) = (at.time, at.positions);
     let (values, magnitudes) = (mechanism.constraints(t, q), mechanism.constraint_magnitudes(t, q));
     let (jacobian, drift) = (mechanism.constraint_jacobian(t, q), mechanism.constraint_time_derivative(t, q));
-    let positions = values.iter().zip(magnitudes.iter()).map(|(open, size)| Open { open: *open, size: *size });
+    let position = |row: usize| {
+        let moved = at.positions.iter().zip(rest).enumerate();
+        let moved: f64 = moved.map(|(j, (q, rest))| jacobian[(row, j)].abs() * q.abs().max(*rest)).sum();
+        Open { open: values[row], size: magnitudes[row].max(LEAST_PART * moved) }
+    };
     let velocity = |row: usize| {
         let terms = at.speeds.iter().enumerate().map(|(j, u)| jacobian[(row, j)] * u);
         let open = terms.sum::<f64>() + drift[row];
@@ -70,7 +92,7 @@ fn residuals(mechanism: &dyn AnyMechanism, at: &At<f64>, scales: &[f64], speed: 
         let size: f64 = moved.map(|(j, (u, s))| jacobian[(row, j)].abs() * u.abs().max(speed / s)).sum();
         Open { open, size: size + drift[row].abs() }
     };
-    [positions.collect(), (0..values.len()).map(velocity).collect()]
+    [(0..values.len()).map(position).collect(), (0..values.len()).map(velocity).collect()]
 }
 
 /// Kinetic energy less the work of loads and drives.
@@ -104,19 +126,32 @@ pub fn difference<M: Mechanism>(one: &Run<M>, other: &Run<M>) -> (f64, &'static 
 const SHARE: f64 = 1e-2;
 
 /// The extent of each coordinate and each speed.
-pub(super) struct Sizes([Vec<f64>; 2]);
+pub(super) struct Sizes {
+    positions: Vec<f64>,
+    speeds: Vec<f64>,
+    /// Whether the mechanism is at rest.
+    pub(super) at_rest: bool,
+}
 
 impl Sizes {
     /// In these samples of one run.
     pub(super) fn of<M: Mechanism>(mechanism: &M, samples: &[Sample<M>]) -> Sizes {
         let places = places(samples);
         let scales = scales(&Any(mechanism), &places);
+        let rest = at_rest(mechanism, samples);
         let sizes = |values: &dyn Fn(&At<f64>, usize) -> f64| {
-            let own: Vec<f64> = (0..mechanism.n()).map(|i| largest(places.iter().map(|at| values(at, i)))).collect();
+            let own =
+                rest.iter().enumerate().map(|(i, rest)| largest(places.iter().map(|at| values(at, i))).max(*rest));
+            let own: Vec<f64> = own.collect();
             let all = largest(own.iter().zip(&scales).map(|(size, scale)| scale * size));
             own.iter().zip(&scales).map(|(size, scale)| size.max(SHARE * all / scale)).collect()
         };
-        Sizes([sizes(&|at, i| at.positions[i]), sizes(&|at, i| at.speeds[i])])
+        let is_at_rest = |at: &At<f64>| at.speeds.iter().zip(&rest).all(|(speed, rest)| speed.abs() <= *rest);
+        Sizes {
+            positions: sizes(&|at, i| at.positions[i]),
+            speeds: sizes(&|at, i| at.speeds[i]),
+            at_rest: places.iter().all(is_at_rest),
+        }
     }
 
     /// Enters the differences of two states.
@@ -128,7 +163,7 @@ impl Sizes {
         worst: &mut Worst<&'static str>,
     ) {
         for (i, coordinate) in mechanism.description().coordinates.iter().enumerate() {
-            let Sizes([positions, speeds]) = self;
+            let Sizes { positions, speeds, .. } = self;
             worst.enter(relative((a.positions[i] - b.positions[i]).abs(), positions[i]), coordinate.position.name);
             worst.enter(relative((a.speeds[i] - b.speeds[i]).abs(), speeds[i]), coordinate.speed.name);
         }

@@ -1,6 +1,7 @@
 //! `sim poincare`.
 
 use crate::cli::arguments::{PoincareArguments, Voice};
+use crate::cli::commands::run::failures;
 use crate::cli::files::asked::command;
 use crate::cli::files::folder;
 use crate::cli::files::written::Files;
@@ -59,6 +60,9 @@ fn asked<M: Mechanism>(mechanism: &M, arguments: &PoincareArguments) -> Result<A
     Ok(Asked { mechanism, start, section, settings })
 }
 
+/// The states that it takes to find a period.
+const LEAST_STATES: usize = 3;
+
 /// The states of the section, its summary, and what is wrong with it.
 pub(in crate::cli) struct Sectioned {
     pub(in crate::cli) table: Table,
@@ -79,7 +83,7 @@ pub(in crate::cli) fn sectioned<M: Mechanism>(
     let table = Table::of(&found.mechanism, &found.trajectory);
     let failure = found.trajectory.failure;
     let summary = summary(description, arguments, table.times(), (found.period, failure.as_ref()));
-    let problems = problems(arguments, table.times(), failure.as_ref())?;
+    let problems = problems(arguments, &table, failure.as_ref())?;
     Ok(Sectioned { table, summary, failure, problems })
 }
 
@@ -102,7 +106,7 @@ fn tell(
     }
     files.finish();
     files.say(voice, said, &format!("{}{}", report(description, arguments, &times, period), files.line()))?;
-    let problems = problems(arguments, &times, failure)?;
+    let problems = problems(arguments, table, failure)?;
     files.check(problems, failure.is_some_and(|failure| failure.what == What::Interrupted))
 }
 
@@ -124,17 +128,16 @@ fn summary(
     })
 }
 
-/// A failure of the motion, or that there is no state.
-fn problems(arguments: &PoincareArguments, times: &[f64], failure: Option<&Failure>) -> Result<Vec<String>, Stop> {
+/// A failure of the motion or of outputs, or that there is no state.
+fn problems(arguments: &PoincareArguments, table: &Table, failure: Option<&Failure>) -> Result<Vec<String>, Stop> {
     Ok(match failure {
-        Some(failure) => vec![failure.to_string()],
-        None if times.is_empty() => vec![format!(
+        None if table.times().is_empty() => vec![format!(
             "event `{}` has not happened in {} s{}. Give a longer --t-end, or another event",
             arguments.event,
             positive("--t-end", &arguments.t_end)?,
             if arguments.direction.crossing().is_some() { " in this direction" } else { "" }
         )],
-        None => Vec::new(),
+        _ => failures(failure, table),
     })
 }
 
@@ -149,6 +152,7 @@ fn report(description: &Description, arguments: &PoincareArguments, times: &[f64
         Some(Period { seconds, crossings }) => {
             format!("{:<12} {} s, {crossings} crossing(s) each\n", "period", decimals(seconds, 12))
         }
+        None if times.len() < LEAST_STATES => format!("{:<12} not known: that takes {LEAST_STATES} states\n", "period"),
         None => format!("{:<12} none: the states do not repeat from the first on\n", "period"),
     };
     text

@@ -12,7 +12,7 @@ use crate::output::happening::impulses;
 use crate::output::outcome::{Outcome, Recorded, Until};
 use crate::output::show::{self, About};
 use crate::output::write::summary_of;
-use crate::{Settings, Start, Stepping, Table, What, assemble, mobility, run_while, write_json};
+use crate::{Failure, Settings, Start, Stepping, Table, What, assemble, mobility, run_while, write_json};
 use serde_json::{Value, json};
 use sim_kernel::{Description, Input, Mechanism, Quantity};
 use std::path::PathBuf;
@@ -67,7 +67,7 @@ fn told(
     let times = write(&mut files, found, (&outcome, &mut *table, &mut summary), arguments, (reproduction, clock));
     files.say(voice, summary, &report(&outcome, driven, &files, &times))?;
     let is_interrupted = outcome.failure.as_ref().is_some_and(|failure| failure.what == What::Interrupted);
-    files.check(failures(&outcome, table), is_interrupted)
+    files.check(failures(outcome.failure.as_ref(), table), is_interrupted)
 }
 
 /// When a run began, and how many seconds later it was integrated.
@@ -122,14 +122,14 @@ fn write(
 }
 
 /// Failures of the motion or its outputs.
-pub(in crate::cli) fn failures(outcome: &Outcome, table: &Table) -> Vec<String> {
+pub(in crate::cli) fn failures(failure: Option<&Failure>, table: &Table) -> Vec<String> {
     let of_output = |(name, time): &(&str, f64)| {
         format!(
             "output `{name}` is not finite at t = {time} s: its expression leaves its domain there (division by zero, root or \
              logarithm of a negative number). The motion is not affected"
         )
     };
-    match &outcome.failure {
+    match failure {
         Some(failure) => vec![failure.to_string()],
         None => table.undefined_outputs().first().map(of_output).into_iter().collect(),
     }
@@ -167,6 +167,9 @@ fn never(run: &Outcome) -> Option<String> {
 
 /// A line of the report: label and text.
 type Line = (&'static str, String);
+
+/// Events of which more happen are told by the summary alone; so are dead points and singular positions.
+const MOST_LINES: usize = 8;
 
 /// The short table for the terminal.
 fn report(run: &Outcome, driven: Option<Line>, files: &Files, times: &Times) -> String {
@@ -228,27 +231,36 @@ fn happened(run: &Outcome) -> Vec<Line> {
         }
         None => {}
     }
-    for event in run.events.iter().filter(|event| event.name != "period").take(8) {
+    let events: Vec<_> = run.events.iter().filter(|event| event.name != "period").collect();
+    for event in events.iter().take(MOST_LINES) {
         let impulses = impulses(event, description)
             .into_iter()
             .map(|(name, value, unit)| format!("; impulse of {name} {} {unit}", decimals(value, 6)));
         let more: String = impulses.collect();
         rows.push(("event", format!("{} at {} s{more}", event.name, decimals(event.time, 12))));
     }
+    rows.extend(more("event", events.len()));
     rows.extend(never(run).map(|line| ("until", line)));
-    for (of, time) in run.dead_points.iter().take(8) {
+    for (of, time) in run.dead_points.iter().take(MOST_LINES) {
         let of = of.join(", ");
         rows.push((
             "dead point",
             format!("of {of} at {} s: the motion continues on another branch", decimals(*time, 12)),
         ));
     }
+    rows.extend(more("dead point", run.dead_points.len()));
     rows.extend(run.mobility.redundancies().into_iter().map(|line| ("redundant", line)));
-    for passed in run.steps.singularities.iter().take(8) {
+    for passed in run.steps.singularities.iter().take(MOST_LINES) {
         let crossed = "passed straight through: another branch of the motion begins there, and reactions are unbounded";
         rows.push(("singular", format!("`{}` at {} s, {crossed}", passed.constraint, decimals(passed.time, 9))));
     }
+    rows.extend(more("singular", run.steps.singularities.len()));
     rows
+}
+
+/// What is not printed of so many.
+fn more(what: &'static str, count: usize) -> Option<Line> {
+    (count > MOST_LINES).then(|| (what, format!("and {} more: see summary.json", count - MOST_LINES)))
 }
 
 /// The accuracy of the numbers.

@@ -113,7 +113,7 @@ fn reported(run: &dyn Recorded, mut table: Table, reproduction: &mut Reproductio
     let text = reproduction.text();
     let about = About { summary: &summary, command: &reproduction.command, run_file: Some(&text) };
     let html = live_report(run, &outcome, &table, &about, live)?;
-    Ok(Drawn { html, failures: failures(&outcome, &table) })
+    Ok(Drawn { html, failures: failures(outcome.failure.as_ref(), &table) })
 }
 
 /// Failures of a run whose report is shown.

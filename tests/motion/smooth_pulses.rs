@@ -1,0 +1,51 @@
+//! Smooth pulses and steps of time that are far shorter than the steps of the motion.
+
+use sim::{Method, Rows, Settings};
+use std::f64::consts::PI;
+use tests::any_model::interpreted;
+use tests::run_with;
+
+/// The speed of a mass of 2 kg at the end, pushed by a force; or by an input that has its course.
+fn pushed(force: &str, as_input: bool, method: Method, rows: Rows) -> f64 {
+    let (inputs, load) = match as_input {
+        true => (format!("inputs {{ u [N] = {force}; }}"), "u"),
+        false => (String::new(), force),
+    };
+    let declaration = format!(
+        "pub Pushed; coordinates {{ x [m]; }}
+         parameters {{ m [kg] = 2; F [N] = 20; w [ms] = 0.3; a [ms] = 770; b [ms] = 772; f [rad/s] = 2; }} {inputs}
+         bodies {{ block: mass m at [x, 0]; }} loads {{ force {load} on x; }} initial {{ dot(x) = 0.1; }}"
+    );
+    let settings = Settings { rows, ..Settings::adaptive(method, 3.0, 1e-10) };
+    let run = run_with(interpreted(&declaration).unwrap(), &settings).unwrap();
+    run.trajectory.samples.last().unwrap().state.speeds[0]
+}
+
+/// The speed gained is the impulse over the mass. All forces are rounding at both ends of the run, but the last.
+#[test]
+fn no_smooth_pulse_is_passed_over() {
+    let (force, w) = (20.0, 0.3e-3);
+    let forces = [
+        ("F*exp(-((t - a)/w)^2)", force * w * PI.sqrt()),
+        ("F/cosh((t - a)/w)", force * w * PI),
+        ("F*(tanh((t - a)/w) - tanh((t - b)/w))", 2.0 * force * 2e-3),
+        ("F/(1 + exp(-(t - a)/w)) - F/(1 + exp(-(t - b)/w))", force * 2e-3),
+        // Two peaks within 3 s, where the sine is 0 and its argument to 1e-6.
+        ("F*exp(-(sin(f*(t - a))/(f*w))^2)", 2.0 * force * w * PI.sqrt()),
+        ("F/(1 + ((t - a)/w)^2)", force * w * ((2.23 / w).atan() + (0.77 / w).atan())),
+    ];
+    for (force, impulse) in forces {
+        for method in [Method::Dop853, Method::Dopri5, Method::Radau5] {
+            for (as_input, rows) in [(false, Rows::Even(1)), (true, Rows::Even(1000)), (false, Rows::Steps)] {
+                let gained = pushed(force, as_input, method, rows) - 0.1;
+                // The tolerance of steps, and for the sines what they are less than their arguments.
+                let bound = if force.contains("sin") { 1e-6 * impulse } else { 1e-8 };
+                assert!(
+                    (gained - impulse / 2.0).abs() < bound,
+                    "{force} by {method:?}: {gained:e}, not {:e}",
+                    impulse / 2.0
+                );
+            }
+        }
+    }
+}
