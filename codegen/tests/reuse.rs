@@ -2,8 +2,9 @@
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
-use codegen::model::{self, Unit};
+use codegen::model::{self, Start, Unit};
 use codegen::oracle::{Oracle, State};
+use codegen::symbolic::evaluate;
 use codegen::{dsl, equations};
 
 const ROD: &str = "fragment Rod(base, phi) {
@@ -112,6 +113,26 @@ fn fragments_stand_in_fragments_and_in_repetitions() {
         )
     };
     assert_eq!(nested, text_of(&(leg(1) + &leg(2))));
+}
+
+/// Numbers with operators are in the unit of the place, as one number is, and one factor.
+#[test]
+fn arguments_of_numbers_are_in_the_unit_of_the_place() {
+    let start = |argument: &str| {
+        let text = format!(
+            "pub P; fragment Inner(k) {{ coordinates {{ th [deg]; }} bodies {{ b: inertia 1 [kg*m^2], angle th; }}
+                initial {{ th = 15*k; }} }}
+            const n = 3; fragment Outer(j) {{ use Inner(j) as inner; }} use Outer({argument}) as outer;"
+        );
+        let equations = equations(text.parse().unwrap()).unwrap();
+        let Start::Given(start) = equations.model.coordinates[0].start else { panic!("no start: {argument}") };
+        evaluate(&equations.graph, &[start], |_| f64::NAN)[0]
+    };
+    for argument in ["1 + 1", "(1 + 1)", "2*1", "-(-2)", "1/2*2^2", "n - 1"] {
+        assert_eq!(start(argument), start("2"), "{argument}");
+    }
+    assert_eq!(start("-2"), -start("2"));
+    assert_eq!(start("30 [deg]/15/(1 [deg])"), 30.0, "with units it is in SI units");
 }
 
 /// What a fragment does not name itself is the mechanism's, wherever it is used.

@@ -66,6 +66,12 @@ fn uses() {
         ],
     );
     check_rod(
+        "use Rod(1 + 2, phi) as left;",
+        &[
+            "12:15 a scalar and a vector cannot be added or subtracted; take a component (`.x`, `.y`) or build a vector `[x, y]` (in `left`)",
+        ],
+    );
+    check_rod(
         "outputs { y = left_top.y; } use Rod(P, phi) as left;",
         &["15:15 no value is called `left_top` (did you mean `left_tip`?)"],
     );

@@ -12,7 +12,7 @@ use super::repeat::regroup;
 use super::words::*;
 use super::{Expander, Fragment};
 use crate::nearest;
-use proc_macro2::{Delimiter, Ident, Literal, Punct, Spacing, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenTree};
 use std::collections::{BTreeMap, BTreeSet};
 use syn::{Error, Result};
 
@@ -28,7 +28,7 @@ struct Body {
 impl Body {
     /// One more instance, with the names that it gives.
     fn add(&mut self, name: &str, instance: Instance) {
-        let arguments = instance.arguments.iter().filter(|argument| !argument.is_word());
+        let arguments = instance.arguments.iter().filter(|argument| !argument.is_put_in());
         let names = instance.body.names.iter().cloned().chain(arguments.map(|argument| plain(&argument.name)));
         self.names.extend(names.map(|inner| format!("{name}_{inner}")));
         self.items.push(Item::Use(instance));
@@ -54,12 +54,13 @@ struct Argument {
 }
 
 impl Argument {
-    /// A name or a number is put in as it is; anything longer is named by a `let` of the instance.
-    fn is_word(&self) -> bool {
+    /// A name or a number is put in as it is, and so are plain numbers with operators, in parentheses: they are in the
+    /// unit of the place. Anything else is named by a `let` of the instance.
+    fn is_put_in(&self) -> bool {
         match &self.words[..] {
             [TokenTree::Ident(_) | TokenTree::Literal(_)] => true,
             [TokenTree::Literal(_), TokenTree::Group(_)] => is_unit(&self.words, 1),
-            _ => false,
+            words => is_of_numbers(words),
         }
     }
 }
@@ -179,7 +180,12 @@ impl Expander<'_> {
             if let [TokenTree::Ident(name)] = &words[..] {
                 self.arguments.push(name.clone());
             }
-            let put_in = match (argument.is_word(), words.first()) {
+            let put_in = match (argument.is_put_in(), words.first()) {
+                (true, Some(first)) if words.len() > 1 && is_of_numbers(&words) => {
+                    let mut numbers = Group::new(Delimiter::Parenthesis, words.iter().cloned().collect());
+                    numbers.set_span(first.span());
+                    vec![numbers.into()]
+                }
                 (false, Some(first)) => {
                     let place = first.span();
                     let name = Ident::new(&format!("{}{}", instance.prefix, plain(&argument.name)), place);
@@ -218,10 +224,7 @@ impl Expander<'_> {
                 }
                 TokenTree::Ident(name) if is_name(tokens, at) => match scope.arguments.get(&plain(name)) {
                     // A mistake in an argument shows where the argument is used.
-                    Some(words) => out.extend(words.iter().cloned().map(|mut word| {
-                        word.set_span(name.span());
-                        word
-                    })),
+                    Some(words) => out.extend(words.iter().map(|word| placed(word, name.span()))),
                     None if scope.own.contains(&plain(name)) => {
                         out.push(Ident::new(&format!("{}{}", scope.prefix, plain(name)), name.span()).into());
                     }
@@ -290,6 +293,16 @@ fn is_name(tokens: &[TokenTree], at: usize) -> bool {
     let next = tokens.get(at + 1);
     let says_what = labelled && (ident(next).is_some() || group(next, Delimiter::Bracket).is_some());
     !is_component(tokens, at) && !says_what
+}
+
+/// The same word at another place.
+fn placed(word: &TokenTree, place: Span) -> TokenTree {
+    if let TokenTree::Group(group) = word {
+        return regroup(group, list(group.stream()).iter().map(|word| placed(word, place)).collect(), place);
+    }
+    let mut word = word.clone();
+    word.set_span(place);
+    word
 }
 
 /// The title of a group of outputs.

@@ -60,6 +60,16 @@ pub(super) fn split(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {
     parts
 }
 
+/// Whether words are plain numbers with operators: without a name, and without a unit.
+pub(super) fn is_of_numbers(tokens: &[TokenTree]) -> bool {
+    tokens.iter().all(|token| match token {
+        TokenTree::Literal(literal) => text(literal).is_none(),
+        TokenTree::Punct(mark) => ['+', '-', '*', '/', '^'].contains(&mark.as_char()),
+        TokenTree::Group(group) => group.delimiter() == Delimiter::Parenthesis && is_of_numbers(&list(group.stream())),
+        TokenTree::Ident(_) => false,
+    })
+}
+
 /// The whole number that these words are.
 pub(super) fn whole_number(tokens: &[TokenTree]) -> Option<i64> {
     match tokens {
