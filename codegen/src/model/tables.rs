@@ -45,8 +45,10 @@ fn resolve_table(written: &dsl::DeclaredTable, interpreter: &mut Interpreter) ->
     form?;
     let rows = rows.into_iter().collect::<Option<Vec<_>>>()?;
     check_order(written, &rows, interpreter)?;
-    check_period(written, &rows, interpreter)?;
-    let (knots, values): (Vec<f64>, Vec<f64>) = rows.into_iter().unzip();
+    let (knots, mut values): (Vec<f64>, Vec<f64>) = rows.into_iter().unzip();
+    if written.outside == Outside::Periodic {
+        close_period(written, &mut values, &unit, interpreter)?;
+    }
     let ends = written.ends.map(|(ends, _)| ends);
     let pieces = pieces(&knots, &values, written.between, ends, written.outside);
     if pieces.iter().flatten().any(|coefficient| !coefficient.is_finite()) {
@@ -153,14 +155,28 @@ fn check_order(written: &dsl::DeclaredTable, rows: &[(f64, f64)], interpreter: &
     interpreter.refuse(below.region, message)
 }
 
-/// A periodic table ends with the value that it starts with.
-fn check_period(written: &dsl::DeclaredTable, rows: &[(f64, f64)], interpreter: &mut Interpreter) -> Option<()> {
-    let (Some((_, first)), Some((_, last))) = (rows.first(), rows.last()) else { return Some(()) };
-    if written.outside != Outside::Periodic || first == last {
+/// A periodic table ends with the value that it starts with. One that was computed may differ by its rounding.
+fn close_period(
+    written: &dsl::DeclaredTable,
+    values: &mut [f64],
+    unit: &Unit,
+    interpreter: &mut Interpreter,
+) -> Option<()> {
+    const ROUNDING: f64 = 1e-12;
+    let largest = values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+    let [first, .., last] = values else { return Some(()) };
+    if (*last - *first).abs() <= ROUNDING * largest {
+        *last = *first;
         return Some(());
     }
-    let [first, last] = [written.rows.first()?, written.rows.last()?].map(|row| &row[1]);
+    let [first, last] = [*first, *last].map(|value| shown(value, unit));
     let message =
         format!("the last row of a periodic table must repeat the value of the first, {first}; this is {last}");
-    interpreter.refuse(last.region, message)
+    interpreter.refuse(written.rows.last()?[1].region, message)
+}
+
+/// A value in its unit, without the last digit, which the conversion rounds.
+fn shown(value: f64, unit: &Unit) -> String {
+    let rounded = format!("{:.14e}", value / unit.factor());
+    rounded.parse().map_or(rounded, |value: f64| value.to_string())
 }

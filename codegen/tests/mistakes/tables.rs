@@ -74,6 +74,11 @@ fn rows() {
         &["4:50 the last row of a periodic table must repeat the value of the first, 1; this is 5"],
     );
     table(
+        "lift [mm] = cubic, periodic { 0, 1; 2, 3; 4, 1*(1 + 1e-11); }",
+        &["4:55 the last row of a periodic table must repeat the value of the first, 1; this is 1.00000000001"],
+    );
+    table("lift = cubic, periodic { 0, 1000*sin(0); 2, 1000; 4, 1000*sin(2*pi); }", &[]);
+    table(
         "lift = cubic, natural, periodic { 0, 1; 2, 3; 4, 1; }",
         &["4:24 a periodic table has no ends; leave out `natural` or `clamped`"],
     );
