@@ -297,12 +297,12 @@ mechanism! {
     constraints {
         rod: norm(B - [0.2 [m], 0.3 [m]*cos(1 [rad/s]*t)]) = 1.1 [m] + 0.05 [m]*sin(3 [rad/s]*t) initially released;
         rail: x + 0.1 [m]*a = 0.2 [m]*sin(1 [rad/s]*t);
-        lock: b = a + 0.1 initially active;
+        lock: b = a + 0.1 [rad] initially active;
     }
     initial { x = 0; guess a = 0.2; b = 10; }
     events {
         apart: reaction(lock) + 0.1 [m]*reaction(rod) = 0.3 [N*m] falling { release lock; activate rod; }
-        knock: b - a = 0.1 rising { impact lock restitution e1*abs(dot(a))/1 [rad/s]; impact rod; swap a, b; set m = 1.1*m; }
+        knock: b - a = 0.1 [rad] rising { impact lock restitution e1*abs(dot(a))/1 [rad/s]; impact rod; swap a, b; set m = 1.1*m; }
         hurried: ddot(x) = 1 [m/s^2] { set b = 3; set dot(b) = 30; set dot(a) = -dot(a) + 1 [rad/s^2]*t; stop after 3; }
     }
     outputs { pull [N] = reaction(rod); hold [N*m] = reaction(lock); slide [N] = reaction(rail); }

@@ -58,16 +58,16 @@ impl Interpreter {
             return self.refuse(region, format!("`{name}` is written `{name}(a, b)`, of two values or more"));
         }
         let rule = format!("`{name}` takes quantities of one dimension");
-        let mut values = arguments.iter().zip(values);
-        let (first, value) = values.next()?;
-        let (mut extreme, mut dimension) = value?;
-        for (argument, value) in values {
+        let mut values = values.into_iter().enumerate();
+        let (_, first) = values.next()?;
+        let (mut extreme, mut dimension) = first?;
+        for (at, value) in values {
             let (value, own) = value?;
-            let (a, b) = (
-                Measured { expression: first, dimension: &dimension },
-                Measured { expression: argument, dimension: &own },
-            );
-            dimension = self.common_dimension(a, b, &rule)?;
+            let b = Measured { expression: &arguments[at], dimension: &own };
+            for before in &arguments[..at] {
+                let a = Measured { expression: before, dimension: &dimension };
+                dimension = self.common_dimension(a, b, &rule)?;
+            }
             extreme = of_two(&mut self.graph, extreme, value);
         }
         Some(Value::scalar(extreme, dimension))

@@ -60,9 +60,22 @@ pub(super) fn element(element: &Element, interpreter: &mut Interpreter) -> Optio
             let force = load_scalar(force, needed, &what, interpreter)?;
             along.map(|along| Effort { force, along: along.value })
         }
-        Law::Spring(law, rest) => spring(law, rest, along, interpreter),
+        Law::Spring(law, rest) => {
+            for end in ends(&element.extent) {
+                interpreter.refuse_bare_beside(end, rest)?;
+            }
+            spring(law, rest, along, interpreter)
+        }
         Law::Friction(force, smooth) => friction(force, smooth, along, interpreter),
         Law::Damper(law) => damper(law, along, interpreter),
+    }
+}
+
+/// The expressions whose difference an extent is.
+fn ends(extent: &Extent) -> Vec<&Expression> {
+    match extent {
+        Extent::Distance(from, to) | Extent::Difference(from, to) => vec![from, to],
+        Extent::Quantity(x) => vec![x],
     }
 }
 

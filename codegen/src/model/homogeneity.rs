@@ -2,13 +2,10 @@
 //!
 //! An unknown dimension fits everywhere: that of a plain 0, and those of names that were reported already.
 
-use super::blame::bare_number;
 use super::interpreter::Interpreter;
 use super::measured::Measured;
-use super::origin::Origin;
-use super::scope::plain;
 use super::{Dimension, Point, Unit};
-use crate::dsl::{Expression, Kind};
+use crate::dsl::Expression;
 use crate::symbolic::Expr;
 
 impl Interpreter {
@@ -24,28 +21,13 @@ impl Interpreter {
                 let mistake = self.unlike(left.expression, of_left, right.expression, of_right, rule);
                 self.blame(mistake, &[left.expression, right.expression])
             }
-            (of_left, of_right) => {
-                self.refuse_bare_degrees(left.expression, right.expression)?;
-                self.refuse_bare_degrees(right.expression, left.expression)?;
-                Some(of_left.clone().or_else(|| of_right.clone()))
+            (Some(_), Some(_)) => {
+                for (one, other) in [(left.expression, right.expression), (right.expression, left.expression)] {
+                    self.refuse_bare_beside(one, other)?;
+                }
+                Some(left.dimension.clone())
             }
-        }
-    }
-
-    /// A bare number beside an angle that is declared in degrees or revolutions is in radians: hardly what is meant.
-    fn refuse_bare_degrees(&mut self, angle: &Expression, number: &Expression) -> Option<()> {
-        let Kind::Name(name) = &angle.kind else { return Some(()) };
-        if !is_lone(number) || bare_number(number).is_none() {
-            return Some(());
-        }
-        match self.origins.get(&plain(name)) {
-            Some(Origin::Declared(Some(unit))) if ["deg", "rev"].contains(&unit.as_str()) => {
-                let message = format!(
-                    "`{name}` is declared in [{unit}], and `{number}` is in radians; write `{number} [{unit}]` or `{number} [rad]`"
-                );
-                self.refuse(number.region, message)
-            }
-            _ => Some(()),
+            (of_left, of_right) => Some(of_left.clone().or_else(|| of_right.clone())),
         }
     }
 
@@ -93,7 +75,16 @@ impl Interpreter {
             }
             _ => format!("{what} in [{}]", unit.text()),
         };
-        self.expect_dimension(found, unit.dimension(), &claim)
+        self.expect_in_unit(found, unit, &claim)
+    }
+
+    /// Checks that a value is of the dimension of a unit, and is not misread: bare numbers as degrees.
+    pub(super) fn expect_in_unit(&mut self, found: Measured, unit: &Unit, claim: &str) -> Option<()> {
+        self.expect_dimension(found, unit.dimension(), claim)?;
+        if found.dimension.is_none() {
+            return Some(());
+        }
+        self.refuse_bare_in(found.expression, unit, claim)
     }
 
     /// The dimension of a power. The exponent is a pure number, and a constant if the base has a dimension.
@@ -125,14 +116,5 @@ impl Interpreter {
             _ => "a pure number",
         };
         self.expect_dimension(argument, &Dimension::none(), &format!("`{function}(..)` takes {what}"))
-    }
-}
-
-/// Whether an expression is one number, with a sign or without.
-fn is_lone(expression: &Expression) -> bool {
-    match &expression.kind {
-        Kind::Number { .. } => true,
-        Kind::Negate(operand) => is_lone(operand),
-        _ => false,
     }
 }

@@ -23,11 +23,8 @@ impl Interpreter {
             true => format!("table `{text}` is over [{}]", function.argument.text()),
             false => format!("table `{text}` is over pure numbers (`over [..]` says which unit its arguments have)"),
         };
-        self.expect_dimension(
-            Measured { expression: argument, dimension: &dimension },
-            function.argument.dimension(),
-            &claim,
-        )?;
+        let found = Measured { expression: argument, dimension: &dimension };
+        self.expect_in_unit(found, &function.argument, &claim)?;
         Some(Value::scalar(self.graph.look_up(function.table, 0, x), Some(function.value)))
     }
 }

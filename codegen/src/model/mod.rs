@@ -3,6 +3,7 @@
 
 mod arithmetic;
 mod auxiliary;
+mod bare_degrees;
 mod blame;
 mod bodies;
 mod calls;

@@ -135,7 +135,7 @@ fn entry(expression: &Expression, claim: &str, unit: &Unit, interpreter: &mut In
     } else {
         let claim =
             if unit.is_declared() { format!("{claim} in [{}]", unit.text()) } else { format!("{claim} pure numbers") };
-        interpreter.expect_dimension(Measured { expression, dimension: &dimension }, unit.dimension(), &claim)?;
+        interpreter.expect_in_unit(Measured { expression, dimension: &dimension }, unit, &claim)?;
         value
     };
     interpreter.check_constants(expression.region, &[value])?;

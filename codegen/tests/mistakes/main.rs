@@ -5,6 +5,7 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 mod auxiliary;
+mod bare_degrees;
 mod bases;
 mod blocks;
 mod bodies;

@@ -358,26 +358,3 @@ fn cycles_for_angles() {
     check("phi = 0.5;", "phi = 0.5; dot(phi) = 2*pi*3 [Hz];", &[]);
     check("phi = 0.5;", "phi = 0.5; dot(phi) = 3 [rev/s];", &[]);
 }
-
-/// An angle in degrees beside a bare number, which would be in radians.
-#[test]
-fn bare_numbers_beside_degrees() {
-    let in_degrees = |output: &str, expected: &[&str]| {
-        let text = SOUND.replace("phi [rad]", "phi [deg]").replace("outputs {", &format!("outputs {{ {output}"));
-        assert_eq!(mistakes(&text), expected, "\nin: {output}");
-    };
-    let bare = |number: &str| {
-        format!("`phi` is declared in [deg], and `{number}` is in radians; write `{number} [deg]` or `{number} [rad]`")
-    };
-    in_degrees("o = cos(phi + 30);", &[&format!("8:25 {}", bare("30"))]);
-    in_degrees("o = cos(-1.5 - phi);", &[&format!("8:19 {}", bare("-1.5"))]);
-    in_degrees("o = if phi > 30 then 1 else 2;", &[&format!("8:24 {}", bare("30"))]);
-    for sound in
-        ["o = cos(phi + 30 [deg]);", "o = phi - pi/2;", "o = phi - 0;", "o = 2*phi + 1;", "o = dot(phi)/1 [1/s] + 1;"]
-    {
-        in_degrees(sound, &[]);
-    }
-    let text = SOUND.replace("phi [rad]", "phi [deg]").replace("loads {", "events { up: phi = 30 rising; } loads {");
-    assert_eq!(mistakes(&text), [format!("6:20 {}", bare("30"))]);
-    check("height [m] = P.y", "o = cos(phi + 30)", &[]);
-}

@@ -5,7 +5,7 @@ use codegen::notation::Notation;
 const CAM: &str = "Cam; coordinates { a [rad]; y [m]; } parameters { r [m] = 1; }
     tables { lift_2 [mm] over [deg] = cubic { 0, 0; 90, 10; 180, 20; 270, 0; } }
     bodies { cam: inertia 1 [kg*m^2], angle a; follower: mass 1 [kg] at [0, y]; }
-    constraints { touch: y = r + lift_2(a - 2)^2/r; }";
+    constraints { touch: y = r + lift_2(a - 2 [rad])^2/r; }";
 
 #[test]
 fn primes_stand_for_derivatives() {
