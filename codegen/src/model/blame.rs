@@ -98,7 +98,8 @@ impl Interpreter {
         self.own_unit(expression).unwrap_or_else(|| dimension.si_unit())
     }
 
-    fn own_unit(&self, expression: &Expression) -> Option<String> {
+    /// The unit that stands with a name or a number, of the rate of a name its own per time.
+    pub(super) fn own_unit(&self, expression: &Expression) -> Option<String> {
         match &expression.kind {
             Kind::Number { unit, .. } => unit.as_ref().map(|unit| unit.text.clone()),
             Kind::Name(name) => match self.origins.get(&plain(name)) {

@@ -24,6 +24,7 @@ impl Interpreter {
             (Some(_), Some(_)) => {
                 for (one, other) in [(left.expression, right.expression), (right.expression, left.expression)] {
                     self.refuse_bare_beside(one, other)?;
+                    self.refuse_cycles_beside(one, other)?;
                 }
                 Some(left.dimension.clone())
             }
@@ -78,13 +79,14 @@ impl Interpreter {
         self.expect_in_unit(found, unit, &claim)
     }
 
-    /// Checks that a value is of the dimension of a unit, and is not misread: bare numbers as degrees.
+    /// Checks that a value is of the dimension of a unit, and is not misread: bare numbers as degrees, cycles as angles.
     pub(super) fn expect_in_unit(&mut self, found: Measured, unit: &Unit, claim: &str) -> Option<()> {
         self.expect_dimension(found, unit.dimension(), claim)?;
         if found.dimension.is_none() {
             return Some(());
         }
-        self.refuse_bare_in(found.expression, unit, claim)
+        self.refuse_bare_in(found.expression, unit, claim)?;
+        self.refuse_cycles_in(found.expression, unit, claim)
     }
 
     /// The dimension of a power. The exponent is a pure number, and a constant if the base has a dimension.

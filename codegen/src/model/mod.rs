@@ -8,6 +8,7 @@ mod blame;
 mod bodies;
 mod calls;
 mod choice;
+mod cycles;
 mod dependence;
 mod dimension;
 mod drawing;

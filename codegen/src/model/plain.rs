@@ -4,7 +4,7 @@ use super::interpreter::Interpreter;
 use super::measured::Measured;
 use super::scope::functions;
 use super::{Dependence, Unit};
-use crate::dsl::{self, Expression, Kind, Region};
+use crate::dsl::{Expression, Kind};
 use crate::symbolic::Expr;
 
 /// A scalar for a quantity with a unit, with forbidden dependences and the reason. If it consists of plain numbers,
@@ -19,11 +19,6 @@ pub(super) fn in_unit(
     let (value, dimension) = interpreter.scalar_value(expression)?;
     interpreter.restrict(expression.region, &[value], forbidden, rule)?;
     if !is_plain(expression) {
-        if let Some((number_unit, region)) = unit_of_number(expression)
-            && let Some(why) = Unit::resolve(number_unit).ok().and_then(|given| given.mistaken_for(unit))
-        {
-            return interpreter.refuse(region, format_args!("`{what}` is declared in [{}]: {why}", unit.text()));
-        }
         let found = Measured { expression, dimension: &dimension };
         let (name, is) = match what.strip_prefix("dot(").and_then(|rest| rest.strip_suffix(')')) {
             Some(name) => (name, "is"),
@@ -40,15 +35,6 @@ pub(super) fn in_unit(
     let value = interpreter.graph.mul(value, factor);
     interpreter.check_constants(expression.region, &[value])?;
     Some(value)
-}
-
-/// The unit of an expression that is a single number with a unit.
-fn unit_of_number(expression: &Expression) -> Option<(&dsl::Unit, Region)> {
-    match &expression.kind {
-        Kind::Number { unit, .. } => unit.as_ref().map(|unit| (unit, unit.region)),
-        Kind::Negate(operand) => unit_of_number(operand),
-        _ => None,
-    }
 }
 
 /// Whether no name but pi and e occurs.

@@ -140,6 +140,11 @@ impl Unit {
         }
     }
 
+    /// Whether it counts cycles where another measures angles.
+    pub(super) fn counts_cycles_of(&self, angles: &Unit) -> bool {
+        (self.counts, angles.counts) == (Counts::Cycles, Counts::Angles)
+    }
+
     /// Whether numbers in one are numbers in the other: `J` and `N*m`, `rad` and `1`.
     pub fn is_same_as(&self, other: &Unit) -> bool {
         self.dimension == other.dimension

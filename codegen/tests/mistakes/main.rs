@@ -12,6 +12,7 @@ mod bodies;
 mod conditional;
 mod constraints;
 mod constraints_in_speeds;
+mod cycles;
 mod elements;
 mod events;
 mod expressions;

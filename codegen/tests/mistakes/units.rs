@@ -339,22 +339,3 @@ fn no_units() {
     assert!(mistakes(&unlike).len() > 1);
     assert_eq!(mistakes(&without_units(&unlike)), Vec::<String>::new());
 }
-
-/// 1 Hz and 1 rad/s are of one dimension and are not the same. What is computed from a frequency is right.
-#[test]
-fn cycles_for_angles() {
-    check(
-        "phi = 0.5;",
-        "phi = 0.5; dot(phi) = 3 [Hz];",
-        &[
-            "7:35 `dot(phi)` is declared in [rad/s]: `Hz` counts cycles and `rad/s` angles; write `rev/s` for cycles in a second, or `rad/s`",
-        ],
-    );
-    check(
-        "l [m] = 1;",
-        "f [Hz] = -60 [rpm]; l [m] = 1;",
-        &["3:27 `f` is declared in [Hz]: `rpm` measures an angle and `Hz` counts cycles; write `Hz` or `1/s`"],
-    );
-    check("phi = 0.5;", "phi = 0.5; dot(phi) = 2*pi*3 [Hz];", &[]);
-    check("phi = 0.5;", "phi = 0.5; dot(phi) = 3 [rev/s];", &[]);
-}
