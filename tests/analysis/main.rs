@@ -12,6 +12,7 @@ mod linear;
 mod neutral;
 mod peaks;
 mod pulses;
+mod ratios;
 mod sections;
 mod steady;
 mod stiff;

@@ -33,6 +33,8 @@ pub(super) struct AnyPrescribed {
     pub(super) positions: Vec<f64>,
     /// dq/dp: the speeds, unless the mechanism rests.
     pub(super) direction: Vec<f64>,
+    /// Its part by time: the speeds with the drives at rest.
+    pub(super) drift: Vec<f64>,
     pub(super) speeds: Vec<f64>,
     pub(super) accelerations: Vec<f64>,
     pub(super) multipliers: Vec<f64>,
@@ -55,14 +57,25 @@ impl AnyPrescribed {
         }
     }
 
-    /// dy/ds of each output y that has a rate, where s is what is driven first. While time stands still it changes nothing.
+    /// dy/ds of each output y that has a rate, where s is what is driven first, at fixed time: what moves with t does no virtual
+    /// work.
     pub(super) fn ratios(&self, system: &System) -> Vec<f64> {
-        let along = |speeds| system.mechanism.output_rates(At { speeds, ..self.at() });
-        let mut rates = along(&self.direction);
-        if system.rests {
-            let by_time = along(&self.speeds);
-            rates.iter_mut().zip(by_time).for_each(|(rate, by_time)| *rate -= by_time);
-        }
+        let mut rates = self.rates(system, &self.direction);
+        let by_time = self.rates(system, &self.drift);
+        // Where an output has no slope, as a root at zero, nobody knows its part by time.
+        let known = rates.iter_mut().zip(by_time).filter(|(_, by_time)| !by_time.is_nan());
+        known.for_each(|(rate, by_time)| *rate -= by_time);
+        rates
+    }
+
+    /// dy/ds of the same along the sweep, with what moves with t.
+    pub(super) fn slopes(&self, system: &System) -> Vec<f64> {
+        if system.rests { self.ratios(system) } else { self.rates(system, &self.direction) }
+    }
+
+    /// The rates of outputs at these speeds, relative to that of what is driven.
+    fn rates(&self, system: &System, speeds: &[f64]) -> Vec<f64> {
+        let rates = system.mechanism.output_rates(At { speeds, ..self.at() });
         rates.iter().map(|rate| rate / system.laws[0].rate).collect()
     }
 
@@ -136,6 +149,8 @@ pub(super) fn prescribed(
     let mut qd = factors.solve(&-linear.by_parameter).ok_or_else(singular)?;
     system.prescribe(|k| system.laws[k].rate, &mut qd);
     let direction = qd.as_slice().to_vec();
+    let mut drift = factors.solve(&-linear.by_time).ok_or_else(singular)?;
+    system.prescribe(|_| 0.0, &mut drift);
     let mut qdd = DVector::zeros(q.len());
     if system.rests {
         qd.fill(0.0);
@@ -152,6 +167,7 @@ pub(super) fn prescribed(
         time: system.time(p),
         positions: q.to_vec(),
         direction,
+        drift: drift.as_slice().to_vec(),
         speeds: qd.as_slice().to_vec(),
         accelerations: qdd.as_slice().to_vec(),
         multipliers,

@@ -68,9 +68,9 @@ impl Search<'_> {
     /// The zero of the rate of an output that has one, next to a candidate.
     fn root_of_rate(&self, k: usize, candidate: &Candidate) -> Option<f64> {
         let rated = self.path.system.mechanism.description().rated_outputs.iter().position(|output| *output == k)?;
-        let (width, ratio) = (0.01 * candidate.reach, self.layout.ratios.start + rated);
+        let (system, width) = (self.path.system, 0.01 * candidate.reach);
         let place = |s: f64| (candidate.x + width * (2.0 * s - 1.0)).clamp(-1.0, 1.0);
-        let rate = |s: f64| Ok::<f64, Failure>(self.values_at(&candidate.piece, place(s))?[ratio]);
+        let rate = |s: f64| Ok::<f64, Failure>(self.path.motion_at(&candidate.piece, place(s))?.slopes(system)[rated]);
         let (before, after) = (rate(0.0).ok()?, rate(1.0).ok()?);
         (before * after < 0.0).then(|| find_root(before, after, 1e-15, &mut { rate }).ok().map(place))?
     }

@@ -62,7 +62,8 @@ pub struct Kinematics<M: Mechanism> {
     /// (Balli and Chand, Transmission angle in mechanisms, Mech. Mach. Theory 37, 2002), for a slider-crank sin mu over
     /// its largest value.
     pub transmission: Vec<f64>,
-    /// At each sample dy/ds of each output y that has a rate ([`Description::rated_outputs`]), where s is what is driven.
+    /// At each sample dy/ds of each output y that has a rate ([`Description::rated_outputs`]), where s is what is driven, at fixed
+    /// time: by virtual work the force of the drive over that at y, whatever else moves with time.
     pub ratios: Vec<Vec<f64>>,
     /// Degrees of freedom without drives and dependent constraints, at the start.
     pub mobility: Mobility,

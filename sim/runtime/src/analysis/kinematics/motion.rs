@@ -122,8 +122,8 @@ impl Path<'_> {
     }
 
     /// The motion beside a crossing, where the equations do not determine it or amplify rounding: it goes straight on,
-    /// as the polynomial nearest to the nodes on both sides. A reaction that grows without bound towards the crossing
-    /// is taken from the equations, and is infinite in it.
+    /// as the polynomial nearest to the nodes on both sides. A reaction that grows without bound towards the crossing, or the part of
+    /// the motion by time alone, is taken from the equations, and is infinite in it.
     fn beside(&self, piece: &Piece, x: f64, (q, p): (Vec<f64>, f64)) -> Result<AnyPrescribed, Failure> {
         let singular = || self.system.singular(&q, p);
         let beside = piece.beside.get_or_init(|| self.nodes(piece)).as_ref().ok_or_else(singular)?;
@@ -144,17 +144,18 @@ impl Path<'_> {
             direction: values[..n].to_vec(),
             speeds: if self.system.rests { vec![0.0; n] } else { values[..n].to_vec() },
             accelerations: values[n..2 * n].to_vec(),
-            multipliers: values[2 * n..2 * n + m].to_vec(),
+            drift: values[2 * n..3 * n].to_vec(),
+            multipliers: values[3 * n..3 * n + m].to_vec(),
             power: 0.0,
-            forces: values[2 * n + m..].to_vec(),
+            forces: values[3 * n + m..].to_vec(),
             volume: factors.volume,
             columns: factors.columns,
         };
         Ok(found.with_power(self.system))
     }
 
-    /// Speeds, accelerations, multipliers and forces at the nodes of a step, of which rounding amplifies those near a crossing by
-    /// the inverse square of the regularity there.
+    /// Speeds, accelerations, drifts, multipliers and forces at the nodes of a step, of which rounding amplifies those near a
+    /// crossing by the inverse square of the regularity there.
     fn nodes(&self, piece: &Piece) -> Option<Vec<Beside>> {
         let at = |x: f64| {
             let (_, p) = self.at(piece, x);
@@ -170,7 +171,7 @@ impl Path<'_> {
     }
 }
 
-/// The parts of a motion that pass smoothly through a crossing.
+/// The parts of a motion that are known from both sides of a crossing: the first two pass it smoothly.
 fn numbers(found: &AnyPrescribed) -> Vec<f64> {
-    [&found.direction[..], &found.accelerations, &found.multipliers, &found.forces].concat()
+    [&found.direction[..], &found.accelerations, &found.drift, &found.multipliers, &found.forces].concat()
 }

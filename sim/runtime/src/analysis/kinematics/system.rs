@@ -42,11 +42,13 @@ pub(super) struct System<'m> {
     pub(super) rests: bool,
 }
 
-/// F, F_q (m x n, m >= n) and F_p at one place.
+/// F, F_q (m x n, m >= n), F_p and F_t at one place.
 pub(super) struct Linear {
     pub(super) values: DVector<f64>,
     pub(super) jacobian: DMatrix<f64>,
     pub(super) by_parameter: DVector<f64>,
+    /// Its part by time, with the drives at rest.
+    pub(super) by_time: DVector<f64>,
 }
 
 impl<'m> System<'m> {
@@ -92,17 +94,19 @@ impl<'m> System<'m> {
         let (n, m, time) = (q.len(), self.rows.len() + self.laws.len(), self.time(p));
         let constraints = self.mechanism.constraint_linearization(time, q);
         let flow = if self.runs { 1.0 } else { 0.0 };
-        let mut linear =
-            Linear { values: DVector::zeros(m), jacobian: DMatrix::zeros(m, n), by_parameter: DVector::zeros(m) };
+        let [values, by_parameter, by_time] = std::array::from_fn(|_| DVector::zeros(m));
+        let mut linear = Linear { values, jacobian: DMatrix::zeros(m, n), by_parameter, by_time };
         for (k, i) in self.rows.iter().enumerate() {
             linear.values[k] = constraints.values[*i];
-            linear.by_parameter[k] = flow * constraints.time_derivative[*i];
+            linear.by_time[k] = flow * constraints.time_derivative[*i];
+            linear.by_parameter[k] = linear.by_time[k];
             linear.jacobian.set_row(k, &constraints.jacobian.row(*i));
         }
         for (k, law) in self.laws.iter().enumerate() {
             let (k, drive) = (k + self.rows.len(), law.driven.gradient(self.mechanism, time, q));
             linear.values[k] = drive.value - law.at(p);
-            linear.by_parameter[k] = flow * drive.by_time - law.rate;
+            linear.by_time[k] = flow * drive.by_time;
+            linear.by_parameter[k] = linear.by_time[k] - law.rate;
             (0..n).for_each(|j| linear.jacobian[(k, j)] = drive.by_positions[j]);
         }
         linear
