@@ -259,6 +259,41 @@ fn what_cannot_be_driven_says_why() {
 }
 
 mechanism! {
+    /// An arm of two links.
+    Arm;
+    coordinates { a [rad]; b [rad]; }
+    let elbow = 0.4 [m]*[cos(a), sin(a)];
+    let hand = elbow + 0.3 [m]*[cos(a + b), sin(a + b)];
+    bodies { upper: mass 1 [kg] at elbow; lower: mass 1 [kg] at hand; }
+    initial { a = 0.5; b = 1; }
+    outputs { reach [m] = norm(hand); }
+}
+
+/// The hand is 0.7 m away at most: what stops short is the hold, whether the drive moves to its start or is there.
+#[test]
+fn a_hold_out_of_reach_is_named() {
+    let arm = Arm::default();
+    for from in [0.5, 0.9] {
+        let held = vec![(Driven::find(&<Arm as Compiled>::DESCRIPTION, "reach").unwrap(), 0.9)];
+        let sweep = Sweep { held, ..sweep::<Arm>("a", [from, 2.0], 1.0, 10) };
+        let failure = kinematics(arm, &declared_start(&arm), &sweep).unwrap_err();
+        let What::LimitPosition { driven: "reach", value } = &failure.what else { panic!("{failure}") };
+        assert_eq!(value, "0.700000000 m");
+    }
+}
+
+/// Angles whose rounding is no small part of what turns are followed to.
+#[test]
+fn a_range_lost_in_rounding_is_refused() {
+    let linkage = FourBar::default();
+    for (from, to) in [(1e300, 2e300), (0.0, -1e10)] {
+        let sweep = sweep::<FourBar>("theta2", [from, to], 1.0, 100);
+        let failure = kinematics(linkage, &declared_start(&linkage), &sweep).unwrap_err();
+        assert!(matches!(&failure.what, What::Unusable { setting } if setting.contains("`theta2`")), "{failure}");
+    }
+}
+
+mechanism! {
     /// A crank and its slider, whose guide is declared twice.
     Doubled;
     coordinates { theta [rad]; phi [rad]; }

@@ -152,10 +152,10 @@ pub enum What {
         /// The coordinate that moves most in the soft direction.
         coordinate: &'static str,
     },
-    /// The driven quantity cannot be moved further.
+    /// A driven quantity, or one that is to be held elsewhere, cannot be moved further.
     #[error(
-        "`{driven}` cannot go beyond {value}: the mechanism is in a limit position (dead point) there. End the range before it, \
-             or drive another quantity through it"
+        "`{driven}` cannot go beyond {value}: the mechanism is in a limit position (dead point) there. End the range, or hold it, \
+             before that, or drive another quantity through it"
     )]
     LimitPosition {
         /// The driven quantity.

@@ -39,6 +39,12 @@ pub(super) fn singular_values(matrix: &DMatrix<f64>) -> Option<DVector<f64>> {
     matrix.iter().all(|entry| entry.is_finite()).then(decomposed)?.map(|found| found.singular_values)
 }
 
+/// The combination of rows that is nearest to zero, of length 1.
+pub(super) fn dependence_of_rows(matrix: DMatrix<f64>) -> Option<DVector<f64>> {
+    let decomposed = matrix.try_svd(true, false, 5.0 * f64::EPSILON, MOST_SWEEPS)?;
+    decomposed.u?.column_iter().next_back().map(|column| column.into_owned())
+}
+
 /// The shortest change that closes the equations, except in directions in which the curve's own position is more
 /// accurate: beside a crossing these amplify rounding.
 pub(super) fn in_regular_directions(matrix: DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {

@@ -89,8 +89,9 @@ pub struct Kinematics<M: Mechanism> {
 /// then the reaction of that constraint.
 ///
 /// # Errors
-/// If the start cannot be assembled, if [`What::NotDriven`], [`What::NotHolonomic`] or, at rest, [`What::MovedByTime`], or
-/// if the beginning of the sweep cannot be reached. A failure that ends the sweep on the way does not lose it: it stands in the trajectory.
+/// If the start cannot be assembled, if [`What::NotDriven`], [`What::NotHolonomic`] or, at rest, [`What::MovedByTime`], if an angle
+/// is so large that its turns are lost in rounding ([`What::Unusable`]), or if the beginning of the sweep cannot be reached. A failure
+/// that ends the sweep on the way does not lose it: it stands in the trajectory.
 pub fn kinematics<M: Mechanism>(mechanism: M, start: &Start<M>, sweep: &Sweep) -> Result<Kinematics<M>, Failure> {
     kinematics_until(&AtomicBool::new(false), mechanism, start, sweep)
 }
@@ -110,6 +111,8 @@ pub fn kinematics_until<M: Mechanism>(
         let quantity = "the way of the sweep or its speed".to_owned();
         return Err(Failure::at(&mechanism, What::NotFinite { quantity }, 0.0, &start.positions));
     }
+    let checked = sweep.check_rounding(mechanism.description());
+    checked.map_err(|what| Failure::at(&mechanism, what, 0.0, &start.positions))?;
     if let Some(row) = mechanism.description().speed_constraints.first() {
         let what = What::NotHolonomic { constraint: constraint_name(&mechanism, *row) };
         return Err(Failure::at(&mechanism, what, 0.0, &start.positions));

@@ -5,7 +5,7 @@
 //! allows, independent of the recorded rows. A step is accepted when the curve over it is a polynomial to rounding,
 //! with every node on the curve: then it cannot have stepped onto another branch.
 
-use super::algebra::{bordered, is_rounding, least_squares, singular_values};
+use super::algebra::{bordered, dependence_of_rows, is_rounding, least_squares, singular_values};
 use super::piece::{Piece, Point};
 use super::series::{Series, nodes};
 use super::sizes::Sizes;
@@ -186,6 +186,17 @@ impl<'s> Path<'s> {
     /// The dimensionless residual of the equations at a place of a step.
     pub(super) fn open(&self, piece: &Piece, x: f64) -> f64 {
         self.linear(&piece.z(x)).0.amax()
+    }
+
+    /// Which law stands still in a limit position: the one that takes most part in the dependence of the rows of F_q on each other,
+    /// which its motion contradicts.
+    pub(super) fn stopped(&self, piece: &Piece, limit: f64) -> usize {
+        let (_, jacobian) = self.linear(&piece.z(limit));
+        let (rows, n) = (self.system.rows.len(), jacobian.ncols() - 1);
+        let by_parameter = jacobian.column(n).into_owned();
+        let Some(dependence) = dependence_of_rows(jacobian.remove_column(n)) else { return 0 };
+        let part = |law: &usize| (dependence[rows + law] * by_parameter[rows + law]).abs();
+        (0..self.system.laws.len()).max_by(|a, b| part(a).total_cmp(&part(b))).unwrap_or(0)
     }
 
     /// The place of a limit position near one: where the tangent has no part along p.

@@ -10,11 +10,15 @@ use super::system::{Law, System};
 use crate::model::Differentiable;
 use crate::motion::mobility::Mobility;
 use crate::state::failure::{Failure, What};
+use sim_kernel::{Description, Quantity};
 use std::rc::Rc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The driven quantity has arrived when less than this fraction of the way is missing.
 const THERE: f64 = 1e-14;
+
+/// The largest rounding of an angle, in radians: with more, a curve that is followed through many turns seems to turn back.
+const ANGLE_ROUNDING: f64 = 1e-10;
 
 /// A special position this close to an end of the sweep, as a fraction of the way, is in it.
 const AT_END: f64 = 1e-9;
@@ -46,6 +50,26 @@ impl Sweep {
     /// Whether the mechanism rests in each position.
     pub fn is_at_rest(&self) -> bool {
         self.speed == 0.0
+    }
+
+    /// Checks that rounding leaves the turns of angles apart.
+    ///
+    /// # Errors
+    /// [`What::Unusable`].
+    pub(super) fn check_rounding(&self, description: &'static Description) -> Result<(), What> {
+        let ends = [self.from, self.to].map(|end| (self.driven, end));
+        let is_lost = |(driven, value): &(Driven, f64)| {
+            driven.turn(description).is_some() && value.abs() * f64::EPSILON > ANGLE_ROUNDING
+        };
+        let Some((driven, value)) = ends.into_iter().chain(self.held.iter().copied()).find(is_lost) else {
+            return Ok(());
+        };
+        let Quantity { name, unit, factor, .. } = driven.quantity(description);
+        let [value, largest] = [value, ANGLE_ROUNDING / f64::EPSILON].map(|value| value / factor);
+        let setting = format!(
+            "`{name}` cannot be followed to {value:.3e} {unit}: its turns are lost in rounding. Stay within {largest:.1e} {unit} of 0"
+        );
+        Err(What::Unusable { setting })
     }
 
     /// The way in a unit of the sweep's parameter, which is time unless the mechanism rests.
@@ -137,7 +161,7 @@ fn approach<'m>(
             && path.at(&piece, end).1 < 1.0
         {
             let (q, p) = path.at(&piece, end);
-            return Err(limit(&system, &q, p).1);
+            return Err(limit(&system, path.stopped(&piece, end), &q, p).1);
         }
         if path.reached(&piece) >= 1.0 || piece.limit.is_some() {
             let q = path.solve(&piece, x, 1.0).ok_or_else(|| system.singular(&path.at(&piece, x).0, 1.0))?;
@@ -179,7 +203,7 @@ impl<'s> Followed<'s> {
             let within = -AT_END * end..=(1.0 + AT_END) * end;
             self.branches.extend(crossings.filter(|(_, p)| within.contains(p)).map(branch));
             if let Some((q, p)) = piece.limit.map(|x| path.at(&piece, x)) {
-                let (position, failure) = limit(path.system, &q, p);
+                let (position, failure) = limit(path.system, 0, &q, p);
                 let is_passed = self.motion.len() > self.sweep.steps;
                 self.limit = (!is_passed || within.contains(&p)).then_some(position);
                 if !is_passed {
@@ -223,10 +247,10 @@ impl<'s> Followed<'s> {
     }
 }
 
-/// A limit position, and the failure to pass it.
-fn limit(system: &System, positions: &[f64], p: f64) -> (SpecialPosition, Failure) {
-    let (mechanism, value) = (system.mechanism, system.laws[0].at(p));
-    let driven = system.laws[0].driven.quantity(mechanism.description());
+/// A limit position of what a law moves, and the failure to pass it.
+fn limit(system: &System, law: usize, positions: &[f64], p: f64) -> (SpecialPosition, Failure) {
+    let (mechanism, law) = (system.mechanism, system.laws[law]);
+    let (driven, value) = (law.driven.quantity(mechanism.description()), law.at(p));
     let shown = format!("{:.9} {}", value / driven.factor, driven.unit);
     let what = What::LimitPosition { driven: driven.name, value: shown };
     let failure = mechanism.failure(what, system.time(p), positions);
