@@ -1,7 +1,8 @@
-//! Ratios of outputs to the drive.
+//! Ratios of outputs to the drive, and time ratios: what they are, and which outputs have none.
 
-use crate::sweeps::{driven, output};
-use sim::{Compiled, Kinematics, mechanism};
+use crate::sweeps::{driven, output, sweep};
+use models::SliderCrank;
+use sim::{Compiled, Kinematics, declared_start, kinematics, mechanism};
 use std::f64::consts::{PI, TAU};
 
 mechanism! {
@@ -39,6 +40,7 @@ fn ratios_are_those_of_virtual_work() {
     }
     let peak = loaded.extremes.ratios[output::<Led>("S")].unwrap().peak();
     assert!((peak.value + 0.2).abs() < 1e-14 && (peak.at - PI / 2.0).abs() < 1e-6, "{peak:?}");
+    assert_eq!(loaded.extremes.ratios[output::<Led>("waves")], None);
     // The other way round, and where what is driven depends on time itself.
     for name in ["S", "shifted"] {
         let found = driven(Led::default(), name, [0.17, 0.08], 0.2, 20);
@@ -59,5 +61,66 @@ fn extremes_are_those_of_the_whole_motion() {
         let place = 0.2 * p.cos() + 0.05 * (5.0 * t).sin() + 0.02 * (3.0 * t + 0.3).sin();
         let speed = -0.8 * p.sin() + 0.25 * (5.0 * t).cos() + 0.06 * (3.0 * t + 0.3).cos();
         assert!((extreme.value - place).abs() < 1e-15 && speed.abs() < 1e-13, "{extreme:?} {speed}");
+    }
+}
+
+mechanism! {
+    /// A four-bar linkage with outputs that do not move.
+    Rigid;
+    coordinates { a [rad]; b [rad]; c [rad]; }
+    parameters { d [m] = 0.2; r [m] = 0.05; l [m] = 0.17; s [m] = 0.12; }
+    let A = r*[cos(a), sin(a)];
+    let B = A + l*[cos(b), sin(b)];
+    let C = [d, 0] + s*[cos(c), sin(c)];
+    bodies { crank: inertia 1 [kg*m^2], angle a; coupler: inertia 1 [kg*m^2], angle b; rocker: inertia 1 [kg*m^2], angle c; }
+    constraints { loop: B = C; }
+    initial { a = 0.6; guess b = 0.5; guess c = 1.5; }
+    outputs { swing [rad] = c; length [m] = norm(B - A); gap [m] = B.x - C.x; }
+}
+
+/// A length that stays, and a difference that is zero, change by rounding: it has no ratios.
+#[test]
+fn rounding_has_no_ratios() {
+    let found = driven(Rigid::default(), "a", [0.6, 0.6 + TAU], 1.0, 100).extremes;
+    for name in ["length", "gap"] {
+        let i = output::<Rigid>(name);
+        assert!(found.outputs[i].unwrap().stroke() < 1e-15, "{name}");
+        assert_eq!((found.ratios[i], found.time_ratios[i]), (None, None), "{name}");
+    }
+    let swing = output::<Rigid>("swing");
+    assert!(found.ratios[swing].is_some() && found.time_ratios[swing].is_some());
+}
+
+/// Next to a dead centre the piston hardly moves, but not by rounding: dx/dtheta = -r (1 + r/l) theta.
+#[test]
+fn a_small_stroke_has_a_ratio() {
+    let crank = SliderCrank { offset: 0.0, ..SliderCrank::default() };
+    let sweep = sweep::<SliderCrank>("theta", [1e-6, 1e-5], 1.0, 4);
+    let x = output::<SliderCrank>("x");
+    let found = kinematics(crank, &declared_start(&crank), &sweep).unwrap().extremes;
+    assert!(found.outputs[x].unwrap().stroke() < 1e-11);
+    let ratio = found.ratios[x].unwrap().peak();
+    assert!((ratio.value / (-0.15 * (1.0 + 0.15 / 0.45) * 1e-5) - 1.0).abs() < 1e-6, "{ratio:?}");
+}
+
+mechanism! {
+    /// A scotch yoke on a spring, with a slide that is driven three times as fast.
+    Yoke;
+    coordinates { a [rad]; x [m]; }
+    parameters { r [m] = 0.05; k [N/m] = 100; }
+    bodies { crank: inertia 1 [kg*m^2], angle a; yoke: mass 1 [kg] at [x, 0]; }
+    constraints { slot: x = r*cos(a); }
+    initial { a = 0; guess x = 0.05; }
+    outputs { place [m] = x; energy [J] = k*x^2/2; thrice [m] = r*sin(3*a); twice_low [m] = r*(cos(2*a) + cos(a)); }
+}
+
+/// What is as far out in two places of a turn has no one way there and back. The end of a turn is where it began.
+#[test]
+fn repeated_extremes_have_no_time_ratio() {
+    for from in [0.0, 0.3, PI / 2.0, PI, -1.0] {
+        let found = driven(Yoke::default(), "a", [from, from + TAU], 1.0, 36).extremes;
+        let ratio = |name: &str| found.time_ratios[output::<Yoke>(name)];
+        assert!((ratio("place").unwrap().ratio - 1.0).abs() < 1e-9, "{from}: {:?}", ratio("place"));
+        assert_eq!(["energy", "thrice", "twice_low"].map(ratio), [None; 3], "{from}");
     }
 }

@@ -4,7 +4,6 @@ use super::driven::{changes, is_of_positions};
 use super::range::{Extreme, Range};
 use super::search::Found;
 use super::sweep::{Sweep, Swept};
-use crate::motion::lengths::measure;
 
 /// The division of a whole turn of the drive between a quantity's least and greatest value.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,26 +28,33 @@ pub struct Extremes {
     pub forces: Vec<Option<Range>>,
     /// Of the transmission index.
     pub transmission: Option<Range>,
-    /// For each output that is a function of positions, dy/ds with s what is driven: the least magnitude of the
-    /// mechanical advantage ds/dy is where this is greatest.
+    /// For each output that is a function of positions and that the drive moves by more than rounding, dy/ds with s what is
+    /// driven, at fixed time: the least magnitude of the mechanical advantage ds/dy is where this is greatest.
     pub ratios: Vec<Option<Range>>,
-    /// For each output that is a function of positions, over a whole turn after which it is where it was.
+    /// For each output that is a function of positions, over a whole turn after which it is where it was, if it has its least
+    /// and its greatest value once in it.
     pub time_ratios: Vec<Option<TimeRatio>>,
 }
 
 /// Sorts what was found.
 pub(super) fn extremes(swept: &Swept, sweep: &Sweep) -> Extremes {
     let description = swept.system.mechanism.description();
-    let Found { layout, ranges, .. } = &swept.found;
+    let Found { layout, ranges, is_repeated, .. } = &swept.found;
     let of = |indices: &std::ops::Range<usize>| ranges[indices.clone()].to_vec();
     let outputs = of(&layout.outputs);
     let positions = positions(swept);
+    let sizes: Vec<f64> = (0..outputs.len()).map(|i| size(swept, i, outputs[i].as_ref())).collect();
     let rated = |i: usize| description.rated_outputs.iter().position(|rated| *rated == i);
-    let ratio = |i: usize| rated(i).filter(|_| positions[i]).and_then(|rate| ranges[layout.ratios.start + rate]);
+    let drive = swept.sizes.rows[swept.system.rows.len()];
+    let ratio = |i: usize| {
+        let ratio = ranges[layout.ratios.start + rated(i).filter(|_| positions[i])?];
+        ratio.filter(|ratio| ratio.peak().value.abs() * drive > ROUNDING * sizes[i])
+    };
     let turn = sweep.is_turn(description) && swept.failure.is_none();
-    let of_turn =
-        |i: usize| outputs[i].filter(|range| positions[i] && turn && moves_and_returns(swept, i, range.stroke()));
-    let time_ratio = |i: usize| of_turn(i).and_then(|range| divide(&range));
+    let of_turn = |range: &Range, i: usize| {
+        turn && positions[i] && range.stroke() > ROUNDING * sizes[i] && !is_repeated[i] && returns(swept, i, range)
+    };
+    let time_ratio = |i: usize| outputs[i].filter(|range| of_turn(range, i)).and_then(|range| divide(&range));
     let largest = swept.found.largest_columns();
     let scaled = |extreme: Extreme| Extreme { value: (extreme.value.max(0.0).ln() - largest).exp(), ..extreme };
     let transmission = |range: Range| Range { least: scaled(range.least), greatest: scaled(range.greatest) };
@@ -77,22 +83,26 @@ fn positions(swept: &Swept) -> Vec<bool> {
     (0..mechanism.description().outputs.len()).map(is).collect()
 }
 
-/// A smaller stroke than this part of an output's changes with single coordinates is rounding, and an output is where it was to
-/// this part of its stroke.
-const LEAST_STROKE: f64 = 1e-10;
+/// What is this small beside the size of an output is rounding, and an output is where it was to this part of its stroke.
+const ROUNDING: f64 = 1e-10;
 const RETURNED: f64 = 1e-6;
 
-/// Whether an output moves, and is in the end where it began: after a turn of a geared drive it may not be.
-fn moves_and_returns(swept: &Swept, output: usize, stroke: f64) -> bool {
-    let mechanism = swept.system.mechanism;
-    let size = |(time, q): &(f64, Vec<f64>)| -> f64 {
-        let (coordinates, _) = measure(mechanism, *time, q);
-        changes(mechanism, output, *time, q).iter().zip(coordinates).map(|(change, size)| (change * size).abs()).sum()
+/// The size of an output: its largest magnitude, or that of its changes with single coordinates, of which it may be a small
+/// difference.
+fn size(swept: &Swept, output: usize, range: Option<&Range>) -> f64 {
+    let changes_at = |(time, q): &(f64, Vec<f64>)| -> f64 {
+        let changes = changes(swept.system.mechanism, output, *time, q);
+        changes.iter().zip(&swept.sizes.coordinates).map(|(change, size)| (change * size).abs()).sum()
     };
-    let size = swept.found.places.iter().map(size).fold(0.0, f64::max);
+    let magnitude = range.map_or(0.0, |range| range.peak().value.abs());
+    swept.found.places.iter().map(changes_at).fold(magnitude, f64::max)
+}
+
+/// Whether an output is in the end where it began: after a turn of a geared drive it may not be.
+fn returns(swept: &Swept, output: usize, range: &Range) -> bool {
     let (Some(first), Some(last)) = (swept.motion.first(), swept.motion.last()) else { return false };
-    let [begin, end] = [first, last].map(|motion| mechanism.outputs(motion.at())[output]);
-    stroke > LEAST_STROKE * size && (end - begin).abs() <= RETURNED * stroke
+    let [begin, end] = [first, last].map(|motion| swept.system.mechanism.outputs(motion.at())[output]);
+    (end - begin).abs() <= RETURNED * range.stroke()
 }
 
 /// A smaller part of a turn than this, in radians, is that between both sides of a jump, as of an angle that wraps.

@@ -9,6 +9,7 @@ use super::piece::Piece;
 use super::range::Range;
 use super::series::{NODES, Series, nodes};
 use crate::state::failure::Failure;
+use std::f64::consts::TAU;
 use std::ops::Range as Indices;
 use std::rc::Rc;
 
@@ -24,6 +25,10 @@ const NOISE: f64 = 16.0;
 const MOST_HALVINGS: usize = 8;
 /// The fraction of its range by which a value must be better than an earlier one.
 const BETTER: f64 = 1e-11;
+/// A value is as good as another if they differ by less than this fraction of the range, and it is elsewhere if what is driven
+/// differs by more than this, in radians: a flat extreme is found no more accurately.
+const AS_GOOD: f64 = 2.0 * RESOLVED;
+const ELSEWHERE: f64 = 0.01;
 /// How far a polynomial may be off at the ends, in units of its error.
 const MISSED: f64 = 100.0;
 /// Distances from a singular place, in half steps, and the factor by which an unbounded quantity grows from each to the
@@ -58,8 +63,19 @@ pub(super) struct Layout {
 pub(super) struct Found {
     pub(super) layout: Layout,
     pub(super) ranges: Vec<Option<Range>>,
+    /// Whether a quantity has its least or its greatest value in several places, which do not coincide after a turn of the drive.
+    pub(super) is_repeated: Vec<bool>,
     /// Times and positions on the way.
     pub(super) places: Vec<(f64, Vec<f64>)>,
+}
+
+impl Path<'_> {
+    /// Whether the driven quantity differs between places of two steps, after whole turns.
+    fn are_apart(&self, one: (&Piece, f64), other: (&Piece, f64)) -> bool {
+        let [one, other] = [one, other].map(|(piece, x)| self.system.laws[0].at(self.at(piece, x).1));
+        let turns = (one - other) / TAU;
+        (turns - turns.round()).abs() * TAU > ELSEWHERE
+    }
 }
 
 /// A search along a curve.
@@ -92,6 +108,8 @@ pub(super) struct Candidate {
     /// The interval around it in which the quantity is known.
     pub(super) reach: f64,
     pub(super) kind: Kind,
+    /// Whether the quantity is as good elsewhere.
+    is_repeated: bool,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -307,19 +325,23 @@ impl<'s> Search<'s> {
         (piece, within): (&Rc<Piece>, [f64; 2]),
         (value, x, reach, kind): (f64, f64, f64, Kind),
     ) {
-        let tracked = &mut self.tracked[k];
-        let new = || Some(Candidate { value, piece: piece.clone(), within, x, reach, kind });
-        let (Some(least), Some(greatest)) = (&tracked.least, &tracked.greatest) else {
-            (tracked.least, tracked.greatest) = (new(), new());
+        let (path, tracked) = (self.path, &mut self.tracked[k]);
+        let new = |is_repeated| Candidate { value, piece: piece.clone(), within, x, reach, kind, is_repeated };
+        let (Some(least), Some(greatest)) = (&mut tracked.least, &mut tracked.greatest) else {
+            (tracked.least, tracked.greatest) = (Some(new(false)), Some(new(false)));
             return;
         };
-        // If a turning point is as good as an end, within the error of polynomials, it is preferred.
-        let beats = |known: &Candidate| if kind == Kind::Turn && known.kind != kind { -BETTER } else { BETTER };
         let range = greatest.value - least.value;
-        if value < least.value - beats(least) * range {
-            tracked.least = new();
-        } else if value > greatest.value + beats(greatest) * range {
-            tracked.greatest = new();
+        for (known, sign) in [(least, 1.0), (greatest, -1.0)] {
+            let is_as_good = (value - known.value).abs() <= AS_GOOD * range;
+            let is_repeated = is_as_good && (known.is_repeated || path.are_apart((piece, x), (&known.piece, known.x)));
+            // If a turning point is as good as an end, within the error of polynomials, it is preferred.
+            let beats = if kind == Kind::Turn && known.kind != kind { -BETTER } else { BETTER };
+            if sign * value < sign * known.value - beats * range {
+                *known = new(is_repeated);
+            } else {
+                known.is_repeated |= is_repeated;
+            }
         }
     }
 
@@ -331,6 +353,14 @@ impl<'s> Search<'s> {
             let (least, greatest) = bounds?;
             Some(Range { least: self.located(k, least, 1.0)?, greatest: self.located(k, greatest, -1.0)? })
         };
-        Found { ranges: (0..self.tracked.len()).map(range).collect(), layout: self.layout.clone(), places: self.places }
+        let is_repeated = |tracked: &Tracked| {
+            [&tracked.least, &tracked.greatest].into_iter().flatten().any(|candidate| candidate.is_repeated)
+        };
+        Found {
+            ranges: (0..self.tracked.len()).map(range).collect(),
+            is_repeated: self.tracked.iter().map(is_repeated).collect(),
+            layout: self.layout.clone(),
+            places: self.places,
+        }
     }
 }

@@ -6,6 +6,7 @@ use super::inverse::AnyPrescribed;
 use super::path::Path;
 use super::piece::{Piece, Point};
 use super::search::{Found, Search};
+use super::sizes::Sizes;
 use super::system::{Law, System};
 use crate::model::Differentiable;
 use crate::motion::mobility::Mobility;
@@ -96,6 +97,7 @@ pub struct SpecialPosition {
 /// The special positions of the sweep.
 pub(super) struct Swept<'m> {
     pub(super) system: System<'m>,
+    pub(super) sizes: Sizes,
     pub(super) mobility: Mobility,
     pub(super) motion: Vec<AnyPrescribed>,
     pub(super) branches: Vec<SpecialPosition>,
@@ -132,7 +134,8 @@ pub(super) fn sweep<'m>(
     }
     let found = search.conclude();
     let Followed { motion, branches, limit, .. } = followed;
-    Ok(Swept { motion, branches, limit, failure, found, mobility, system: system.clone() })
+    let sizes = path.sizes.clone();
+    Ok(Swept { motion, branches, limit, failure, found, mobility, sizes, system: system.clone() })
 }
 
 /// Moves driven and held quantities from the assembled position to the beginning of the sweep, while time stands still.

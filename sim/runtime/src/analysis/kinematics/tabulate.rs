@@ -6,8 +6,8 @@ use sim_kernel::{Description, Mechanism, Quantity};
 
 impl<M: Mechanism> Kinematics<M> {
     /// The columns of the trajectory and, before the outputs: `drive_NAME`, the force of each drive and hold;
-    /// `transmission_index`; and for each output y that is a function of positions `ratio_y`, dy/ds with s the driven
-    /// quantity, and `advantage_y`, the mechanical advantage ds/dy.
+    /// `transmission_index`; and for each output y that is a function of positions `ratio_y`, dy/ds at fixed time with
+    /// s the driven quantity, and `advantage_y`, the mechanical advantage ds/dy; none for outputs that move by rounding alone.
     pub fn table(&self) -> Table {
         let mut table = Table::of(&self.mechanism, &self.trajectory);
         let swept = Columns {
