@@ -260,7 +260,7 @@ fn what_cannot_be_driven_says_why() {
 
 mechanism! {
     /// An arm of two links.
-    Arm;
+    pub Arm;
     coordinates { a [rad]; b [rad]; }
     let elbow = 0.4 [m]*[cos(a), sin(a)];
     let hand = elbow + 0.3 [m]*[cos(a + b), sin(a + b)];

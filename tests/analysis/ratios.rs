@@ -1,8 +1,9 @@
 //! Ratios of outputs to the drive, and time ratios: what they are, and which outputs have none.
 
+use crate::limits::Arm;
 use crate::sweeps::{driven, output, sweep};
 use models::SliderCrank;
-use sim::{Compiled, Kinematics, declared_start, kinematics, mechanism};
+use sim::{Compiled, Driven, Kinematics, Sweep, declared_start, kinematics, mechanism};
 use std::f64::consts::{PI, TAU};
 
 mechanism! {
@@ -87,6 +88,12 @@ fn rounding_has_no_ratios() {
         assert!(found.outputs[i].unwrap().stroke() < 1e-15, "{name}");
         assert_eq!((found.ratios[i], found.time_ratios[i]), (None, None), "{name}");
     }
+    // A stretched arm turns: the slope of its reach is nothing but rounding.
+    let arm = Arm::default();
+    let held = vec![(Driven::find(&<Arm as Compiled>::DESCRIPTION, "b").unwrap(), 0.0)];
+    let turn = Sweep { held, ..sweep::<Arm>("a", [0.5, 0.5 + TAU], 1.0, 100) };
+    let turned = kinematics(arm, &declared_start(&arm), &turn).unwrap().extremes;
+    assert_eq!((turned.ratios[0], turned.time_ratios[0]), (None, None));
     let swing = output::<Rigid>("swing");
     assert!(found.ratios[swing].is_some() && found.time_ratios[swing].is_some());
 }
