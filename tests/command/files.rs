@@ -64,7 +64,7 @@ fn files_need_no_certain_name() {
     assert_eq!(["bob.txt", "./pendulum", "pendulum"].map(named), ["bob", "bob", "pendulum"]);
 }
 
-/// A run file of a file makes the run again.
+/// A run file of a file makes the run again, where that file is.
 #[test]
 fn a_run_from_a_file_is_made_again() {
     let folder = folder("again", &[("bob.mech", BOB)]);
@@ -80,6 +80,9 @@ fn a_run_from_a_file_is_made_again() {
             fs::read(folder.join("second").join(file)).unwrap()
         );
     }
+    let elsewhere = within(&folder.join("first"), &["run", "run.json"]);
+    let said = "error: run.json: model: there is no `bob.mech` here. It is named as it was when the run was made";
+    assert!(elsewhere.status.code() == Some(2) && stderr(&elsewhere).starts_with(said), "{}", stderr(&elsewhere));
 }
 
 /// Columns by names and patterns, in their order, with the time; a name that no column has is refused before the run.

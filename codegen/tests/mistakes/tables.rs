@@ -128,7 +128,9 @@ fn headings() {
     let headed = |headings: &str, expected: &[&str]| {
         table(&format!("lift [mm] over [deg] = linear {{ {headings}; 0, 0; 90, 10; }}"), expected);
     };
-    for sound in ["angle [deg]\", \"lift [mm]", "angle\", \"lift", "phi (deg)\", \"lift (of the valve)"] {
+    for sound in
+        ["angle [deg]\", \"lift [mm]", "angle\", \"lift", "phi (deg)\", \"lift (of the valve)", "a/b\", \"lift / mm"]
+    {
         headed(&format!("\"{sound}\""), &[]);
     }
     table(r#"x = linear { "a [-]", "b []"; 0, 0; 90, 10; }"#, &[]);
@@ -138,6 +140,8 @@ fn headings() {
     };
     headed(r#""angle [deg]", "lift [m]""#, &[&format!("4:57 {}", declared("values", "m", "mm"))]);
     headed(r#""angle (rad)", "lift""#, &[&format!("4:42 {}", declared("arguments", "rad", "deg"))]);
+    headed(r#""angle/rad", "lift/mm""#, &[&format!("4:42 {}", declared("arguments", "rad", "deg"))]);
+    headed(r#""angle in deg", "lift in m""#, &[&format!("4:58 {}", declared("values", "m", "mm"))]);
     headed(r#""angle [-]", "lift""#, &[&format!("4:42 {}", declared("arguments", "1", "deg"))]);
     headed(
         r#""angle [°]", "lift""#,

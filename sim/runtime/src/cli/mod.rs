@@ -36,7 +36,7 @@ mod sizes;
 use crate::Erased;
 pub use answer::{Answer, Problem, Refusal, answer, with_values};
 use arguments::{Arguments, Command};
-use chosen::{Chosen, chosen};
+use chosen::{Chosen, chosen, file as file_named};
 use clap::{FromArgMatches, Parser};
 use codegen::nearest;
 use commands::{
@@ -109,6 +109,13 @@ fn with_run_file(mechanisms: &[Entry], arguments: Arguments, words: &[OsString])
         _ => return execute(mechanisms, arguments),
     };
     let file = RunFile::open(&path)?;
+    let is_lacking = |model: &&str| file_named(model).is_some_and(|(path, _)| !path.exists());
+    if let Some(declared) = file.declaration().map(|(model, _)| model).filter(is_lacking) {
+        return Err(Stop::Usage(file.blamed(&format!(
+            "model: there is no `{declared}` here. It is named as it was when the run was made: repeat the run in the folder where \
+             that was",
+        ))));
+    }
     let model = file.declaration().and_then(|(model, _)| chosen(mechanisms, model, true).ok());
     let difference = model.and_then(|chosen| file.difference(chosen.model.description()));
     if let Some(difference) = difference.filter(|_| !arguments.voice.quiet) {

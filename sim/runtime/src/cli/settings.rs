@@ -54,7 +54,8 @@ pub(super) struct SettingsArguments {
     projection: Option<String>,
 
     /// Records N + 1 rows at equal intervals, or `steps` for one after each step [default: steps where they are equal,
-    /// else 1024]. A run that ends early has up to twice as many, closer by a power of two, and its last state.
+    /// else 1024]. A run that ends early has rows closer by a power of two, up to twice as many and one for four steps, and
+    /// its last state.
     #[arg(long, value_name = "N|steps", allow_hyphen_values = true)]
     rows: Option<String>,
 

@@ -5,8 +5,8 @@
 //! number. Extra rows are at most one in four steps, so that they cost little if steps are few.
 //!
 //! A row costs dense output, a projection and a right-hand side; where equal steps end at finer places, rows there cost
-//! nothing. A run that ends early has N to 2N rows, and one that reaches its end has exactly those asked for. Rows at
-//! events, and the state where a run ends, are on no grid and stay.
+//! nothing. A run that ends early has up to 2N rows, and beside those at the requested places at most one for four steps; one
+//! that reaches its end has exactly those asked for. Rows at events, and the state where a run ends, are on no grid and stay.
 
 use crate::state::trajectory::{Phase, Sample};
 use sim_kernel::Mechanism;
