@@ -49,3 +49,24 @@ fn no_smooth_pulse_is_passed_over() {
         }
     }
 }
+
+/// A support that jerks moves a mass that is free on it backwards, by its own way; one that is held by a constraint pulls a spring.
+#[test]
+fn no_jerk_of_a_support_is_passed_over() {
+    let free = "pub Free; coordinates { x [m]; } parameters { m [kg] = 2; A [m] = 0.1; a [ms] = 770; w [ms] = 2; }
+        let P = [A*tanh((t - a)/w) + x, 0]; bodies { block: mass m at P; }";
+    let pulled = "pub Pulled; coordinates { x [m]; y [m]; }
+        parameters { m [kg] = 2; k [N/m] = 8; A [m] = 0.1; a [ms] = 770; w [ms] = 2; }
+        bodies { block: mass m at [x, 0]; hand: mass m at [y, 0]; } loads { spring k, rest 0 [m] between x and y; }
+        constraints { held: y = A*exp(-((t - a)/w)^2); }";
+    // The impulse k A w sqrt(pi) of the spring swings the block at sqrt(k/m) = 2 rad/s from 0.77 s on; beside it counts (2 w)^2.
+    let swing = 8.0 * 0.1 * 0.002 * PI.sqrt() / 2.0 / 2.0 * (2.0 * (3.0 - 0.77f64)).sin();
+    for (declaration, place, bound) in [(free, -0.2, 1e-7), (pulled, swing, 1e-5 * swing.abs())] {
+        for method in [Method::Dop853, Method::Dopri5, Method::Radau5] {
+            let settings = Settings { rows: Rows::Even(3), ..Settings::adaptive(method, 3.0, 1e-10) };
+            let run = run_with(interpreted(declaration).unwrap(), &settings).unwrap();
+            let found = run.trajectory.samples.last().unwrap().state.positions[0];
+            assert!((found - place).abs() < bound, "{method:?}: {found} {place}");
+        }
+    }
+}

@@ -141,8 +141,9 @@ fn derive_as(
     links: fn(&mut Graph, &Model, &Variables, &mut Derivatives, &[FreeBase]) -> Option<Links>,
 ) -> EquationsOfMotion {
     let Resolved { model, mut graph, displaced } = resolved;
-    let (mut switching, rows) = (switching::of_time(&graph, &model), load_rows(&mut graph, &model));
-    switching.extend(pulses::middles(&mut graph, &model, &rows, &switching));
+    let mut switching = switching::of_time(&graph, &model);
+    switching.extend(pulses::middles(&mut graph, &model, &switching));
+    let rows = load_rows(&mut graph, &model);
     let load_conditions = switching::of_loads(&graph, &model, &rows);
     let speeds = speeds::derive(&mut graph, &model, &rows);
     let formulation = formulation(&mut graph, &model, rows);

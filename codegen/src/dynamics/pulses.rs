@@ -1,10 +1,9 @@
-//! The middles of smooth pulses and steps of time in what acts on a mechanism, as of `exp(-((t - t1)/w)^2)` and
+//! The middles of smooth pulses and steps of time, in loads and in what moves with time, as of `exp(-((t - t1)/w)^2)` and
 //! `tanh((t - t1)/w)`.
 //!
 //! A short one may lie between all places at which a method evaluates a long step. Its middle is known before the motion is: there
 //! the runtime ends a step, which sees it and is made short enough.
 
-use super::rows::LoadRow;
 use super::switching::{Switching, is_affine, is_new, is_of_time};
 use crate::model::{Dependences, Model};
 use crate::symbolic::{Differential, Expr, Function, Graph, Node};
@@ -16,13 +15,10 @@ enum Middle {
     AtExtremum(Expr),
 }
 
-/// Those in loads and inputs that are not known already, each once.
-pub(super) fn middles(graph: &mut Graph, model: &Model, rows: &[LoadRow], known: &[Switching]) -> Vec<Switching> {
+/// Those in a graph that are not known already, each once.
+pub(super) fn middles(graph: &mut Graph, model: &Model, known: &[Switching]) -> Vec<Switching> {
     let mut dependences = model.dependences.clone();
-    let forces = rows.iter().flat_map(|row| row.forces.iter().copied());
-    let acting: Vec<Expr> = forces.chain(model.inputs.iter().map(|input| input.course)).collect();
-    let middles: Vec<Middle> =
-        graph.reachable(&acting).into_iter().flat_map(|expr| of_node(graph, &mut dependences, expr)).collect();
+    let middles: Vec<Middle> = graph.nodes().flat_map(|node| of_node(graph, &mut dependences, node)).collect();
     let mut found: Vec<Switching> = Vec::new();
     for middle in middles {
         let value = match middle {
@@ -38,13 +34,13 @@ pub(super) fn middles(graph: &mut Graph, model: &Model, rows: &[LoadRow], known:
 }
 
 /// The middles by which a node is a pulse or a step. A logistic function has its own where its exponent is 0.
-fn of_node(graph: &Graph, dependences: &mut Dependences, expr: Expr) -> Vec<Middle> {
+fn of_node(graph: &Graph, dependences: &mut Dependences, node: &Node) -> Vec<Middle> {
     let is_pulse = |base: Expr, dependences: &mut Dependences| {
         is_of_time(graph, dependences, base)
             && !is_affine(graph, dependences, base)
             && !matches!(graph.node(base), Node::Call(..))
     };
-    match graph.node(expr) {
+    match node {
         Node::Call(Function::Exp, exponent) if is_pulse(*exponent, dependences) => vec![Middle::AtExtremum(*exponent)],
         Node::Call(Function::Exp | Function::Tanh | Function::Atan | Function::Cosh, argument)
             if is_of_time(graph, dependences, *argument) =>
