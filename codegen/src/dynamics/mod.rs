@@ -135,15 +135,20 @@ pub fn derive_cheapest(resolved: Resolved) -> EquationsOfMotion {
     derive_as(resolved, cheapest, Links::derive)
 }
 
+/// The functions of time alone at whose zeros, or at the rows of whose tables, steps end.
+fn switching_in_time(graph: &mut Graph, model: &Model) -> Vec<Switching> {
+    let mut all = switching::of_time(graph, model);
+    all.extend(pulses::middles(graph, model, &all));
+    all
+}
+
 fn derive_as(
     resolved: Resolved,
     formulation: fn(&mut Graph, &Model, Vec<LoadRow>) -> Formulation,
     links: fn(&mut Graph, &Model, &Variables, &mut Derivatives, &[FreeBase]) -> Option<Links>,
 ) -> EquationsOfMotion {
     let Resolved { model, mut graph, displaced } = resolved;
-    let mut switching = switching::of_time(&graph, &model);
-    switching.extend(pulses::middles(&mut graph, &model, &switching));
-    let rows = load_rows(&mut graph, &model);
+    let (switching, rows) = (switching_in_time(&mut graph, &model), load_rows(&mut graph, &model));
     let load_conditions = switching::of_loads(&graph, &model, &rows);
     let speeds = speeds::derive(&mut graph, &model, &rows);
     let formulation = formulation(&mut graph, &model, rows);
