@@ -17,6 +17,7 @@ mod half_car;
 mod impacts;
 mod inputs;
 mod joints;
+mod leaps;
 mod linkages;
 mod marks;
 mod nonholonomic;

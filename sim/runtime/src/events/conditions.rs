@@ -127,11 +127,6 @@ pub(super) fn may_reach_zero<M: Mechanism>(event: usize, from: &Point<M>, to: &P
     signs::may_reach_zero(values, rates)
 }
 
-/// Whether the value at the sign change is near zero; at a jump or a pole it is not.
-pub(super) fn is_root(value: f64, [before, after]: [f64; 2]) -> bool {
-    value.abs() <= 0.5 * before.abs().max(after.abs())
-}
-
 /// The accuracy of located times, in seconds, in a motion of this length: motions shorter than a second are faster.
 pub(crate) fn tolerance(time: f64, span: f64) -> f64 {
     f64::max(1e-12 * span.min(1.0), 4.0 * f64::EPSILON * time.abs())

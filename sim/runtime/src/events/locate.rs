@@ -1,6 +1,6 @@
 //! Where a condition is zero in a part of a step.
 
-use super::conditions::{Point, conditions, ends, is_root, tolerance, value};
+use super::conditions::{Point, conditions, ends, tolerance, value};
 use super::described::releases;
 use super::{Crossing, EventSearch, Occurrence};
 use crate::integrate::Step;
@@ -88,7 +88,7 @@ impl<M: Mechanism> EventSearch<M> {
         let found = conditions(step.motion, &state)?[event];
         // It kept its sign while it was no more than noise, and has left it on the other side.
         let is_noise = self.onset.as_ref().is_some_and(|onset| found.abs() <= onset.noise[event]);
-        if counts_jumps || is_noise || is_root(found, values) {
+        if counts_jumps || is_noise || !self.is_jump(step, event, time, [found, values[0], values[1]])? {
             self.push(mechanism, event, crossing, state);
         }
         Ok(())
