@@ -1,7 +1,8 @@
 //! Starts in singular positions, which are no redundancy, and redundancies, which hold at every position.
 
-use sim::{Settings, What, assemble, declared_start, mechanism, mobility};
+use sim::{Mechanism, Settings, What, assemble, declared_start, mechanism, mobility};
 use std::f64::consts::PI;
+use tests::any_model::interpreted;
 use tests::run_with;
 
 mechanism! {
@@ -75,4 +76,31 @@ fn a_run_does_not_start_where_the_motion_is_not_determined() {
     assert!(run.steps.singularities.len() > 1);
     let apart = |sample: &sim::Sample<Flat>| (sample.state.positions[0] - sample.state.positions[2]).abs();
     assert!(run.trajectory.samples.iter().all(|sample| apart(sample) < 1e-7));
+}
+
+/// A quaternion of which q0 = 1 is given has no other components, and stands in a double solution of its norm.
+#[test]
+fn a_double_solution_is_found_exactly() {
+    for length in [1e-3, 1.0, 1e3] {
+        let declaration = format!(
+            "pub Hanging; parameters {{ L [m] = {length}; m [kg] = 1; }}
+             bodies {{ b: free, mass m, inertia [0.02*m*L^2, 0.03*m*L^2, 0.04*m*L^2];
+                 c: free, mass m, inertia [0.02*m*L^2, 0.03*m*L^2, 0.04*m*L^2]; }}
+             joints {{ j: ball ground at [0, 0, 0] to b at [0, 0, L];
+                 k: universal b at [0, 0, -L] axis [0, 1, 0] to c at [0, 0, L] axis [1, 0, 0]; }}
+             initial {{ b_q0 = 0.8; b_q1 = 0.6; b_q2 = 0; b_q3 = 0; c_q0 = 1; guess b_z = -L; guess c_z = -3*L; }}"
+        );
+        let model = interpreted(&declaration).unwrap();
+        let state = assemble(&model, &declared_start(&model)).unwrap();
+        let at = |name: &str| {
+            let coordinates = model.description().coordinates;
+            state.positions[coordinates.iter().position(|c| c.position.name == name).unwrap()]
+        };
+        // The norm tells the others to the square root of its rounding, and places are known to that of the length.
+        for name in ["c_q1", "c_q2", "c_q3"] {
+            assert!(at(name).abs() < 1e-8, "{name} = {:e} at {length} m", at(name));
+        }
+        // Two links of 2 L, which lean by sin = 2*0.8*0.6.
+        assert!((at("c_y") / length - 1.92).abs() < 1e-8, "{}", at("c_y") / length);
+    }
 }

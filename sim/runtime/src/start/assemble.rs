@@ -1,7 +1,7 @@
 //! A start on the constraints, from given values and guesses.
 
 use crate::model::{AnyMechanism, Linear};
-use crate::motion::lengths::measure;
+use crate::motion::lengths::{measure, without_units};
 use crate::motion::typed::Any;
 use crate::numerics::arrays::array;
 use crate::start::dyads::{Branches, Closed, close_loops, nearest};
@@ -104,18 +104,19 @@ fn assemble_positions(mechanism: &dyn AnyMechanism, start: &Given) -> Result<Vec
 
 fn correct_positions(mechanism: &dyn AnyMechanism, start: &Given, mut q: Vec<f64>) -> Result<Vec<f64>, Failure> {
     let mut linear = mechanism.constraint_linearization(0.0, &q);
-    let terms = measure(mechanism, 0.0, &q).1;
-    for _ in 0..MOST_STEPS {
+    let measured = measure(mechanism, 0.0, &q);
+    for steps in 0..MOST_STEPS {
         if mechanism.is_met(0.0, &q) {
-            return Ok(polish(mechanism, start, q));
+            let settled = if steps == 0 { q } else { settle(mechanism, start, (q, linear), &measured) };
+            return Ok(polish(mechanism, start, settled));
         }
         let by_positions = mechanism.between_positions(linear.jacobian);
-        let (by_positions, open) = of_one_size((by_positions, linear.values.clone()), &terms);
+        let (by_positions, open) = of_one_size((by_positions, linear.values.clone()), &measured.1);
         let Some(step) = least_norm_solution(by_positions, start.position_given, &open) else { break };
         let current = linear.values.norm();
         let mut scale = 1.0;
         let accepted = loop {
-            let trial: Vec<f64> = q.iter().zip(&step).map(|(q, step)| q - scale * step).collect();
+            let trial = moved(&q, &step, scale);
             let trial_linear = mechanism.constraint_linearization(0.0, &trial);
             if trial_linear.values.norm() < current {
                 break Some((trial, trial_linear));
@@ -129,6 +130,49 @@ fn correct_positions(mechanism: &dyn AnyMechanism, start: &Given, mut q: Vec<f64
         (q, linear) = better;
     }
     Err(not_assembled(mechanism, &q))
+}
+
+fn moved(q: &[f64], step: &DVector<f64>, scale: f64) -> Vec<f64> {
+    q.iter().zip(step).map(|(q, step)| q - scale * step).collect()
+}
+
+/// Steps that are shorter than this part of the scales of coordinates are left.
+const SETTLED: f64 = 1e-9;
+
+/// Goes on from a configuration whose residual is small and that is still far from the solution: the solution is a double one, as
+/// that of a quaternion of which q0 = 1 is given. Steps there go half the way, and those of twice the length all of it.
+fn settle(
+    mechanism: &dyn AnyMechanism,
+    start: &Given,
+    (mut q, mut linear): (Vec<f64>, Linear),
+    scales @ (sizes, terms): &(Vec<f64>, Vec<f64>),
+) -> Vec<f64> {
+    let open = |linear: &Linear| linear.values.zip_map(&DVector::from_column_slice(terms), |value, term| value / term);
+    // In the scales of coordinates and constraints, so that rounding is small beside any of them.
+    let step_from = |linear: &Linear| {
+        let by_positions = without_units(mechanism.between_positions(linear.jacobian.clone()), scales);
+        let step = least_norm_solution(by_positions, start.position_given, &open(linear))?;
+        Some(step.zip_map(&DVector::from_column_slice(sizes), |step, size| step * size))
+    };
+    let at = |q: Vec<f64>| (mechanism.constraint_linearization(0.0, &q), q);
+    for _ in 0..MOST_STEPS {
+        let Some(step) = step_from(&linear) else { break };
+        if step.iter().zip(sizes).all(|(step, size)| step.abs() <= SETTLED * size) {
+            break;
+        }
+        let [once, twice] = [1.0, 2.0].map(|scale| {
+            let (bent, trial) = at(moved(&q, &step, scale));
+            // By what the curvature of the other constraints opens them.
+            let again = step_from(&bent).map(|again| moved(&trial, &again, 1.0));
+            at(again.unwrap_or(trial))
+        });
+        let best = if open(&twice.0).norm() < open(&once.0).norm() { twice } else { once };
+        if !(open(&best.0).norm() < open(&linear).norm()) {
+            break;
+        }
+        (linear, q) = best;
+    }
+    q
 }
 
 /// One projection as in every step, if it cannot move given values.
