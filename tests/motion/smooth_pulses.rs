@@ -70,3 +70,49 @@ fn no_jerk_of_a_support_is_passed_over() {
         }
     }
 }
+
+/// The square of the speed of a mass of 1 kg after 2 m at about 1 m/s past a force by its position; or of a wheel past a torque.
+fn passed(force: &str, is_wheel: bool, method: Method, rows: Rows) -> f64 {
+    let declaration = match is_wheel {
+        false => format!(
+            "pub Passed; coordinates {{ x [m]; }} parameters {{ F [N] = 10; a [m] = 1.3; b [m] = 1.31; w [mm] = 1; }}
+             bodies {{ slider: mass 1 [kg] at [x, 0]; }} loads {{ force {force} on x; }} initial {{ dot(x) = 1; }}"
+        ),
+        true => format!(
+            "pub Wheel; coordinates {{ phi [rad]; }} parameters {{ T [N*m] = 10; w = 0.001; }}
+             bodies {{ wheel: inertia 1 [kg*m^2], angle phi; }} loads {{ torque {force} on phi; }}
+             initial {{ phi = 0.2; dot(phi) = 1; }}"
+        ),
+    };
+    let settings = Settings { rows, ..Settings::adaptive(method, 2.0, 1e-10) };
+    let run = run_with(interpreted(&declaration).unwrap(), &settings).unwrap();
+    run.trajectory.samples.last().unwrap().state.speeds[0].powi(2)
+}
+
+/// The kinetic energy gained is the work, the integral of the force over the way.
+#[test]
+fn no_smooth_pulse_by_position_is_passed_over() {
+    let (force, w) = (10.0, 1e-3);
+    let pulses = [
+        ("F*exp(-((x - a)/w)^2)", false, force * w * PI.sqrt()),
+        ("-0.1*F*exp(-((x - a)/w)^2)", false, -0.1 * force * w * PI.sqrt()),
+        ("F/cosh((x - a)/(2*w))^2", false, 4.0 * force * w),
+        ("F*(tanh((x - a)/w) - tanh((x - b)/w))/2", false, force * 0.01),
+        ("F/(1 + exp((a - x)/(2*w))) - F/(1 + exp((b - x)/(2*w)))", false, force * 0.01),
+        // Beside a kink, and twice.
+        ("F*exp(-((x - a)/w)^2) + 0*abs(x - b)*F/a", false, force * w * PI.sqrt()),
+        ("F*exp(-((x - a)/w)^2) + F*exp(-((x - b)/w)^2)", false, 2.0 * force * w * PI.sqrt()),
+        ("T*exp(-((phi - 1.3)/w)^2)", true, force * w * PI.sqrt()),
+        // Within 1e-6 a Gauss curve of the angle, of the width 1e-3.
+        ("T*exp((cos(phi - 1.3) - 1)/w^2*2)", true, force * w * PI.sqrt()),
+    ];
+    for (pulse, is_wheel, work) in pulses {
+        for method in [Method::Dop853, Method::Dopri5, Method::Radau5] {
+            for rows in [Rows::Even(1), Rows::Even(1000), Rows::Steps] {
+                let gained = passed(pulse, is_wheel, method, rows) - 1.0;
+                let bound = if pulse.contains("cos") { 1e-6 * work } else { 2e-8 };
+                assert!((gained - 2.0 * work).abs() < bound, "{pulse} by {method:?}, {rows:?}: {gained:e} {work:e}");
+            }
+        }
+    }
+}

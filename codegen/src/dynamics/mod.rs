@@ -138,7 +138,14 @@ pub fn derive_cheapest(resolved: Resolved) -> EquationsOfMotion {
 /// The functions of time alone at whose zeros, or at the rows of whose tables, steps end.
 fn switching_in_time(graph: &mut Graph, model: &Model) -> Vec<Switching> {
     let mut all = switching::of_time(graph, model);
-    all.extend(pulses::middles(graph, model, &all));
+    all.extend(pulses::middles_in_time(graph, model, &all));
+    all
+}
+
+/// The functions of positions and speeds in loads for whose zeros, or the rows of whose tables, each step is searched.
+fn load_conditions(graph: &mut Graph, model: &Model, rows: &[LoadRow]) -> Vec<Switching> {
+    let mut all = switching::of_loads(graph, model, rows);
+    all.extend(pulses::middles_of_loads(graph, model, rows, &all));
     all
 }
 
@@ -149,7 +156,7 @@ fn derive_as(
 ) -> EquationsOfMotion {
     let Resolved { model, mut graph, displaced } = resolved;
     let (switching, rows) = (switching_in_time(&mut graph, &model), load_rows(&mut graph, &model));
-    let load_conditions = switching::of_loads(&graph, &model, &rows);
+    let load_conditions = load_conditions(&mut graph, &model, &rows);
     let speeds = speeds::derive(&mut graph, &model, &rows);
     let formulation = formulation(&mut graph, &model, rows);
     let variables = formulation.variables(&model);

@@ -1,32 +1,92 @@
-//! The middles of smooth pulses and steps of time, in loads and in what moves with time, as of `exp(-((t - t1)/w)^2)` and
-//! `tanh((t - t1)/w)`.
+//! The middles of smooth pulses and steps, as of `exp(-((t - t1)/w)^2)` and `tanh((x - x1)/w)`.
 //!
-//! A short one may lie between all places at which a method evaluates a long step. Its middle is known before the motion is: there
-//! the runtime ends a step, which sees it and is made short enough.
+//! A short one may lie between all places at which a method evaluates a long step. The runtime ends a step in its middle, which sees
+//! it and is made short enough. Of time, in loads and in what moves with it, middles are known before the motion is; in loads by
+//! positions each step is searched for them. By speeds there are none: smooth friction would end a step at each of its turns.
 
+use super::rows::LoadRow;
 use super::switching::{Switching, is_affine, is_new, is_of_time};
-use crate::model::{Dependences, Model};
+use crate::model::{Dependence, Dependences, Model};
 use crate::symbolic::{Differential, Expr, Function, Graph, Node};
 
-/// A function of time whose zeros are the middles.
+/// A function whose zeros are the middles.
 enum Middle {
     At(Expr),
     /// Where this is largest or smallest.
     AtExtremum(Expr),
 }
 
-/// Those in a graph that are not known already, each once.
-pub(super) fn middles(graph: &mut Graph, model: &Model, known: &[Switching]) -> Vec<Switching> {
+/// What pulses are of.
+#[derive(Clone, Copy)]
+enum Course {
+    Time,
+    Positions,
+}
+
+impl Course {
+    fn is_of(self, graph: &Graph, dependences: &mut Dependences, expr: Expr) -> bool {
+        let on = dependences.of(graph, expr);
+        match self {
+            Course::Time => is_of_time(graph, dependences, expr),
+            Course::Positions => {
+                let allowed = Dependence::COORDINATE.or(Dependence::TIME).or(Dependence::PARAMETER);
+                on.meets(Dependence::COORDINATE) && on.or(allowed) == allowed
+            }
+        }
+    }
+
+    /// What changes along it.
+    fn changing(self) -> Dependence {
+        match self {
+            Course::Time => Dependence::TIME,
+            Course::Positions => Dependence::TIME.or(Dependence::COORDINATE),
+        }
+    }
+}
+
+/// Those of time alone in a graph that are not known already, each once.
+pub(super) fn middles_in_time(graph: &mut Graph, model: &Model, known: &[Switching]) -> Vec<Switching> {
     let mut dependences = model.dependences.clone();
-    let middles: Vec<Middle> = graph.nodes().flat_map(|node| of_node(graph, &mut dependences, node)).collect();
+    let of_node = |node| of_node(graph, &mut dependences, node, Course::Time);
+    let middles: Vec<Middle> = graph.nodes().flat_map(of_node).collect();
+    let along = Differential::partial(graph, model.time);
+    switchings(graph, dependences, (middles, along), known)
+}
+
+/// Those by positions in loads.
+pub(super) fn middles_of_loads(
+    graph: &mut Graph,
+    model: &Model,
+    rows: &[LoadRow],
+    known: &[Switching],
+) -> Vec<Switching> {
+    let mut dependences = model.dependences.clone();
+    let forces: Vec<Expr> = rows.iter().flat_map(|row| row.forces.iter().copied()).collect();
+    let nodes = graph.reachable(&forces).into_iter().map(|expr| graph.node(expr));
+    let middles: Vec<Middle> =
+        nodes.flat_map(|node| of_node(graph, &mut dependences, node, Course::Positions)).collect();
+    let mut rates = vec![(model.time, graph.one())];
+    rates.extend(model.coordinates.iter().map(|c| (c.position, graph.variable(c.speed))));
+    switchings(graph, dependences, (middles, Differential::along(rates)), known)
+}
+
+/// Middles as functions that are zero there.
+fn switchings(
+    graph: &mut Graph,
+    mut dependences: Dependences,
+    (middles, mut along): (Vec<Middle>, Differential),
+    known: &[Switching],
+) -> Vec<Switching> {
     let mut found: Vec<Switching> = Vec::new();
     for middle in middles {
         let value = match middle {
             Middle::At(value) => value,
-            Middle::AtExtremum(of) => Differential::partial(graph, model.time).of(graph, of),
+            Middle::AtExtremum(of) => along.of(graph, of),
         };
-        if is_of_time(graph, &mut dependences, value) && is_new(known, value, None) && is_new(&found, value, None) {
-            let is_affine = is_affine(graph, &mut dependences, value);
+        let changes = dependences.of(graph, value).meets(Dependence::TIME.or(Dependence::COORDINATE));
+        if changes && is_new(known, value, None) && is_new(&found, value, None) {
+            let of_time = is_of_time(graph, &mut dependences, value);
+            let is_affine = of_time && is_affine(graph, &mut dependences, value, Dependence::TIME);
             found.push(Switching { value, table: None, is_affine, is_smooth: true });
         }
     }
@@ -34,16 +94,16 @@ pub(super) fn middles(graph: &mut Graph, model: &Model, known: &[Switching]) -> 
 }
 
 /// The middles by which a node is a pulse or a step. A logistic function has its own where its exponent is 0.
-fn of_node(graph: &Graph, dependences: &mut Dependences, node: &Node) -> Vec<Middle> {
+fn of_node(graph: &Graph, dependences: &mut Dependences, node: &Node, course: Course) -> Vec<Middle> {
     let is_pulse = |base: Expr, dependences: &mut Dependences| {
-        is_of_time(graph, dependences, base)
-            && !is_affine(graph, dependences, base)
+        course.is_of(graph, dependences, base)
+            && !is_affine(graph, dependences, base, course.changing())
             && !matches!(graph.node(base), Node::Call(..))
     };
     match node {
         Node::Call(Function::Exp, exponent) if is_pulse(*exponent, dependences) => vec![Middle::AtExtremum(*exponent)],
         Node::Call(Function::Exp | Function::Tanh | Function::Atan | Function::Cosh, argument)
-            if is_of_time(graph, dependences, *argument) =>
+            if course.is_of(graph, dependences, *argument) =>
         {
             vec![Middle::At(*argument)]
         }

@@ -33,7 +33,7 @@ pub(super) fn of_time(graph: &Graph, model: &Model) -> Vec<Switching> {
             found.push(Switching {
                 value,
                 table,
-                is_affine: is_affine(graph, &mut dependences, value),
+                is_affine: is_affine(graph, &mut dependences, value, Dependence::TIME),
                 is_smooth: false,
             });
         }
@@ -76,18 +76,18 @@ pub(super) fn is_of_time(graph: &Graph, dependences: &mut Dependences, expr: Exp
     on == Dependence::TIME || on == Dependence::TIME.or(Dependence::PARAMETER)
 }
 
-/// Whether a function of time is written as one of the first degree.
-pub(super) fn is_affine(graph: &Graph, dependences: &mut Dependences, expr: Expr) -> bool {
-    if !dependences.of(graph, expr).meets(Dependence::TIME) {
+/// Whether a function is written as one of the first degree in what changes.
+pub(super) fn is_affine(graph: &Graph, dependences: &mut Dependences, expr: Expr, changing: Dependence) -> bool {
+    if !dependences.of(graph, expr).meets(changing) {
         return true;
     }
     match graph.node(expr) {
         Node::Symbol(_) => true,
-        Node::Sum { terms, .. } => terms.iter().all(|(term, _)| is_affine(graph, dependences, *term)),
+        Node::Sum { terms, .. } => terms.iter().all(|(term, _)| is_affine(graph, dependences, *term, changing)),
         Node::Product { factors, .. } => {
-            let mut changing = factors.iter().filter(|(base, _)| dependences.of(graph, *base).meets(Dependence::TIME));
-            match (changing.next(), changing.next()) {
-                (Some((base, 1)), None) => is_affine(graph, dependences, *base),
+            let mut of_those = factors.iter().filter(|(base, _)| dependences.of(graph, *base).meets(changing));
+            match (of_those.next(), of_those.next()) {
+                (Some((base, 1)), None) => is_affine(graph, dependences, *base, changing),
                 _ => false,
             }
         }

@@ -9,6 +9,8 @@
 //! by a factor of 75. But no method is wrong by more than the jump of the accelerations times the length of the step. So a step
 //! over a jump is so short that this is a part of the tolerance, and steps come up to the jump until one that goes as far beyond
 //! it is.
+//!
+//! The middle of a smooth pulse by positions is the end of a step, which sees it.
 
 use super::Step;
 use super::jump::{difference, jump};
@@ -30,6 +32,8 @@ const SAME: f64 = 1e-9;
 /// A step begins beside a change that is within this part of its length, and one that is to come up to a change ends before it by
 /// this part.
 const NEAR: f64 = 0.01;
+/// The middle of a pulse is seen from an end of a step within this part of its length.
+const SEEN: f64 = 1e-6;
 /// The most that a step over a jump may be wrong by, in units of the tolerance: the jumps of a motion mostly go the same way.
 const SLIGHT: f64 = 0.1;
 /// A step of so many roundings of its time is not made shorter.
@@ -52,6 +56,8 @@ pub(super) struct Change {
     pub(super) time: f64,
     /// Whether it is a row of a table: there the load is continuous.
     pub(super) is_row: bool,
+    /// Whether it is the middle of a smooth pulse, where the load keeps its form.
+    is_smooth: bool,
 }
 
 /// The changes of form of loads within a step, in order; those at one time are one.
@@ -115,6 +121,7 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
         self.search_parts(|_| Ok(None::<()>))?;
         let found = std::mem::take(&mut self.found);
         let mut changes = found.iter().map(|between| self.change(between)).collect::<Result<Vec<Change>, Failure>>()?;
+        changes.retain(|change| !change.is_smooth);
         changes.sort_by(|a, b| a.time.total_cmp(&b.time));
         let least = SAME * self.step.length();
         changes.dedup_by(|next, kept| {
@@ -274,14 +281,29 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
         (0..scales.len()).map(of).sum()
     }
 
-    /// Up to the first change, or between that and the next one. Several conditions may say the same.
+    /// Up to the first change, or between that and the next one.
     fn better_end(&mut self, tolerance: &Tolerance) -> Result<Option<f64>, Failure> {
         let (begin, length) = (self.step.from.state.time, self.step.length());
         let found = std::mem::take(&mut self.found);
         let mut changes = found.iter().map(|between| self.change(between)).collect::<Result<Vec<Change>, Failure>>()?;
         self.found.extend(found.into_iter().take(1));
         changes.sort_by(|a, b| a.time.total_cmp(&b.time));
-        let Some(first) = changes.first().copied() else { return Ok(None) };
+        let unseen = (begin + SEEN * length)..(self.step.to.state.time - SEEN * length);
+        changes.retain(|change| !change.is_smooth || unseen.contains(&change.time));
+        let is_long = length > SHORTEST * f64::EPSILON * begin.abs();
+        let middle = changes.iter().find(|change| change.is_smooth && is_long).map(|change| change.time);
+        changes.retain(|change| !change.is_smooth);
+        match changes.first().copied() {
+            Some(first) if middle.is_none_or(|middle| first.time < middle) => {
+                Ok(self.end_before(first, &changes, tolerance)?.or(middle))
+            }
+            _ => Ok(middle),
+        }
+    }
+
+    /// The better end of a step in which loads change their form, at first here. Several conditions may say the same.
+    fn end_before(&mut self, first: Change, changes: &[Change], tolerance: &Tolerance) -> Result<Option<f64>, Failure> {
+        let (begin, length) = (self.step.from.state.time, self.step.length());
         let apart = SAME * length;
         let second = changes.iter().find(|change| change.time - first.time > apart).map(|change| change.time);
         let between = second.map(|second| first.time + (second - first.time) / 2.0);
@@ -318,8 +340,8 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
     }
 
     fn change(&mut self, between: &Between) -> Result<Change, Failure> {
-        let is_row = self.conditions[between.condition].table.is_some();
-        Ok(Change { time: self.locate(between)?, is_row })
+        let Switching { table, is_smooth, .. } = self.conditions[between.condition];
+        Ok(Change { time: self.locate(between)?, is_row: table.is_some(), is_smooth })
     }
 
     /// The time of a change, to a small part of the step.

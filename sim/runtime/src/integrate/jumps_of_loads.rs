@@ -38,7 +38,7 @@ fn note<M: Mechanism>(step: &mut Step<M>, noted: &mut Option<SuddenChanges>) {
 /// The time of the first change within a step that is sudden.
 fn sudden_change<M: Mechanism>(step: &mut Step<M>) -> Result<Option<f64>, Failure> {
     let changes = changes(step)?;
-    for (place, Change { time, is_row }) in changes.iter().enumerate() {
+    for (place, Change { time, is_row, .. }) in changes.iter().enumerate() {
         let neighbours = [place.checked_sub(1), Some(place + 1)].into_iter().flatten();
         let gaps = neighbours.filter_map(|other| changes.get(other)).map(|other| (other.time - time).abs());
         let beside = gaps.fold(BESIDE * step.length(), |beside, gap| beside.min(NEARER * gap));
