@@ -149,15 +149,20 @@ fn rows(name: &str, folder: &Path, span: Span, count: &mut usize) -> std::result
     Ok(rows.into())
 }
 
-/// The cells of a line, without the quotes that a spreadsheet may write around them.
+/// The cells of a line, without the quotes that a spreadsheet may write around them, and without empty ones at its end.
 fn cells(line: &str) -> Vec<&str> {
     fn bare(cell: &str) -> &str {
         cell.trim().trim_matches('"').trim()
     }
-    match line.contains([',', ';', '\t']) {
-        true => line.split([',', ';', '\t']).map(bare).filter(|cell| !cell.is_empty()).collect(),
-        false => line.split_whitespace().map(bare).collect(),
+    if !line.contains([',', ';']) {
+        let between: fn(char) -> bool = if line.contains('\t') { |c| c == '\t' } else { char::is_whitespace };
+        return line.split(between).map(bare).filter(|cell| !cell.is_empty()).collect();
     }
+    let mut cells: Vec<&str> = line.split([',', ';']).map(bare).collect();
+    while cells.last().is_some_and(|cell| cell.is_empty()) {
+        cells.pop();
+    }
+    cells
 }
 
 /// `argument, value;`

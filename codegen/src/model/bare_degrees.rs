@@ -1,4 +1,4 @@
-//! Bare numbers for angles that are declared in degrees or revolutions: they are in radians, which is hardly meant.
+//! Bare numbers for angles in degrees or revolutions: they are in radians, which is hardly meant.
 
 use super::Unit;
 use super::blame::bare_number;
@@ -16,14 +16,12 @@ const KEEPING: [&str; 3] = ["abs", "min", "max"];
 const WITHOUT_UNIT: [&str; 9] = ["sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "ln", "sign"];
 
 impl Interpreter {
-    /// Refuses a bare number beside an angle that is declared in degrees or revolutions, in vectors component by
-    /// component.
+    /// Refuses a bare number beside an angle in degrees or revolutions, in vectors component by component.
     pub(super) fn refuse_bare_beside(&mut self, angle: &Expression, number: &Expression) -> Option<()> {
         for component in 0..3 {
             if let Some(bare) = bare_term(number, component)
-                && let Some((name, unit)) = self.in_degrees(angle, component)
+                && let Some((unit, claim)) = self.in_degrees(angle, component)
             {
-                let claim = format!("`{name}` is declared in [{unit}]");
                 return self.refuse_bare(bare, &unit, &claim);
             }
         }
@@ -48,13 +46,18 @@ impl Interpreter {
         self.refuse(number.region, message)
     }
 
-    /// A name declared in degrees or revolutions that a quantity is made of, and its unit.
-    fn in_degrees<'e>(&self, quantity: &'e Expression, component: usize) -> Option<(&'e Ident, String)> {
+    /// The unit of what a quantity is made of, a name or a number in degrees or revolutions, and the words for it.
+    fn in_degrees(&self, quantity: &Expression, component: usize) -> Option<(String, String)> {
         find_term(quantity, component, &|term| match &term.kind {
             Kind::Name(name) => match self.origins.get(&plain(name)) {
-                Some(Origin::Declared(Some(unit))) if is_in_degrees(unit) => Some((name, unit.clone())),
+                Some(Origin::Declared(Some(unit))) if is_in_degrees(unit) => {
+                    Some((unit.clone(), format!("`{name}` is declared in [{unit}]")))
+                }
                 _ => None,
             },
+            Kind::Number { unit: Some(unit), .. } if is_in_degrees(&unit.text) => {
+                Some((unit.text.clone(), format!("`{}` is in [{}]", term.excerpt(), unit.text)))
+            }
             Kind::Binary(Operator::Multiply, factor, angle) if is_plain(factor) => self.in_degrees(angle, component),
             Kind::Binary(Operator::Multiply | Operator::Divide, angle, factor) if is_plain(factor) => {
                 self.in_degrees(angle, component)
@@ -64,8 +67,10 @@ impl Interpreter {
     }
 }
 
+/// Whether a unit is one of angles, and another than the radian: `deg`, `rev`, `mrad`.
 fn is_in_degrees(unit: &str) -> bool {
-    ["deg", "rev"].contains(&unit)
+    let is_name = unit.chars().all(char::is_alphabetic);
+    is_name && unit != "rad" && ["deg", "rev", "rad"].iter().any(|angle| unit.ends_with(angle))
 }
 
 fn is_any_of(function: &Ident, names: &[&str]) -> bool {

@@ -17,7 +17,7 @@ fn check_line(line: &str, expected: &[String]) {
 /// A mistake at the first `number` after the `before` of a line.
 fn refuse(line: &str, [before, number]: [&str; 2], claim: &str) {
     let at = line.find(before).unwrap() + before.len() + 1;
-    let unit = if claim.ends_with("[rev]") { "rev" } else { "deg" };
+    let unit = claim.rsplit(['[', ']']).nth(1).unwrap();
     let message = format!("{claim}, and `{number}` is in radians; write `{number} [{unit}]` or `{number} [rad]`");
     check_line(line, &[format!("6:{at} {message}")]);
 }
@@ -36,6 +36,16 @@ fn beside_lone_names() {
 }
 
 #[test]
+fn beside_numbers_in_degrees() {
+    refuse("outputs { o = cos(45 [deg] + 30); }", ["+ ", "30"], "`45 [deg]` is in [deg]");
+    refuse("outputs { o = cos(theta - 45 [deg] + 0.1); }", ["+ ", "0.1"], "`45 [deg]` is in [deg]");
+    refuse("outputs { o = cos(2 + 0.5 [rev]*2); }", ["cos(", "2"], "`0.5 [rev]` is in [rev]");
+    refuse("outputs { o = cos(20 [mrad] + 30); }", ["+ ", "30"], "`20 [mrad]` is in [mrad]");
+    check_line("outputs { o = cos(45 [deg] + 30 [deg]); p = cos(theta + 0.1 [rad] + 2); q = phi/(30 [deg]) + 1; }", &[]);
+    check_line("loads { torque (45 [deg] + pi/6)*k on phi; }", &[]);
+}
+
+#[test]
 fn rests_of_springs() {
     refuse("loads { spring k, rest 30 on phi; }", ["rest ", "30"], PHI);
     refuse("loads { spring k, rest 30 between psi and phi; }", ["rest ", "30"], PSI);
@@ -50,7 +60,7 @@ fn rests_of_springs() {
 #[test]
 fn equations() {
     refuse("constraints { s: [phi, psi] = [30, 10]; }", ["= [", "30"], PHI);
-    refuse("constraints { s: [phi, psi] = [30 [deg], 10]; }", ["[deg], ", "10"], PSI);
+    refuse("constraints { s: [phi, psi] = [30 [deg], 10]; }", ["[deg], ", "10"], "`30 [deg]` is in [deg]");
     refuse("constraints { s: -[theta, psi] = -[30, 10]; }", ["-[30, ", "10"], PSI);
     refuse("constraints { s: phi - 2*psi = 30; }", ["= ", "30"], PHI);
     refuse("events { o: phi - psi = 30; }", ["= ", "30"], PHI);

@@ -245,6 +245,7 @@ fn files() {
         "angle,lift\n0,0\n90,10.5\n# the top\n180,20\n",
         "\u{feff}0;0\r\n90;10.5\r\n\r\n180;-2e1",
         "0 0\n90\t10.5 # here\n  180 20",
+        "0,0,\n90,\t10.5,,\n,,\n180,20\n",
     ] {
         assert_eq!(in_file(sound), Ok(3), "{sound}");
     }
@@ -255,6 +256,7 @@ fn files() {
     refused("0,0\n90\n", &format!("{place}, line 2: a row has two numbers, an argument and a value; this one has 1"));
     refused("a,b\nc,d\n", &format!("{place}, line 2: `c` is not a number"));
     refused("0,0,3\n", &format!("{place}, line 1: a row has two numbers, an argument and a value; this one has 3"));
+    refused("0,,0\n", &format!("{place}, line 1: a row has two numbers, an argument and a value; this one has 3"));
     refused("0,0\n", "4:10 table `lift` has one row; a function is given by two or more");
     refused("0,0\n2,0\n1,0\n", "4:50 the arguments of a table must increase from row to row; 1.0 follows 2.0");
     let said = "the heading says that the arguments of table `lift` are in [rad]; they are declared in [deg]";
