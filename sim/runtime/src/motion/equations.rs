@@ -1,5 +1,6 @@
 //! The equations of motion at one state, solved: for accelerations and multipliers, and for impulses.
 
+use crate::model::conditional::is_active;
 use crate::motion::gimbal;
 use crate::motion::least_norm::least_norm;
 use crate::motion::measures::Measures;
@@ -95,7 +96,11 @@ fn solve_motion<M: Mechanism>(
     let acceleration = solved.undetermined().find(|unknown| *unknown < mechanism.n());
     match acceleration {
         Some(acceleration) => Err(fail(acceleration)),
-        None if !solved.is_consistent => Err(fail(solved.undetermined().next().unwrap_or(0))),
+        None if !solved.is_consistent => {
+            // A released constraint has no equation, and contradicts nothing.
+            let active = solved.undetermined().find(|unknown| is_active(mechanism, *unknown - mechanism.n()));
+            Err(fail(active.or(solved.undetermined().next()).unwrap_or(0)))
+        }
         None => Ok(solved),
     }
 }
