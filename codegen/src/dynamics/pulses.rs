@@ -17,7 +17,7 @@ enum Middle {
 }
 
 /// What pulses are of.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 enum Course {
     Time,
     Positions,
@@ -107,7 +107,8 @@ fn of_node(graph: &Graph, dependences: &mut Dependences, node: &Node, course: Co
         {
             vec![Middle::At(*argument)]
         }
-        Node::Product { factors, .. } => {
+        // By positions distances stand below too, and what is nearest is no pulse.
+        Node::Product { factors, .. } if course == Course::Time => {
             let below = factors.iter().filter(|(_, exponent)| *exponent < 0).map(|(base, _)| *base);
             below.filter(|base| is_pulse(*base, dependences)).map(Middle::AtExtremum).collect()
         }

@@ -41,7 +41,10 @@ fn beside_numbers_in_degrees() {
     refuse("outputs { o = cos(theta - 45 [deg] + 0.1); }", ["+ ", "0.1"], "`45 [deg]` is in [deg]");
     refuse("outputs { o = cos(2 + 0.5 [rev]*2); }", ["cos(", "2"], "`0.5 [rev]` is in [rev]");
     refuse("outputs { o = cos(20 [mrad] + 30); }", ["+ ", "30"], "`20 [mrad]` is in [mrad]");
-    check_line("outputs { o = cos(45 [deg] + 30 [deg]); p = cos(theta + 0.1 [rad] + 2); q = phi/(30 [deg]) + 1; }", &[]);
+    check_line(
+        "outputs { o = cos(45 [deg] + 30 [deg]); p = cos(theta + 0.1 [rad] + 2); q = phi/(30 [deg]) + 1; }",
+        &[],
+    );
     check_line("loads { torque (45 [deg] + pi/6)*k on phi; }", &[]);
 }
 
