@@ -137,3 +137,146 @@ fn what_does_not_repeat_in_small_coordinates_has_no_period() {
         assert!(found.period.is_none(), "{event}: {:?}", found.period);
     }
 }
+
+/// 2 pi/agm(fastest, slowest), by Gauss: the time of a turn of a pendulum that goes over the top, from its speeds at the bottom and
+/// at the top.
+fn time_of_turn(fastest: f64, slowest: f64) -> f64 {
+    let (mut a, mut b) = (fastest, slowest);
+    for _ in 0..6 {
+        (a, b) = ((a + b) / 2.0, (a * b).sqrt());
+    }
+    std::f64::consts::TAU / a
+}
+
+mechanism! {
+    /// Bodies that turn by quaternions of every origin, about principal axes: a free body, one on a ball joint, one by hand.
+    Tumblers;
+    coordinates { e0; e1; e2; e3; }
+    parameters { one [rev/s] = 1; two [rev/s] = 2; three [rev/s] = 3; J [kg*m^2] = 1; }
+    constraints { unit: e0^2 + e1^2 + e2^2 + e3^2 = 1; }
+    bodies {
+        a: free, mass 1 [kg], inertia [J, 2*J, 2.5*J];
+        b: mass 1 [kg], inertia [J, 2*J, 2.5*J];
+        c: inertia [J, 2*J, 2.5*J], attitude quaternion(e0, e1, e2, e3);
+    }
+    joints { hip: ball ground at [0, 0, 0] to b at [0, 0, 0]; }
+    initial {
+        dot(a_q3) = one/2; dot(hip_q1) = two/2; dot(e3) = 0.6*three/2;
+        e0 = 0.6; e1 = 0; e2 = 0; e3 = 0.8;
+    }
+    events { turn: (attitude(a)*[1, 0, 0]).y = 0 rising; }
+}
+
+/// After a turn of the first, the second has made two turns, and its quaternion has its sign back; those of the first and the third
+/// have not.
+#[test]
+fn a_quaternion_and_its_opposite_are_one_attitude() {
+    let period_of =
+        |tumblers: Tumblers| section(tumblers, &declared_start(&tumblers), "turn", None, 12).period.unwrap();
+    let tumblers = Tumblers::default();
+    let period = period_of(tumblers);
+    // 12 turns of three quaternions, at 1e-12 a step.
+    assert!(period.crossings == 1 && (period.seconds - 1.0).abs() < 1e-9, "{period:?}");
+    // Beside a body that makes a turn and a half, it takes two turns of the first.
+    let period = period_of(Tumblers { two: 1.5 * tumblers.one, ..tumblers });
+    assert!(period.crossings == 2 && (period.seconds - 2.0).abs() < 1e-9, "{period:?}");
+}
+
+mechanism! {
+    /// A body whose potential energy is that of a pendulum in half of its angle: it takes the two signs for different attitudes.
+    Halved;
+    parameters { k [J] = 3; J [kg*m^2] = 0.5; w [rad/s] = 6; }
+    bodies { b: free, mass 1 [kg], inertia [J, J, J]; }
+    loads { potential -k*b_q0; }
+    initial { dot(b_q3) = w; }
+    events { upright: b_q0 = 0; }
+}
+
+/// With b_q0 = cos(f), the energy is 2 J f'^2 - k cos(f). Over the top or through the bottom, half a turn of f takes different times.
+#[test]
+fn opposite_quaternions_are_two_states_where_a_load_takes_them_for_two() {
+    let halved = Halved::default();
+    let period = section(halved, &declared_start(&halved), "upright", None, 12).period.unwrap();
+    let expected = time_of_turn(halved.w, (halved.w.powi(2) - halved.k / halved.J).sqrt());
+    // Five turns at 1e-12 a step.
+    assert!(period.crossings == 2 && (period.seconds - expected).abs() < 1e-9 * expected, "{period:?} {expected}");
+}
+
+mechanism! {
+    /// A body that swings by a microradian about its attitude, beside an oscillator of a thousand kilometres, without a common
+    /// period.
+    Beside;
+    coordinates { far [km]; }
+    bodies { distant: mass 1 [kg] at [far, 0, 0]; b: free, mass 1 [kg], inertia [1 [kg*m^2], 1 [kg*m^2], 1 [kg*m^2]]; }
+    loads { spring 1 [N/m], rest 0 on far; potential 1.4 [J]*b_q3^2; }
+    initial { far = 1000; dot(b_q3) = 1e-6; }
+    events { top: dot(far) = 0 falling; }
+}
+
+#[test]
+fn lengths_beside_a_quaternion_do_not_hide_its_motion() {
+    let beside = Beside::default();
+    assert_eq!(section(beside, &declared_start(&beside), "top", Some(Crossing::Falling), 20).period, None);
+}
+
+mechanism! {
+    /// A pendulum on a joint that goes over the top, in units of the user's choice.
+    Whirled;
+    parameters { g = 9.81; l = 0.3; m = 1; J = 1.5; w = 6.283185307179586; }
+    loads { gravity [0, -g, 0]; }
+    bodies { b: mass m, inertia [1, 1, J]; }
+    joints { j: revolute ground at [0, 0, 0] axis [0, 0, 1] to b at [l, 0, 0] axis [0, 0, 1]; }
+    initial { dot(j) = w; }
+    events { turn: (attitude(b)*[1, 0, 0]).y = 0 rising; }
+}
+
+/// It starts level, with the speed w.
+#[test]
+fn the_turn_of_a_joint_is_an_angle_without_units_too() {
+    let whirled = Whirled::default();
+    let period = section(whirled, &declared_start(&whirled), "turn", None, 8).period.unwrap();
+    let squared = 2.0 * whirled.m * whirled.g * whirled.l / (whirled.J + whirled.m * whirled.l.powi(2));
+    let [fastest, slowest] = [squared, -squared].map(|gained| (whirled.w.powi(2) + gained).sqrt());
+    let expected = time_of_turn(fastest, slowest);
+    // Seven turns at 1e-12 a step.
+    assert!(period.crossings == 1 && (period.seconds - expected).abs() < 1e-10 * expected, "{period:?} {expected}");
+}
+
+mechanism! {
+    /// Every joint that gives coordinates, and a free body, without units.
+    Jointed;
+    bodies {
+        a: mass 1, inertia [1, 2, 2.5];
+        b: mass 1, inertia [1, 2, 2.5];
+        c: mass 1, inertia [1, 2, 2.5];
+        d: mass 1, inertia [1, 2, 2.5];
+        e: mass 1, inertia [1, 2, 2.5];
+        f: mass 1, inertia [1, 2, 2.5];
+    }
+    joints {
+        r: revolute ground at [0, 0, 0] axis [0, 0, 1] to a at [1, 0, 0] axis [0, 0, 1];
+        p: prismatic ground at [0, 0, 0] axis [0, 0, 1] to b at [1, 0, 0] axis [0, 0, 1];
+        c1: cylindrical ground at [0, 0, 0] axis [0, 0, 1] to c at [1, 0, 0] axis [0, 0, 1];
+        s: screw ground at [0, 0, 0] axis [0, 0, 1] to d at [1, 0, 0] axis [0, 0, 1] pitch 0.1;
+        u: universal ground at [0, 0, 0] axis [1, 0, 0] to e at [1, 0, 0] axis [0, 1, 0];
+        l: planar ground at [0, 0, 0] axis [0, 0, 1] to f at [1, 0, 0] axis [0, 0, 1];
+    }
+}
+
+#[test]
+fn turns_of_joints_are_in_radians_and_shifts_in_the_units_of_the_user() {
+    let units = Jointed::<f64>::DESCRIPTION.coordinates.iter().map(|c| (c.position.name, c.position.unit));
+    let expected = [
+        ("r", "rad"),
+        ("p", "1"),
+        ("c1_turn", "rad"),
+        ("c1_shift", "1"),
+        ("s", "rad"),
+        ("u_1", "rad"),
+        ("u_2", "rad"),
+        ("l_x", "1"),
+        ("l_y", "1"),
+        ("l_turn", "rad"),
+    ];
+    assert_eq!(units.collect::<Vec<_>>(), expected);
+}

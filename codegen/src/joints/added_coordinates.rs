@@ -8,7 +8,7 @@ use syn::ext::IdentExt;
 
 /// Coordinates to be added to a declaration, with the norm constraints of their quaternions.
 pub(super) struct AddedCoordinates {
-    /// A declaration without units stays one.
+    /// Whether lengths are in metres; without units they are in one of the user's choice.
     has_units: bool,
     coordinates: Vec<Coordinate>,
     norms: Vec<Equation>,
@@ -27,15 +27,16 @@ impl AddedCoordinates {
         }
     }
 
-    /// A coordinate, in a unit of the SI; gives its name as an expression.
+    /// A coordinate, in a unit of the SI; gives its name as an expression. An angle is one whatever units are chosen.
     pub(super) fn coordinate(&mut self, name: Ident, unit: &str, docs: String, at: Region) -> Expression {
-        let unit = (self.has_units && unit != "1").then(|| Unit {
+        let is_told = unit == "rad" || self.has_units && unit != "1";
+        let unit = is_told.then(|| Unit {
             region: at,
             factors: vec![(Ident::new(unit, at.start()), 1)],
             text: unit.to_owned(),
         });
         let expression = named(&name, at);
-        self.coordinates.push(Coordinate { docs, name, unit });
+        self.coordinates.push(Coordinate { docs, name, unit, is_added: true });
         expression
     }
 

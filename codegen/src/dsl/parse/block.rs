@@ -22,7 +22,7 @@ pub(super) fn coordinate(input: ParseStream) -> Result<Coordinate> {
     if input.peek(Token![=]) {
         return Err(here(input, format!("a start value stands in `initial {{ {name} = ..; }}`, not here")));
     }
-    Ok(Coordinate { docs, name, unit })
+    Ok(Coordinate { docs, name, unit, is_added: false })
 }
 
 /// A displacement that is zero: `bx [m];`

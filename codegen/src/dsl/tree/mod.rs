@@ -67,10 +67,10 @@ pub struct Declaration {
 }
 
 impl Declaration {
-    /// Whether anything is declared with a unit. A declaration without any is not checked for them.
+    /// Whether the user declares anything with a unit. A declaration without any is not checked for them.
     pub fn has_units(&self) -> bool {
         let outputs = self.outputs.iter().flat_map(|group| &group.outputs);
-        self.coordinates.iter().any(|c| c.unit.is_some())
+        self.coordinates.iter().any(|c| c.unit.is_some() && !c.is_added)
             || self.inputs.iter().any(|input| input.unit.is_some())
             || self.tables.iter().any(|table| table.unit.is_some() || table.over.is_some())
             || self.auxiliary.iter().any(|a| a.unit.is_some())
@@ -88,6 +88,8 @@ pub struct Coordinate {
     pub name: Ident,
     /// Its unit.
     pub unit: Option<Unit>,
+    /// Whether it is of a joint or a free body, and the unit is not the user's.
+    pub is_added: bool,
 }
 
 /// `bx [m];` in `auxiliary`.

@@ -1,16 +1,18 @@
 //! Poincaré sections: the states of a motion each time an event happens, and its period.
 
 use crate::analysis::kinematics::Driven;
+use crate::analysis::linearize::quaternions;
 use crate::events::{Crossing, Occurrence};
 use crate::model::At;
 use crate::motion::Motion;
 use crate::motion::measures::Measures;
+use crate::motion::typed::Any;
 use crate::run::run_while;
 use crate::start::assemble::Start;
 use crate::state::failure::Failure;
 use crate::state::settings::{Rows, Settings, StopAt};
-use crate::state::trajectory::{Phase, State, Trajectory};
-use sim_kernel::{Description, Mechanism};
+use crate::state::trajectory::{Phase, Sample, State, Trajectory};
+use sim_kernel::{Array, Description, Mechanism};
 use std::f64::consts::TAU;
 
 /// The tolerance within which two states are the same, relative to the extent of each coordinate's own motion and to the
@@ -58,6 +60,9 @@ pub struct Period {
 /// distance in this time. So a period is found even in a section where the motion turns back, with speeds that are
 /// rounding, and in one through the origin. Detecting a period takes at least three states.
 ///
+/// A quaternion and its opposite are one attitude, with opposite rates; so each counts modulo its sign, unless a load or a
+/// constraint on its entries takes the two for different ones, and the accelerations tell.
+///
 /// # Errors
 /// If no start can be assembled, or no state sampled. A failure on the way does not lose the states.
 pub fn poincare<M: Mechanism>(
@@ -89,15 +94,20 @@ pub fn poincare_while<M: Mechanism>(
         event.event == section.event && section.crossing.is_none_or(|crossing| event.crossing == crossing)
     };
     let (mut samples, mut phases) = (Vec::new(), Vec::new());
+    let quaternions = quaternions(&Any(&mechanism));
+    let mut unsigned = quaternions.clone();
     for event in found.events.iter().filter(is_wanted).take(section.count) {
         let phase = phase_before(&found.trajectory, &event.state);
         let mechanism = phase.map_or(&mechanism, |phase| &phase.mechanism);
         phases.extend(phase.map(|phase| Phase { first: samples.len(), ..phase.clone() }));
         let measures = Measures::at(mechanism, event.state.time, &event.state.positions);
-        samples.push(Motion::new(mechanism.clone(), settings.stabilisation, measures).sample(event.state.clone())?);
+        let motion = Motion::new(mechanism.clone(), settings.stabilisation, measures);
+        let sample = motion.sample(event.state.clone())?;
+        unsigned.retain(|four| is_sign_nothing(&motion, &sample, four));
+        samples.push(sample);
     }
     let states: Vec<At<f64>> = samples.iter().map(At::sample).collect();
-    let period = period(mechanism.description(), &states);
+    let period = period(mechanism.description(), &quaternions, &unsigned, &states);
     Ok(Section { mechanism, period, trajectory: Trajectory { samples, phases, failure: found.trajectory.failure } })
 }
 
@@ -108,21 +118,49 @@ fn phase_before<'t, M: Mechanism>(trajectory: &'t Trajectory<M>, state: &State<M
     trajectory.phases.get(later.saturating_sub(1))
 }
 
-/// The least number of crossings after which all states repeat.
-fn period(description: &'static Description, states: &[At<f64>]) -> Option<Period> {
+/// Whether the mechanism accelerates alike from a state and from the one with the opposite of a quaternion.
+fn is_sign_nothing<M: Mechanism>(motion: &Motion<M>, sample: &Sample<M>, four: &[usize; 4]) -> bool {
+    let opposite = |values: &M::Q| values.like(|j| if four.contains(&j) { -values[j] } else { values[j] });
+    let State { positions, speeds, .. } = &sample.state;
+    let other = State { positions: opposite(positions), speeds: opposite(speeds), ..sample.state.clone() };
+    let expected = opposite(&sample.accelerations);
+    let expected = expected.as_ref();
+    let largest = expected.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+    motion.sample(other).is_ok_and(|other| {
+        let mut pairs = other.accelerations.as_ref().iter().zip(expected);
+        pairs.all(|(found, expected)| (found - expected).abs() <= NOISE * largest)
+    })
+}
+
+/// The least number of crossings after which all states repeat; some quaternions count modulo their signs.
+fn period(
+    description: &'static Description,
+    quaternions: &[[usize; 4]],
+    unsigned: &[[usize; 4]],
+    states: &[At<f64>],
+) -> Option<Period> {
     let between = states.last()?.time - states.first()?.time;
     let usual = between / (states.len() - 1).max(1) as f64;
-    let is_angle: Vec<bool> =
-        (0..description.coordinates.len()).map(|j| Driven::Coordinate(j).turn(description).is_some()).collect();
-    let [of_angles, of_others] = [true, false].map(|kind| Extent::of(states, usual, |j| is_angle[j] == kind));
-    let of_angles = Extent { positions: 1.0, speeds: of_angles.speeds.max(1.0 / usual) };
-    let own: Vec<Extent> = (0..is_angle.len()).map(|j| Extent::of(states, usual, |i| i == j)).collect();
+    let kinds = kinds(description, quaternions);
+    let largest = |is_of: &dyn Fn(Kind) -> bool| Extent::of(states, usual, |j| is_of(kinds[j]));
+    let turning = |kind: Kind| {
+        let found = largest(&|other| other == kind);
+        Extent { positions: 1.0, speeds: found.speeds.max(1.0 / usual) }
+    };
+    let (of_angles, of_quaternions) = (turning(Kind::Angle), turning(Kind::OfQuaternion));
+    let of_others = largest(&|kind| kind != Kind::Angle);
+    let own: Vec<Extent> = (0..kinds.len()).map(|j| Extent::of(states, usual, |i| i == j)).collect();
     let is_same = |a: &At<f64>, b: &At<f64>| {
-        is_angle.iter().zip(&own).enumerate().all(|(j, (is_angle, own))| {
-            let (apart, faster) = (b.positions[j] - a.positions[j], b.speeds[j] - a.speeds[j]);
-            match is_angle {
-                true => own.within(&of_angles).is_nothing(&of_angles, apart - TAU * (apart / TAU).round(), faster),
-                false => own.is_nothing(&of_others, apart, faster),
+        let signs = signs(unsigned, a.positions, b.positions);
+        kinds.iter().zip(&own).enumerate().all(|(j, (kind, own))| {
+            let apart = b.positions[j] - signs[j] * a.positions[j];
+            let faster = b.speeds[j] - signs[j] * a.speeds[j];
+            match kind {
+                Kind::Angle => {
+                    own.within(&of_angles).is_nothing(&of_angles, apart - TAU * (apart / TAU).round(), faster)
+                }
+                Kind::OfQuaternion => own.is_nothing(&of_quaternions, apart, faster),
+                Kind::Other => own.is_nothing(&of_others, apart, faster),
             }
         })
     };
@@ -131,6 +169,34 @@ fn period(description: &'static Description, states: &[At<f64>]) -> Option<Perio
     let returns = (states.len() - 1) / crossings;
     let seconds = (states[returns * crossings].time - states[0].time) / returns as f64;
     Some(Period { seconds, crossings })
+}
+
+/// What a coordinate is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Angle,
+    OfQuaternion,
+    Other,
+}
+
+fn kinds(description: &'static Description, quaternions: &[[usize; 4]]) -> Vec<Kind> {
+    let kind = |j: usize| match Driven::Coordinate(j).turn(description) {
+        _ if quaternions.iter().any(|four| four.contains(&j)) => Kind::OfQuaternion,
+        Some(_) => Kind::Angle,
+        None => Kind::Other,
+    };
+    (0..description.coordinates.len()).map(kind).collect()
+}
+
+/// For each coordinate the sign that brings its quaternion from one position to the side of that at another, if its sign is
+/// nothing.
+fn signs(unsigned: &[[usize; 4]], a: &[f64], b: &[f64]) -> Vec<f64> {
+    let mut signs = vec![1.0; a.len()];
+    for four in unsigned {
+        let inner: f64 = four.iter().map(|j| a[*j] * b[*j]).sum();
+        four.iter().for_each(|j| signs[*j] = 1.0f64.copysign(inner));
+    }
+    signs
 }
 
 /// The extent and speed of coordinates of one kind.

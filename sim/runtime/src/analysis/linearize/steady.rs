@@ -3,7 +3,7 @@
 use super::derivatives::Derivatives;
 use super::reduce::Reduction;
 use super::{columns, matrix};
-use crate::model::{At, Differentiable};
+use crate::model::{AnyMechanism, At, Differentiable};
 use crate::motion::lengths::measure;
 use crate::state::failure::Failure;
 use nalgebra::{Complex, DMatrix};
@@ -86,7 +86,7 @@ fn stays_at_rest(derivatives: &Derivatives, sizes: &[f64], rate: f64) -> bool {
 }
 
 /// The coordinates of each quaternion.
-pub(crate) fn quaternions(mechanism: &dyn Differentiable) -> Vec<[usize; 4]> {
+pub(crate) fn quaternions(mechanism: &dyn AnyMechanism) -> Vec<[usize; 4]> {
     let description = mechanism.description();
     let n = description.coordinates.len();
     // The slopes of q.q are twice the entries: here not zero.
