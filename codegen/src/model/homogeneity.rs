@@ -9,23 +9,32 @@ use crate::dsl::Expression;
 use crate::symbolic::Expr;
 
 impl Interpreter {
-    /// The common dimension of two expressions; a difference is a mistake, explained by `rule`.
+    /// The common dimension of two expressions that are added or compared; a difference is a mistake, explained by `rule`, and so
+    /// is a bare number beside degrees.
     pub(super) fn common_dimension(
         &mut self,
         left: Measured,
         right: Measured,
         rule: &str,
     ) -> Option<Option<Dimension>> {
+        let common = self.one_dimension(left, right, rule)?;
+        if left.dimension.is_some() && right.dimension.is_some() {
+            self.refuse_bare_beside(left.expression, right.expression)?;
+            self.refuse_bare_beside(right.expression, left.expression)?;
+        }
+        Some(common)
+    }
+
+    /// The same of two that stand side by side, as components of a vector.
+    pub(super) fn one_dimension(&mut self, left: Measured, right: Measured, rule: &str) -> Option<Option<Dimension>> {
         match (left.dimension, right.dimension) {
             (Some(of_left), Some(of_right)) if of_left != of_right => {
                 let mistake = self.unlike(left.expression, of_left, right.expression, of_right, rule);
                 self.blame(mistake, &[left.expression, right.expression])
             }
             (Some(_), Some(_)) => {
-                for (one, other) in [(left.expression, right.expression), (right.expression, left.expression)] {
-                    self.refuse_bare_beside(one, other)?;
-                    self.refuse_cycles_beside(one, other)?;
-                }
+                self.refuse_cycles_beside(left.expression, right.expression)?;
+                self.refuse_cycles_beside(right.expression, left.expression)?;
                 Some(left.dimension.clone())
             }
             (of_left, of_right) => Some(of_left.clone().or_else(|| of_right.clone())),

@@ -34,7 +34,7 @@ impl Interpreter {
                 2 => "both components of a vector are of one dimension",
                 _ => "all components of a vector are of one dimension",
             };
-            dimension = self.common_dimension(a, b, rule)?;
+            dimension = self.one_dimension(a, b, rule)?;
             entries.push(value);
         }
         let shape = match entries.as_slice() {
