@@ -2,7 +2,7 @@
 
 use models::QuickReturn;
 use sim::{Failure, Method, Settings, Stabilisation, Table, What, declared_start, mechanism, run_while};
-use tests::any_model::{run, run_with};
+use tests::any_model::{interpreted, run, run_with};
 
 mechanism! {
     /// A bead on a rod in a groove that ends: y = sqrt(1 - x) leaves its domain at x = 1.
@@ -203,4 +203,21 @@ fn an_interrupted_run_keeps_what_it_has() {
     let run = run_while(mechanism, &start, &Settings::equal_steps(Method::Rk4, 2.0, 100), &mut goes_on).unwrap();
     // It is asked where the motion begins, and after each step.
     assert_eq!((run.trajectory.failure.unwrap().what, run.trajectory.samples.len()), (What::Interrupted, 3));
+}
+
+/// The lock contradicts the clutch; what is released is not to blame.
+#[test]
+fn a_released_constraint_is_not_blamed() {
+    let declaration = "pub Locked; coordinates { x [m]; phi [rad]; }
+        bodies { a: mass 1 [kg] at [x, 0]; b: inertia 1 [kg*m^2], angle phi; }
+        constraints {
+            hit: x = 1 [m] initially released;
+            clutch: phi = 0 initially active;
+            lock: dot(phi) = 0.3 [rad/s] initially released;
+        }
+        initial { dot(x) = 0.1; } events { locks: t = 0.5 [s] rising { impact lock restitution 0.5; } }";
+    let run =
+        tests::run_with(interpreted(declaration).unwrap(), &Settings::adaptive(Method::Dop853, 1.0, 1e-10)).unwrap();
+    let failure = run.trajectory.failure.unwrap().to_string();
+    assert!(failure.contains("the reaction of `lock` is not determined"), "{failure}");
 }

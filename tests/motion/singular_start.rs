@@ -104,3 +104,31 @@ fn a_double_solution_is_found_exactly() {
         assert!((at("c_y") / length - 1.92).abs() < 1e-8, "{}", at("c_y") / length);
     }
 }
+
+/// Two bodies, one on a ball and one welded to it, of the first of which q0 = 1 is given, from guesses that are far away.
+#[test]
+fn a_double_solution_is_found_from_far_away() {
+    for length in [1e-3, 0.1, 1.0, 100.0] {
+        let declaration = format!(
+            "pub Welded; parameters {{ L [m] = {length}; m [kg] = 1; }}
+             bodies {{ b: free, mass m, inertia [0.02*m*L^2, 0.03*m*L^2, 0.04*m*L^2];
+                 c: free, mass m, inertia [0.02*m*L^2, 0.03*m*L^2, 0.04*m*L^2]; }}
+             joints {{ j: ball ground at [0, 0, 0] to b at [0, 0, L]; k: weld b at [0, 0, -L] to c at [0, 0, L]; }}
+             initial {{ b_q0 = 1; guess b_q1 = 0.2; guess b_z = -L; guess c_z = -3*L; }}"
+        );
+        let model = interpreted(&declaration).unwrap();
+        let state = assemble(&model, &declared_start(&model)).unwrap();
+        let coordinates = model.description().coordinates.iter();
+        for (j, name) in coordinates.map(|c| c.position.name).enumerate() {
+            let (expected, scale) = match name {
+                "b_q0" | "c_q0" => (1.0, 1.0),
+                "b_z" => (-length, length),
+                "c_z" => (-3.0 * length, length),
+                _ => (0.0, if name.contains('q') { 1.0 } else { length }),
+            };
+            // The square root of the rounding of a norm, over lever arms of three lengths.
+            let found = state.positions[j];
+            assert!((found - expected).abs() < 1e-7 * scale, "{name} = {found:e} at {length} m");
+        }
+    }
+}

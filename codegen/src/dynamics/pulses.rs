@@ -5,7 +5,7 @@
 //! positions each step is searched for them. By speeds there are none: smooth friction would end a step at each of its turns.
 
 use super::rows::LoadRow;
-use super::switching::{Switching, is_affine, is_new, is_of_time};
+use super::switching::{Switching, is_affine, is_new, is_of_time, nodes_of_loads};
 use crate::model::{Dependence, Dependences, Model};
 use crate::symbolic::{Differential, Expr, Function, Graph, Node};
 
@@ -61,10 +61,8 @@ pub(super) fn middles_of_loads(
     known: &[Switching],
 ) -> Vec<Switching> {
     let mut dependences = model.dependences.clone();
-    let forces: Vec<Expr> = rows.iter().flat_map(|row| row.forces.iter().copied()).collect();
-    let nodes = graph.reachable(&forces).into_iter().map(|expr| graph.node(expr));
-    let middles: Vec<Middle> =
-        nodes.flat_map(|node| of_node(graph, &mut dependences, node, Course::Positions)).collect();
+    let of_node = |node| of_node(graph, &mut dependences, node, Course::Positions);
+    let middles: Vec<Middle> = nodes_of_loads(graph, rows).flat_map(of_node).collect();
     let mut rates = vec![(model.time, graph.one())];
     rates.extend(model.coordinates.iter().map(|c| (c.position, graph.variable(c.speed))));
     switchings(graph, dependences, (middles, Differential::along(rates)), known)

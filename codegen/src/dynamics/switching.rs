@@ -44,10 +44,9 @@ pub(super) fn of_time(graph: &Graph, model: &Model) -> Vec<Switching> {
 /// Those of loads that depend on positions or speeds, each once.
 pub(super) fn of_loads(graph: &Graph, model: &Model, rows: &[LoadRow]) -> Vec<Switching> {
     let mut dependences = model.dependences.clone();
-    let forces: Vec<Expr> = rows.iter().flat_map(|row| row.forces.iter().copied()).collect();
     let mut found: Vec<Switching> = Vec::new();
-    for expr in graph.reachable(&forces) {
-        if let Some((value, table)) = switched_by(graph.node(expr))
+    for node in nodes_of_loads(graph, rows) {
+        if let Some((value, table)) = switched_by(node)
             && is_new(&found, value, table)
             && dependences.of(graph, value).meets(Dependence::COORDINATE.or(Dependence::SPEED))
         {
@@ -55,6 +54,12 @@ pub(super) fn of_loads(graph: &Graph, model: &Model, rows: &[LoadRow]) -> Vec<Sw
         }
     }
     found
+}
+
+/// All that forces are made of.
+pub(super) fn nodes_of_loads<'g>(graph: &'g Graph, rows: &[LoadRow]) -> impl Iterator<Item = &'g Node> + use<'g> {
+    let forces: Vec<Expr> = rows.iter().flat_map(|row| row.forces.iter().copied()).collect();
+    graph.reachable(&forces).into_iter().map(|expr| graph.node(expr))
 }
 
 /// What a node changes its form by.

@@ -129,7 +129,9 @@ fn correct_positions(mechanism: &dyn AnyMechanism, start: &Given, mut q: Vec<f64
         let Some(better) = accepted else { break };
         (q, linear) = better;
     }
-    Err(not_assembled(mechanism, &q))
+    let linear = mechanism.constraint_linearization(0.0, &q);
+    let settled = settle(mechanism, start, (q.clone(), linear), &measured);
+    if mechanism.is_met(0.0, &settled) { Ok(settled) } else { Err(not_assembled(mechanism, &q)) }
 }
 
 fn moved(q: &[f64], step: &DVector<f64>, scale: f64) -> Vec<f64> {
