@@ -16,8 +16,11 @@ fn package(name: &str) -> (&'static str, &'static [&'static str]) {
             "sim/runtime/",
             &[
                 "sim/src",
+                "sim/command/src",
+                "sim/command/assets",
+                "sim/output/src",
+                "sim/output/assets",
                 "sim/runtime/src",
-                "sim/runtime/assets",
                 "sim/kernel/src",
                 "mechanism-macros/src",
                 "codegen/src",

@@ -10,6 +10,9 @@ mod documents {
     struct ComingFrom;
 }
 
+#[cfg(feature = "cli")]
+pub use sim_command as cli;
+pub use sim_output::*;
 pub use sim_runtime::*;
 
 #[doc(hidden)]

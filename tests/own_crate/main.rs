@@ -25,7 +25,7 @@ fn shared_target() -> &'static Path {
 
 /// The profile of the workspace for the packages of others, without which nothing could be shared. Its own packages are others
 /// to a crate beside it, and built anew: as fast as can be.
-const PROFILE: [&str; 15] = [
+const PROFILE: [&str; 19] = [
     "profile.dev.debug='line-tables-only'",
     "profile.dev.package.'*'.opt-level=1",
     "profile.dev.package.'*'.debug=false",
@@ -37,6 +37,10 @@ const PROFILE: [&str; 15] = [
     "profile.dev.package.sim.debug='line-tables-only'",
     "profile.dev.package.sim-runtime.opt-level=0",
     "profile.dev.package.sim-runtime.debug='line-tables-only'",
+    "profile.dev.package.sim-output.opt-level=0",
+    "profile.dev.package.sim-output.debug='line-tables-only'",
+    "profile.dev.package.sim-command.opt-level=0",
+    "profile.dev.package.sim-command.debug='line-tables-only'",
     "profile.dev.package.sim-kernel.opt-level=0",
     "profile.dev.package.sim-kernel.debug='line-tables-only'",
     "profile.dev.package.mechanism-macros.opt-level=0",

@@ -3,7 +3,7 @@
 use crate::errors::{problem, refusal};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
-use sim::Column;
+use sim_runtime::Column;
 use std::sync::{Mutex, PoisonError};
 
 /// A column: its name, unit and numbers.
@@ -12,13 +12,13 @@ type Named<'py> = (String, String, Bound<'py, PyArray1<f64>>);
 /// The results of a command. The package makes its own classes of them.
 #[pyclass(frozen, module = "linkwright._linkwright")]
 pub(crate) struct Answer {
-    found: sim::cli::Answer,
+    found: sim_command::Answer,
     /// Until Python has taken them.
     columns: Mutex<Vec<Column>>,
 }
 
 impl Answer {
-    pub(crate) fn new(mut found: sim::cli::Answer) -> Answer {
+    pub(crate) fn new(mut found: sim_command::Answer) -> Answer {
         let columns = Mutex::new(found.table.take().map_or_else(Vec::new, |table| table.columns));
         Answer { found, columns }
     }

@@ -3,8 +3,8 @@
 use codegen::mistakes::Related;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use sim::cli::{Problem, Refusal};
-use sim::{Failure, LoadError};
+use sim_command::{Problem, Refusal};
+use sim_runtime::{Failure, LoadError};
 
 /// An exception of `linkwright.errors`.
 fn exception(py: Python<'_>, class: &str, message: &str, details: &Bound<'_, PyDict>) -> PyErr {

@@ -5,7 +5,7 @@ use crate::shapes::{Shape, parts};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyInt, PySlice, PyTuple};
-use sim::{At, Found, Kernel, Model, Results, States, solve_each};
+use sim_runtime::{At, Found, Kernel, Model, Results, States, solve_each};
 use std::sync::Arc;
 
 /// Below so many states Python's lock is kept.

@@ -10,16 +10,16 @@ use crate::simulation::Simulation;
 use codegen::notation::Notation;
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use sim::cli::{answer, simulated, with_values};
-use sim::sim_kernel::Quantity;
-use sim::{At, DeclarationFile, Found, Input, Kernel, Prepared};
+use sim_command::{answer, simulated, with_values};
+use sim_runtime::sim_kernel::Quantity;
+use sim_runtime::{At, DeclarationFile, Found, Input, Kernel, Prepared};
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
 /// A mechanism with its values. The package adds commands to it.
 #[pyclass(frozen, subclass, module = "linkwright._linkwright")]
 pub(crate) struct Model {
-    model: Arc<dyn sim::Model>,
+    model: Arc<dyn sim_runtime::Model>,
     /// With all that parameters determine computed, once it is needed.
     prepared: OnceLock<Box<dyn Prepared>>,
     /// What the command line calls it: a file, or a name.
@@ -39,7 +39,7 @@ pub(crate) fn from_text(py: Python<'_>, text: String, path: PathBuf, name: Optio
 #[pyfunction]
 pub(crate) fn read(py: Python<'_>, path: Option<PathBuf>, name: Option<String>) -> PyResult<Model> {
     let found = match (&path, &name) {
-        (Some(path), _) => py.detach(|| sim::load(path, name.as_deref())),
+        (Some(path), _) => py.detach(|| sim_runtime::load(path, name.as_deref())),
         (None, Some(name)) => match entry(name) {
             Some(entry) => py.detach(|| entry.model()),
             None => return Err(argument(py, &unknown(name))),
@@ -60,17 +60,17 @@ fn unknown(name: &str) -> String {
 }
 
 impl Model {
-    pub(crate) fn new(model: Arc<dyn sim::Model>, source: String) -> Model {
+    pub(crate) fn new(model: Arc<dyn sim_runtime::Model>, source: String) -> Model {
         Model { model, prepared: OnceLock::new(), source }
     }
 
     /// Another model in place of this one.
-    fn with(&self, model: Arc<dyn sim::Model>) -> Model {
+    fn with(&self, model: Arc<dyn sim_runtime::Model>) -> Model {
         Model::new(model, self.source.clone())
     }
 
     /// The same with the constraints that hold at the start, whatever events have switched since.
-    fn at_start(&self) -> Arc<dyn sim::Model> {
+    fn at_start(&self) -> Arc<dyn sim_runtime::Model> {
         let mut values = self.model.values();
         let declared = self.model.as_declared().values().activities;
         if values.activities == declared {

@@ -2,8 +2,8 @@
 
 use crate::errors::{argument, load};
 use pyo3::prelude::*;
-use sim::import::urdf::{Base, Mimic, Options};
-use sim::{DeclarationFile, LoadError};
+use sim_runtime::import::urdf::{Base, Mimic, Options};
+use sim_runtime::{DeclarationFile, LoadError};
 use std::path::{Path, PathBuf};
 
 /// The declaration of a robot's file, and what the file lacks or contradicts.

@@ -1,6 +1,6 @@
 //! The shapes of a kernel's results.
 
-use sim::{Description, Kernel};
+use sim_runtime::{Description, Kernel};
 use std::ops::Range;
 
 /// The shape of a result at one state.

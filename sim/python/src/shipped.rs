@@ -1,7 +1,7 @@
 //! The shipped mechanisms, and the command `sim` over them.
 
 use pyo3::prelude::*;
-use sim::cli::{Entry, text_entry};
+use sim_command::{Entry, text_entry};
 use std::ffi::OsString;
 
 /// By name and text.
@@ -21,5 +21,5 @@ pub(crate) fn entry(name: &str) -> Option<&'static Entry> {
 /// Executes the command line `sim`, whose words begin with the name of the program. Gives the exit status.
 #[pyfunction]
 pub(crate) fn main(py: Python<'_>, words: Vec<OsString>) -> u8 {
-    py.detach(|| sim::cli::main_of(SHIPPED, words))
+    py.detach(|| sim_command::main_of(SHIPPED, words))
 }

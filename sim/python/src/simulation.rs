@@ -5,7 +5,7 @@ use crate::interrupt::BETWEEN;
 use crate::model::Model;
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use sim::cli::{Refusal, Simulated, Stand};
+use sim_command::{Refusal, Simulated, Stand};
 use std::sync::{Mutex, MutexGuard};
 use std::time::Instant;
 

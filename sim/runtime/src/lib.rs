@@ -1,15 +1,14 @@
 //! The runtime of mechanisms declared with `mechanism!`: assemble a start, integrate on the constraints, locate
-//! events, record, write and draw.
+//! events, record and analyse.
 //!
 //! Every function that can fail returns an error that says what, when and where; results up to then are kept.
 
-// Without the command line, some shared code has no user.
-#![cfg_attr(not(feature = "cli"), allow(dead_code, unused_imports))]
+// Without declarations read at run time, some shared code has no user.
+#![cfg_attr(not(feature = "analysis"), allow(dead_code, unused_imports))]
 
 mod analysis;
 mod batch;
-#[cfg(feature = "cli")]
-pub mod cli;
+mod compiled;
 mod events;
 #[cfg(feature = "analysis")]
 pub mod import;
@@ -19,9 +18,9 @@ mod interpreted;
 mod model;
 mod motion;
 mod numerics;
-mod output;
 mod record;
 mod run;
+
 mod start;
 mod state;
 
@@ -45,8 +44,8 @@ pub use integrate::{
 pub use interpreted::{DeclarationFile, LoadError, interpret, load};
 pub use model::conditional::is_active;
 pub use model::erased::{
-    Bounded, Erased, ErasedPrepared, Found, InPlace, Kernel, List, Model, OnHeap, Prepared, Results, Shared, States,
-    Storage, Values, erase,
+    Bounded, Erased, ErasedPrepared, Found, InPlace, Kernel, List, Model, OnHeap, Prepared, Results, Shared, Small,
+    States, Storage, Values, erase,
 };
 pub use model::{At, Control};
 pub use motion::Motion;
@@ -59,9 +58,6 @@ pub use motion::residuals::{rates, residuals};
 pub use motion::singular::Singularity;
 pub use motion::typed::accelerate;
 pub use numerics::eigen::{Eigen, NoEigenvalues, eigen};
-pub use output::formats::{Format, write_table};
-pub use output::show;
-pub use output::write::{WriteError, summary, write_commented_csv, write_csv, write_json};
 pub use record::DeadPoint;
 pub use record::table::{Column, Table};
 pub use run::{
@@ -79,3 +75,13 @@ pub use state::interpolate::hermite;
 pub use state::provenance::{COMMIT, Provenance, VERSION};
 pub use state::settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
 pub use state::trajectory::{Phase, Rates, Sample, State, Trajectory};
+
+// For the packages on top of this one.
+#[doc(hidden)]
+pub use analysis::kinematics::{prescribed_coordinate, quotient};
+#[doc(hidden)]
+pub use analysis::linearize::quaternions;
+#[doc(hidden)]
+pub use motion::measured::known_length;
+#[doc(hidden)]
+pub use state::digest::Digest;

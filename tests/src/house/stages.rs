@@ -56,11 +56,16 @@ pub const CRATES: &[Crate] = &[
             "run",
             "batch",
             "analysis",
-            "output",
-            "cli",
+            "compiled",
         ],
         apart: &[("numerics", &[])],
     },
+    Crate {
+        folder: "sim/output/src",
+        stages: &["whole", "outcome", "happening", "write", "formats", "show"],
+        apart: &[],
+    },
+    Crate { folder: "sim/command/src", stages: &[], apart: &[] },
 ];
 
 /// Imports of a later stage, or of one that a stage has to do without, as `from -> to`.

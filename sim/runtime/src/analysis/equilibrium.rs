@@ -55,6 +55,7 @@ const TURNED: f64 = 0.5;
 ///
 /// # Errors
 /// If the start cannot be assembled, [`What::NoEquilibrium`], [`What::Driven`] if time moves a constraint, and [`What::SingularState`] where it is in a singular position.
+#[inline(never)]
 pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equilibrium<M>, Failure> {
     let any: &dyn Differentiable = &Any(mechanism);
     let assembled = assemble(mechanism, &at_rest(start))?;

@@ -6,7 +6,6 @@ use crate::events::{Crossing, Occurrence};
 use crate::model::At;
 use crate::motion::Motion;
 use crate::motion::measures::Measures;
-use crate::motion::typed::Any;
 use crate::run::run_while;
 use crate::start::assemble::Start;
 use crate::state::failure::Failure;
@@ -78,6 +77,7 @@ pub fn poincare<M: Mechanism>(
 ///
 /// # Errors
 /// As [`poincare`].
+#[inline(never)]
 pub fn poincare_while<M: Mechanism>(
     mechanism: M,
     start: &Start<M>,
@@ -94,7 +94,7 @@ pub fn poincare_while<M: Mechanism>(
         event.event == section.event && section.crossing.is_none_or(|crossing| event.crossing == crossing)
     };
     let (mut samples, mut phases) = (Vec::new(), Vec::new());
-    let quaternions = quaternions(&Any(&mechanism));
+    let quaternions = quaternions(&mechanism);
     let mut unsigned = quaternions.clone();
     for event in found.events.iter().filter(is_wanted).take(section.count) {
         let phase = phase_before(&found.trajectory, &event.state);

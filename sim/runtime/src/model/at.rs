@@ -32,7 +32,7 @@ impl<'a> At<'a, f64> {
     }
 
     /// A sample.
-    pub(crate) fn sample<M: Mechanism>(sample: &'a Sample<M>) -> At<'a, f64> {
+    pub fn sample<M: Mechanism>(sample: &'a Sample<M>) -> At<'a, f64> {
         let (accelerations, multipliers) = (sample.accelerations.as_ref(), sample.multipliers.as_ref());
         At { accelerations, multipliers, ..At::state(&sample.state) }
     }

@@ -18,7 +18,7 @@ impl Control {
     }
 
     /// Its name in a mechanism of this description.
-    pub(crate) fn name_in(self, description: &'static Description) -> &'static str {
+    pub fn name_in(self, description: &'static Description) -> &'static str {
         match self {
             Control::Input(index) => description.inputs[index].name,
             Control::Parameter(index) => description.parameters[index].name,

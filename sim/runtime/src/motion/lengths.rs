@@ -79,7 +79,7 @@ pub(crate) fn own_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> 
 }
 
 /// The same, if anything tells it.
-pub(crate) fn known_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Option<f64> {
+pub(super) fn known_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Option<f64> {
     let coordinates = mechanism.description().coordinates;
     let is_length: Vec<bool> = coordinates.iter().map(|coordinate| coordinate.position.is_length).collect();
     let start = || {

@@ -1,5 +1,6 @@
 //! What is found of a mechanism at the start of a motion: its scales, degrees of freedom and masses.
 
+use crate::motion::lengths;
 use crate::motion::measures::Measures;
 use crate::motion::mobility::{Mobility, check_masses_of, mobility_of};
 use crate::motion::typed::Any;
@@ -35,14 +36,22 @@ impl<M: Mechanism> Measures<M> {
 
 /// Degrees of freedom and dependent constraints at a position, by orthogonalisation of the rows of C_q, in order. Rows
 /// that depend on others there are checked at nearby positions too.
+#[inline(never)]
 pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
     mobility_of(&Any(mechanism), time, q.as_ref())
+}
+
+/// The length that a mechanism is measured by, in metres, if anything tells it.
+#[inline(never)]
+pub fn known_length<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Option<f64> {
+    lengths::known_length(&Any(mechanism), time, q.as_ref())
 }
 
 /// Checks that no motion has negative kinetic energy: the mass matrix, constraints apart, has no negative eigenvalue.
 ///
 /// # Errors
 /// [`What::NegativeMass`](crate::What::NegativeMass), with the parameters that are negative.
+#[inline(never)]
 pub fn check_masses<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Result<(), Failure> {
     check_masses_of(&Any(mechanism), time, q.as_ref())
 }

@@ -26,6 +26,7 @@ pub(crate) fn rates_of<S: Scalar, M: Mechanism<S>, R: Rows<S, M>>(
 }
 
 /// The largest magnitudes of C and of C_q q' + C_t at a state.
+#[inline(never)]
 pub fn residuals<M: Mechanism>(mechanism: &M, state: &State<M>) -> (f64, f64) {
     if mechanism.m() == 0 {
         return (0.0, 0.0);

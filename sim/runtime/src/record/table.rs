@@ -39,6 +39,7 @@ pub struct Table {
 
 impl Table {
     /// The table of a trajectory that starts with this mechanism.
+    #[inline(never)]
     pub fn of<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) -> Table {
         let mut rows = trajectory.with_mechanisms(mechanism).map(|(mechanism, sample)| {
             let at = At::sample(sample);
@@ -94,8 +95,8 @@ impl Table {
     }
 
     /// A table of columns of one length, time first, without outputs.
-    #[cfg(test)]
-    pub(crate) fn from_columns(columns: Vec<Column>) -> Table {
+    #[doc(hidden)]
+    pub fn from_columns(columns: Vec<Column>) -> Table {
         Table { first_output: columns.len(), provenance: Provenance::default(), columns }
     }
 
@@ -133,7 +134,7 @@ impl Table {
     }
 
     /// The table of no samples of a mechanism: what its columns are called.
-    pub(crate) fn headers(description: &'static Description) -> Table {
+    pub fn headers(description: &'static Description) -> Table {
         Table::empty(description, 0)
     }
 

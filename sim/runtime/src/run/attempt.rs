@@ -64,7 +64,7 @@ impl<M: Mechanism> Simulation<M> {
     }
 
     /// The settings.
-    pub(crate) fn settings(&self) -> &Settings {
+    pub fn settings(&self) -> &Settings {
         &self.settings
     }
 

@@ -42,6 +42,7 @@ impl<M: Mechanism> Simulation<M> {
     ///
     /// # Errors
     /// As [`set_inputs`](Simulation::set_inputs), and [`What::Unknown`].
+    #[inline(never)]
     pub fn set_input(&mut self, name: &str, input: Input) -> Result<(), Failure> {
         let mut inputs = self.mechanism().inputs();
         inputs[self.place("input", self.mechanism().description().inputs, name)?] = input;
@@ -52,6 +53,7 @@ impl<M: Mechanism> Simulation<M> {
     ///
     /// # Errors
     /// As [`set_parameters`](Simulation::set_parameters), and [`What::Unknown`].
+    #[inline(never)]
     pub fn set_parameter(&mut self, name: &str, value: f64) -> Result<(), Failure> {
         let mut parameters = self.mechanism().parameters();
         parameters[self.place("parameter", self.mechanism().description().parameters, name)?] = value;

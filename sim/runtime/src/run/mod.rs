@@ -95,6 +95,7 @@ pub fn run<M: Mechanism>(mechanism: M, start: &Start<M>, settings: &Settings) ->
 ///
 /// # Errors
 /// As [`run`].
+#[inline(never)]
 pub fn run_while<M: Mechanism>(
     mechanism: M,
     start: &Start<M>,

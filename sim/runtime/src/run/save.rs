@@ -38,6 +38,7 @@ const MAGIC: &[u8; 8] = b"linkwrt1";
 impl<M: Mechanism> Simulation<M> {
     /// Everything needed to continue with the same bits: state, parameters, inputs, the size of the next step and the
     /// state of its control, the stages that predict an implicit step, the signs of events, and past events.
+    #[inline(never)]
     pub fn save(&self) -> Vec<u8> {
         let mut bytes = Bytes::Written(MAGIC.to_vec());
         let mut identity = self.identity();
@@ -57,6 +58,7 @@ impl<M: Mechanism> Simulation<M> {
     ///
     /// # Errors
     /// [`NotRestored`].
+    #[inline(never)]
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), NotRestored> {
         if !bytes.starts_with(MAGIC) {
             return Err(NotRestored::NotSaved);

@@ -71,6 +71,7 @@ impl<M: Mechanism> Simulation<M> {
     ///
     /// # Errors
     /// If no start can be assembled, or it is singular; [`What::Unusable`] settings.
+    #[inline(never)]
     pub fn new(mechanism: M, start: &Start<M>, settings: &Settings) -> Result<Simulation<M>, Failure> {
         let state = assemble(&mechanism, start)?;
         settings
@@ -115,6 +116,7 @@ impl<M: Mechanism> Simulation<M> {
     ///
     /// # Errors
     /// As the right-hand side.
+    #[inline(never)]
     pub fn sample(&self) -> Result<Sample<M>, Failure> {
         match &self.stepper {
             // An event that ends the motion lies within the last step.
@@ -166,6 +168,7 @@ impl<M: Mechanism> Simulation<M> {
     /// # Errors
     /// The first failure that smaller steps do not avoid, and failures of events. The motion ends there: every further
     /// step fails likewise.
+    #[inline(never)]
     pub fn step(&mut self) -> Result<bool, Failure> {
         while self.stepper.is_none() {
             if !self.advance(self.settings.end, &mut ())? {
@@ -187,6 +190,7 @@ impl<M: Mechanism> Simulation<M> {
     ///
     /// # Errors
     /// As [`advance_to`](Simulation::advance_to).
+    #[inline(never)]
     pub fn advance_while(&mut self, time: f64, goes_on: &mut dyn FnMut() -> bool) -> Result<(), Failure> {
         let time = self.check_time(time)?;
         self.check_sound()?;

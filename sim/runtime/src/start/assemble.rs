@@ -24,6 +24,7 @@ pub struct Start<M: Mechanism> {
 }
 
 /// The declared start of a mechanism.
+#[inline(never)]
 pub fn declared_start<M: Mechanism>(mechanism: &M) -> Start<M> {
     let initial = mechanism.initial();
     let [position_given, speed_given] = declared_given(mechanism.description());
@@ -48,6 +49,7 @@ const MOST_STEPS: usize = 200;
 ///
 /// # Errors
 /// [`What::NotAssembled`] with the closest configuration, [`What::SpeedsContradict`].
+#[inline(never)]
 pub fn assemble<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<State<M>, Failure> {
     let n = mechanism.n();
     let (mechanism, given): (&dyn AnyMechanism, Given) = (&Any(mechanism), start.given());
@@ -59,6 +61,7 @@ pub fn assemble<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<State<M
 /// All configurations with the given coordinates of the start, as far as loops close in closed form: elbow up and elbow
 /// down. Coordinates of other loops are found by Gauss-Newton from their guesses; if that fails there is no
 /// configuration. Angles are within half a turn of their guesses.
+#[inline(never)]
 pub fn branches<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Branches<M> {
     let Closed { loops, open, positions } = branches_of(&Any(mechanism), &start.given());
     Branches { loops, open, positions: positions.iter().map(|q| array(mechanism.n(), q)).collect() }

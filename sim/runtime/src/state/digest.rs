@@ -2,29 +2,30 @@
 //! byte always changes it.
 
 /// The digest of the bytes so far.
-pub(crate) struct Digest(u64);
+pub struct Digest(u64);
 
 impl Digest {
-    pub(crate) fn new() -> Digest {
+    /// That of no bytes.
+    pub fn new() -> Digest {
         Digest(0xcbf2_9ce4_8422_2325)
     }
 
     /// That of these bytes.
-    pub(crate) fn of(bytes: &[u8]) -> u64 {
+    pub fn of(bytes: &[u8]) -> u64 {
         let mut digest = Digest::new();
         digest.add(bytes);
         digest.0
     }
 
-    pub(crate) fn add(&mut self, bytes: &[u8]) {
+    /// Adds bytes.
+    pub fn add(&mut self, bytes: &[u8]) {
         for byte in bytes {
             self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
         }
     }
 
     /// In hexadecimal.
-    #[cfg(feature = "cli")]
-    pub(crate) fn text(&self) -> String {
+    pub fn text(&self) -> String {
         format!("{:016x}", self.0)
     }
 }

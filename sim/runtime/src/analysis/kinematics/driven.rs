@@ -3,7 +3,6 @@
 use crate::model::{At, Differentiable};
 use crate::motion::typed::Any;
 use crate::state::failure::{Failure, What};
-use codegen::model::Unit;
 use sim_kernel::{Description, Dual, Mechanism, Quantity};
 
 /// A quantity y(q, t) that a drive moves or holds.
@@ -38,14 +37,14 @@ impl Driven {
         }
     }
 
-    /// The unit of its driving force: N*m for an angle, N for a length, J per its unit for anything else.
+    /// The unit of its driving force: N*m for an angle, N for a length, J per its SI unit for anything else.
     pub fn force_unit(self, description: &'static Description) -> String {
-        let unit = self.quantity(description).unit;
-        match Unit::parse(unit).map(|unit| unit.si_text()).as_deref() {
-            _ if is_angle(unit) => "N*m".to_owned(),
-            Ok("m") => "N".to_owned(),
-            Ok("1") | Err(_) => "J".to_owned(),
-            Ok(other) => format!("J/({other})"),
+        let quantity = self.quantity(description);
+        match si_unit(quantity).as_str() {
+            _ if is_angle(quantity.unit) => "N*m".to_owned(),
+            "m" => "N".to_owned(),
+            "1" => "J".to_owned(),
+            other => format!("J/({other})"),
         }
     }
 
@@ -55,6 +54,7 @@ impl Driven {
     }
 
     /// y at a position.
+    #[inline(never)]
     pub fn value<M: Mechanism>(self, mechanism: &M, time: f64, q: &M::Q) -> f64 {
         self.value_of(&Any(mechanism), time, q.as_ref())
     }
@@ -104,6 +104,22 @@ impl Driven {
                 Err(mechanism.failure(What::NotOfPositions { output }, time, q))
             }
         }
+    }
+}
+
+/// The SI unit of a quantity.
+#[cfg(feature = "analysis")]
+fn si_unit(quantity: &Quantity) -> String {
+    codegen::model::Unit::parse(quantity.unit).map_or_else(|_| "1".to_owned(), |unit| unit.si_text())
+}
+
+/// The SI unit of a quantity, as so many of its own: nothing here reads units.
+#[cfg(not(feature = "analysis"))]
+fn si_unit(quantity: &Quantity) -> String {
+    match quantity.factor {
+        _ if quantity.is_length => "m".to_owned(),
+        1.0 => quantity.unit.to_owned(),
+        factor => format!("{} {}", 1.0 / factor, quantity.unit),
     }
 }
 

@@ -36,8 +36,7 @@ pub use extremes::{Extremes, TimeRatio};
 pub use inverse::{Prescribed, inverse_dynamics};
 pub use range::{Extreme, Range};
 pub use sweep::{SpecialPosition, Sweep};
-#[cfg(feature = "cli")]
-pub(crate) use {stand_in::prescribed_coordinate, tabulate::quotient};
+pub use {stand_in::prescribed_coordinate, tabulate::quotient};
 
 /// The motion of a mechanism that is driven through a range.
 #[derive(Clone, Debug)]
@@ -100,6 +99,7 @@ pub fn kinematics<M: Mechanism>(mechanism: M, start: &Start<M>, sweep: &Sweep) -
 ///
 /// # Errors
 /// As [`kinematics`].
+#[inline(never)]
 pub fn kinematics_until<M: Mechanism>(
     interrupt: &AtomicBool,
     mechanism: M,

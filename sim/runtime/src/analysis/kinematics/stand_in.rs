@@ -2,7 +2,6 @@
 
 use super::driven::Driven;
 use crate::model::Differentiable;
-#[cfg(feature = "cli")]
 use {crate::motion::typed::Any, sim_kernel::Mechanism};
 
 /// A drive in place of a constraint.
@@ -22,8 +21,8 @@ pub(super) const TIMES: [f64; 3] = [0.0, 0.37, 1.91];
 const AWAY: [f64; 2] = [0.1, 0.013];
 
 /// The first coordinate that a constraint prescribes as a function of time, and its speed at the start.
-#[cfg(feature = "cli")]
-pub(crate) fn prescribed_coordinate<M: Mechanism>(mechanism: &M, q: &M::Q) -> Option<(usize, f64)> {
+#[inline(never)]
+pub fn prescribed_coordinate<M: Mechanism>(mechanism: &M, q: &M::Q) -> Option<(usize, f64)> {
     let (mechanism, q): (&dyn Differentiable, &[f64]) = (&Any(mechanism), q.as_ref());
     let rates = mechanism.constraint_time_derivative(0.0, q);
     let of =

@@ -8,6 +8,7 @@ impl<M: Mechanism> Kinematics<M> {
     /// The columns of the trajectory and, before the outputs: `drive_NAME`, the force of each drive and hold;
     /// `transmission_index`; and for each output y that is a function of positions `ratio_y`, dy/ds at fixed time with
     /// s the driven quantity, and `advantage_y`, the mechanical advantage ds/dy; none for outputs that move by rounding alone.
+    #[inline(never)]
     pub fn table(&self) -> Table {
         let mut table = Table::of(&self.mechanism, &self.trajectory);
         let swept = Columns {
@@ -68,7 +69,7 @@ impl Columns<'_> {
 }
 
 /// The unit of a quotient: `m/rad`, or 1.
-pub(crate) fn quotient(above: &Quantity, below: &Quantity) -> String {
+pub fn quotient(above: &Quantity, below: &Quantity) -> String {
     let bracketed = |unit: &str| if unit.contains(['*', '/']) { format!("({unit})") } else { unit.to_owned() };
     match (above.unit, below.unit) {
         (above, below) if above == below => "1".into(),

@@ -19,7 +19,7 @@ use sim_kernel::Mechanism;
 
 pub use modes::Mode;
 pub(crate) use statics::Statics;
-pub(crate) use steady::quaternions;
+pub use steady::quaternions;
 
 /// x' = A x + B u, y = C x + D u about a state, in SI units.
 ///
@@ -69,6 +69,7 @@ const LEAST_INERTIA: f64 = 1e-18;
 /// # Errors
 /// [`What::NotAnInput`] for a parameter that constraints depend on, [`What::SingularState`] in a singular position,
 /// [`What::NoEigenvalues`]; as the right-hand side.
+#[inline(never)]
 pub fn linearize<M: Mechanism>(
     mechanism: &M,
     state: &State<M>,

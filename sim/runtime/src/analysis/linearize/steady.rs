@@ -5,8 +5,10 @@ use super::reduce::Reduction;
 use super::{columns, matrix};
 use crate::model::{AnyMechanism, At, Differentiable};
 use crate::motion::lengths::measure;
+use crate::motion::typed::Any;
 use crate::state::failure::Failure;
 use nalgebra::{Complex, DMatrix};
+use sim_kernel::Mechanism;
 
 /// The relative change of A, while the fastest mode turns by 1 rad, below which the motion is steady: starts are given
 /// in some six digits.
@@ -68,7 +70,7 @@ pub(super) fn unsteady(
         return Ok(Some(moving));
     }
     // Some entries of a turning quaternion may be at their turning points.
-    let quaternions = quaternions(mechanism);
+    let quaternions = quaternions_of(mechanism);
     let turns = |j: &usize| quaternions.iter().any(|four| four.contains(j) && four.iter().any(|k| bent.contains(k)));
     Ok(Some((0..sizes.len()).filter(|j| bent.contains(j) || moving.contains(j) && turns(j)).collect()))
 }
@@ -86,7 +88,12 @@ fn stays_at_rest(derivatives: &Derivatives, sizes: &[f64], rate: f64) -> bool {
 }
 
 /// The coordinates of each quaternion.
-pub(crate) fn quaternions(mechanism: &dyn AnyMechanism) -> Vec<[usize; 4]> {
+#[inline(never)]
+pub fn quaternions<M: Mechanism>(mechanism: &M) -> Vec<[usize; 4]> {
+    quaternions_of(&Any(mechanism))
+}
+
+fn quaternions_of(mechanism: &dyn AnyMechanism) -> Vec<[usize; 4]> {
     let description = mechanism.description();
     let n = description.coordinates.len();
     // The slopes of q.q are twice the entries: here not zero.

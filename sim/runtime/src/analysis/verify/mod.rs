@@ -98,6 +98,7 @@ pub fn verify<M: Mechanism>(mechanism: M, start: &Start<M>, end: f64) -> Result<
 ///
 /// # Errors
 /// As [`verify`], and [`What::Interrupted`](crate::What::Interrupted).
+#[inline(never)]
 pub fn verify_while<M: Mechanism>(
     mechanism: M,
     start: &Start<M>,

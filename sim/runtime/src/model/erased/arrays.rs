@@ -18,6 +18,9 @@ pub trait Storage: Copy + Debug + Send + Sync + 'static {
 #[derive(Clone, Copy, Debug)]
 pub struct InPlace<const MOST: usize>;
 
+/// For most linkages.
+pub type Small = InPlace<8>;
+
 /// On the heap, of any length: what is copied grows with the mechanism.
 #[derive(Clone, Copy, Debug)]
 pub struct OnHeap;

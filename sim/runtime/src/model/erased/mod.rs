@@ -13,7 +13,7 @@ mod one_by_one;
 mod place;
 mod typed;
 
-pub use arrays::{Bounded, InPlace, List, OnHeap, Shared, Storage};
+pub use arrays::{Bounded, InPlace, List, OnHeap, Shared, Small, Storage};
 pub use each::{Results, States};
 pub use mechanism::{Erased, ErasedPrepared};
 pub use model::{Found, Kernel, Model, Prepared, Values};

@@ -1,0 +1,244 @@
+//! The results of a run without the type of its mechanism, so that all code for text, tables and pictures is compiled
+//! once.
+
+use sim_kernel::{Array, Description, Mechanism};
+use sim_runtime::{
+    Crossing, DOUBTFUL_BALANCE, Failure, Kinematics, Mobility, Occurrence, Run, Sample, Settings, Stepping, Steps,
+    SuddenChanges, known_length,
+};
+
+/// A run without its samples; all in SI units.
+pub struct Outcome {
+    /// What is told of the mechanism.
+    pub description: &'static Description,
+    /// Its parameters.
+    pub parameters: Vec<f64>,
+    /// Their declared defaults.
+    pub defaults: Vec<f64>,
+    /// How it was integrated.
+    pub settings: Settings,
+    /// The first sample.
+    pub start: Option<Row>,
+    /// The time of the last sample.
+    pub reached: f64,
+    /// The number of samples.
+    pub samples: usize,
+    /// Why it ended early, if it did.
+    pub failure: Option<Failure>,
+    /// The events, in order.
+    pub events: Vec<Happening>,
+    /// The independent coordinates of each dead point, and its time.
+    pub dead_points: Vec<(Vec<&'static str>, f64)>,
+    /// The time between two events named `period`.
+    pub period: Option<f64>,
+    /// Degrees of freedom and redundant constraints at the start.
+    pub mobility: Mobility,
+    /// Its steps.
+    pub steps: Steps,
+    /// The number of right-hand sides.
+    pub evaluations: u64,
+    /// The largest residual of a constraint in positions, relative to its scale.
+    pub position_residual: f64,
+    /// The same in velocities.
+    pub velocity_residual: f64,
+    /// The largest change of kinetic energy minus work, relative.
+    pub energy_balance: f64,
+    /// The kinetic energy that events have taken.
+    pub energy_taken: f64,
+    /// The time that integration has taken.
+    pub integration_seconds: f64,
+    /// Where nothing tells the mechanism's own length, the farthest that a length comes from 0, in metres.
+    pub farthest_unmeasured: Option<f64>,
+}
+
+/// The event that is to end a run.
+pub struct Until {
+    /// Its name.
+    pub event: &'static str,
+    /// At which of its occurrences.
+    pub asked: usize,
+    /// How often it has happened.
+    pub happened: usize,
+}
+
+impl Outcome {
+    /// The event that was to end the run, if one was.
+    pub fn until(&self) -> Option<Until> {
+        let stop = self.settings.stop?;
+        let event = self.description.events.get(stop.event)?.name;
+        let happened = self.events.iter().filter(|happening| happening.event == stop.event).count();
+        Some(Until { event, asked: stop.occurrence, happened })
+    }
+
+    /// Why its numbers may be wrong.
+    pub fn warnings(&self) -> Vec<String> {
+        let doubtful = !(self.energy_balance < DOUBTFUL_BALANCE);
+        let energy = || "energy does not balance: take smaller steps before you trust these numbers".to_owned();
+        let others = [self.over_sudden_changes(), self.without_a_length(), doubtful.then(energy)];
+        others.into_iter().flatten().collect()
+    }
+
+    /// What tolerances mean where no length is declared, if the motion is small.
+    fn without_a_length(&self) -> Option<String> {
+        let (Some(farthest), Stepping::Adaptive(tolerance)) = (self.farthest_unmeasured, self.settings.stepping) else {
+            return None;
+        };
+        let is_small = farthest > 0.0 && tolerance.absolute > SMALL * tolerance.relative * farthest;
+        let finer = tolerance.relative * farthest;
+        is_small.then(|| {
+            format!(
+                "no parameter and no start is a length, so lengths are measured by 1 m: they stay within {farthest:.1e} m, and a step \
+                 may be wrong by {:.1e} m; give a parameter or the start a length, or take `--atol {finer:.0e}`",
+                tolerance.absolute
+            )
+        })
+    }
+
+    /// What equal steps over sudden changes may have missed.
+    fn over_sudden_changes(&self) -> Option<String> {
+        let SuddenChanges { steps, first, .. } = self.steps.sudden_changes?;
+        let led = if steps == 1 { "one equal step leads".to_owned() } else { format!("{steps} equal steps lead") };
+        Some(format!(
+            "{led} over a sudden change of what acts on the mechanism, the first at {first:.9} s: such a step is less accurate, and does not see what begins and ends within it; steps with a tolerance (`--rtol`) end where such changes are"
+        ))
+    }
+}
+
+/// An event as it happened.
+pub struct Happening {
+    /// Which event, by index.
+    pub event: usize,
+    pub name: &'static str,
+    pub crossing: Crossing,
+    pub time: f64,
+    /// Its impulses and losses, if it has actions.
+    pub change: Option<Done>,
+}
+
+/// The effects of an event.
+pub struct Done {
+    /// The lost kinetic energy, in joules.
+    pub energy_taken: f64,
+    /// The impulse of each constraint row.
+    pub impulses: Vec<f64>,
+}
+
+/// A sample with its mechanism.
+pub struct Row {
+    pub time: f64,
+    pub positions: Vec<f64>,
+    pub speeds: Vec<f64>,
+    pub accelerations: Vec<f64>,
+    pub multipliers: Vec<f64>,
+    pub work: f64,
+    /// The inputs that are held.
+    pub inputs: Vec<Option<f64>>,
+    pub parameters: Vec<f64>,
+    pub kinetic_energy: f64,
+    /// The energy that events have taken until then.
+    pub energy_taken: f64,
+    /// The numbers of the drawing.
+    pub drawing: Vec<f64>,
+}
+
+/// The samples of a motion, of a mechanism without a type.
+pub trait Rows {
+    /// A sample.
+    fn row(&self, index: usize) -> Row;
+}
+
+/// A run whose mechanism has no type.
+pub trait Recorded: Rows {
+    /// All but the samples.
+    fn outcome(&self) -> Outcome;
+}
+
+impl<M: Mechanism> Recorded for Run<M> {
+    fn outcome(&self) -> Outcome {
+        let samples = &self.trajectory.samples;
+        Outcome {
+            description: self.mechanism.description(),
+            parameters: list(&self.mechanism.parameters()),
+            defaults: list(&self.mechanism.as_declared().parameters()),
+            settings: self.settings,
+            start: (!samples.is_empty()).then(|| self.row(0)),
+            reached: samples.last().map_or(0.0, |sample| sample.state.time),
+            samples: samples.len(),
+            failure: self.trajectory.failure.clone(),
+            events: self.events.iter().map(happening).collect(),
+            dead_points: self.dead_points.iter().map(|point| (point.of.clone(), point.state.time)).collect(),
+            period: self.period(),
+            mobility: self.mobility.clone(),
+            steps: self.steps.clone(),
+            evaluations: self.evaluations,
+            position_residual: self.position_residual,
+            velocity_residual: self.velocity_residual,
+            energy_balance: self.energy_balance,
+            energy_taken: self.energy_taken,
+            integration_seconds: self.integration_time.as_secs_f64(),
+            farthest_unmeasured: farthest_unmeasured(self),
+        }
+    }
+}
+
+/// The absolute tolerance is large beside this many times what is allowed relative to the largest length.
+const SMALL: f64 = 1e3;
+
+fn farthest_unmeasured<M: Mechanism>(run: &Run<M>) -> Option<f64> {
+    let samples = &run.trajectory.samples;
+    let start = &samples.first()?.state;
+    let coordinates = run.mechanism.description().coordinates;
+    let lengths: Vec<usize> = (0..coordinates.len()).filter(|j| coordinates[*j].position.is_length).collect();
+    let is_known = known_length(&run.mechanism, start.time, &start.positions).is_some();
+    if lengths.is_empty() || is_known {
+        return None;
+    }
+    let all = samples.iter().flat_map(|sample| lengths.iter().map(|j| sample.state.positions[*j].abs()));
+    Some(all.fold(0.0, f64::max))
+}
+
+impl<M: Mechanism> Rows for Run<M> {
+    fn row(&self, index: usize) -> Row {
+        let phase = self.trajectory.phase_of(index);
+        let mechanism = phase.map_or(&self.mechanism, |phase| &phase.mechanism);
+        Row::new(mechanism, &self.trajectory.samples[index], phase.map_or(0.0, |phase| phase.energy_taken))
+    }
+}
+
+impl<M: Mechanism> Rows for Kinematics<M> {
+    fn row(&self, index: usize) -> Row {
+        Row::new(&self.mechanism, &self.trajectory.samples[index], 0.0)
+    }
+}
+
+impl Row {
+    /// A sample of a mechanism.
+    pub fn new<M: Mechanism>(mechanism: &M, sample: &Sample<M>, energy_taken: f64) -> Row {
+        let (t, q, qd) = (sample.state.time, &sample.state.positions, &sample.state.speeds);
+        Row {
+            time: t,
+            positions: list(q),
+            speeds: list(qd),
+            accelerations: list(&sample.accelerations),
+            multipliers: list(&sample.multipliers),
+            work: sample.state.work,
+            inputs: sample.inputs.iter().map(|input| input.held()).collect(),
+            parameters: list(&mechanism.parameters()),
+            kinetic_energy: mechanism.with_inputs(sample.inputs.clone()).kinetic_energy(t, q, qd),
+            energy_taken,
+            drawing: list(&mechanism.drawing(t, q)),
+        }
+    }
+}
+
+fn happening<M: Mechanism>(event: &Occurrence<M>) -> Happening {
+    let Occurrence { event: index, name, crossing, state, change } = event;
+    let done =
+        |change: &sim_runtime::Change<M>| Done { energy_taken: change.energy_taken, impulses: list(&change.impulses) };
+    Happening { event: *index, name, crossing: *crossing, time: state.time, change: change.as_ref().map(done) }
+}
+
+/// The numbers of an array.
+pub fn list(numbers: &impl Array<f64>) -> Vec<f64> {
+    numbers.iter().copied().collect()
+}
