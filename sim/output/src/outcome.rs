@@ -3,8 +3,8 @@
 
 use sim_kernel::{Array, Description, Mechanism};
 use sim_runtime::{
-    Crossing, DOUBTFUL_BALANCE, Failure, Kinematics, Mobility, Occurrence, Run, Sample, Settings, Stepping, Steps,
-    SuddenChanges, known_length,
+    Crossing, DOUBTFUL_BALANCE, Erased, Failure, Kinematics, Mobility, Occurrence, OnHeap, Run, Sample, Settings,
+    Small, Stepping, Steps, SuddenChanges, known_length,
 };
 
 /// A run without its samples; all in SI units.
@@ -213,6 +213,7 @@ impl<M: Mechanism> Rows for Kinematics<M> {
 
 impl Row {
     /// A sample of a mechanism.
+    #[inline(never)]
     pub fn new<M: Mechanism>(mechanism: &M, sample: &Sample<M>, energy_taken: f64) -> Row {
         let (t, q, qd) = (sample.state.time, &sample.state.positions, &sample.state.speeds);
         Row {
@@ -229,6 +230,15 @@ impl Row {
             drawing: list(&mechanism.drawing(t, q)),
         }
     }
+}
+
+/// Rows of mechanisms whose sizes are known at run time are compiled here, not with a command line that is less optimised, as the
+/// runtime's loops are.
+#[used]
+static COMPILED: [fn(); 2] = [rows_of::<Erased<Small>>, rows_of::<Erased<OnHeap>>];
+
+fn rows_of<M: Mechanism>() {
+    std::hint::black_box(Row::new::<M> as *const ());
 }
 
 fn happening<M: Mechanism>(event: &Occurrence<M>) -> Happening {

@@ -4,7 +4,7 @@ use super::each::{Results, States};
 use super::model::{Kernel, Model};
 
 /// A kernel at each of many states, one after the other.
-pub(crate) fn one_by_one(model: &(impl Model + ?Sized), kernel: Kernel, states: &States) -> Results {
+pub(crate) fn one_by_one(model: &dyn Model, kernel: Kernel, states: &States) -> Results {
     let prepared = matches!(kernel, Kernel::Dynamics | Kernel::Velocities).then(|| model.prepare());
     let mut results = Results::default();
     for state in 0..states.times.len() {
