@@ -28,7 +28,7 @@ fn open(path: &Path) -> io::Result<File> {
 
 /// The digest of a file.
 pub(crate) fn digest(path: &Path) -> io::Result<String> {
-    let (mut digest, mut file, mut part) = (Digest::new(), open(path)?, vec![0; 1 << 16]);
+    let (mut digest, mut file, mut part) = (Digest::default(), open(path)?, vec![0; 1 << 16]);
     loop {
         match file.read(&mut part)? {
             0 => return Ok(digest.text()),
@@ -42,7 +42,7 @@ pub(crate) const PROVENANCE: &str = "provenance";
 
 /// What a run is known by: the digest of its table and of what else it was and found, whoever has found it.
 pub(crate) fn of_run(table: &Table, values: &[&Value]) -> String {
-    let mut digest = Digest::new();
+    let mut digest = Digest::default();
     for column in &table.columns {
         digest.add(column.header().as_bytes());
         column.values.iter().for_each(|value| digest.add(&value.to_bits().to_le_bytes()));

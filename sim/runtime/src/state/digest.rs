@@ -4,15 +4,17 @@
 /// The digest of the bytes so far.
 pub struct Digest(u64);
 
-impl Digest {
+impl Default for Digest {
     /// That of no bytes.
-    pub fn new() -> Digest {
+    fn default() -> Digest {
         Digest(0xcbf2_9ce4_8422_2325)
     }
+}
 
+impl Digest {
     /// That of these bytes.
     pub fn of(bytes: &[u8]) -> u64 {
-        let mut digest = Digest::new();
+        let mut digest = Digest::default();
         digest.add(bytes);
         digest.0
     }
