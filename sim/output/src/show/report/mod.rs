@@ -27,7 +27,7 @@ pub use sweep::{sweep_report, sweep_report_text};
 /// The contents of a report beside the run itself.
 #[derive(Clone, Copy, Debug)]
 pub struct About<'a> {
-    /// The run's summary, as [`sim_runtime::summary`] makes it.
+    /// The run's summary, as [`crate::summary`] makes it.
     pub summary: &'a Value,
     /// The command that repeats the run.
     pub command: &'a str,
