@@ -29,23 +29,23 @@ pub struct Outcome {
     pub events: Vec<Happening>,
     /// The independent coordinates of each dead point, and its time.
     pub dead_points: Vec<(Vec<&'static str>, f64)>,
-    /// The time between two events named `period`.
+    /// As [`Run::period`].
     pub period: Option<f64>,
-    /// Degrees of freedom and redundant constraints at the start.
+    /// As [`Run::mobility`].
     pub mobility: Mobility,
-    /// Its steps.
+    /// As [`Run::steps`].
     pub steps: Steps,
-    /// The number of right-hand sides.
+    /// As [`Run::evaluations`].
     pub evaluations: u64,
-    /// The largest residual of a constraint in positions, relative to its scale.
+    /// As [`Run::position_residual`].
     pub position_residual: f64,
-    /// The same in velocities.
+    /// As [`Run::velocity_residual`].
     pub velocity_residual: f64,
-    /// The largest change of kinetic energy minus work, relative.
+    /// As [`Run::energy_balance`].
     pub energy_balance: f64,
-    /// The kinetic energy that events have taken.
+    /// As [`Run::energy_taken`].
     pub energy_taken: f64,
-    /// The time that integration has taken.
+    /// As [`Run::integration_time`], in seconds.
     pub integration_seconds: f64,
     /// Where nothing tells the mechanism's own length, the farthest that a length comes from 0, in metres.
     pub farthest_unmeasured: Option<f64>,

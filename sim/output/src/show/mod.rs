@@ -165,6 +165,7 @@ pub fn panels(plots: &[Plot], size: Size, directory: &Path, name: &str) -> Resul
 }
 
 /// The same with more of its origin than the program.
+#[doc(hidden)]
 pub fn panels_with(
     plots: &[Plot],
     settings: FigureSettings,
@@ -186,6 +187,7 @@ pub fn path(plot: &Plot, ratio: f64, size: Size, directory: &Path, name: &str) -
 }
 
 /// The same with more of its origin than the program.
+#[doc(hidden)]
 pub fn path_with(
     plot: &Plot,
     ratio: f64,
@@ -208,6 +210,7 @@ pub fn mechanism(positions: &Positions, size: Size, directory: &Path, name: &str
 }
 
 /// The same with more of its origin than the program.
+#[doc(hidden)]
 pub fn mechanism_with(
     positions: &Positions,
     settings: FigureSettings,
