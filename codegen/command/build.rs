@@ -21,6 +21,7 @@ fn package(name: &str) -> (&'static str, &'static [&'static str]) {
                 "sim/output/src",
                 "sim/output/assets",
                 "sim/runtime/src",
+                "sim/import/src",
                 "sim/kernel/src",
                 "mechanism-macros/src",
                 "codegen/src",

@@ -17,6 +17,7 @@ pub mod notation;
 pub mod oracle;
 pub mod program;
 pub mod symbolic;
+mod threads;
 
 use notation::{Notation, Section};
 use proc_macro2::{TokenStream, TokenTree};

@@ -2,6 +2,9 @@
 
 #![no_std]
 
+#[cfg(feature = "erased")]
+extern crate alloc;
+
 mod andrews;
 mod bennett;
 mod bouncing_ball;
@@ -101,4 +104,20 @@ macro_rules! all_models {
             $crate::Rover
         )
     };
+}
+
+/// A mechanism's name, and the mechanism with its declared values as a model.
+#[cfg(feature = "erased")]
+pub type Erased = (&'static str, fn() -> alloc::sync::Arc<dyn sim_runtime::Model>);
+
+/// All mechanisms as models of one type, which commands and tests share: their kernels are compiled here, once.
+#[cfg(feature = "erased")]
+pub fn erased() -> impl ExactSizeIterator<Item = Erased> {
+    fn erased<M: sim_kernel::Compiled>() -> Erased {
+        (const { &M::DESCRIPTION }.name, || sim_runtime::erase(M::defaults()))
+    }
+    macro_rules! all {
+        ($($model:ty),*) => { [$(erased::<$model>()),*] };
+    }
+    all_models!(all).into_iter()
 }

@@ -1,12 +1,9 @@
 //! The shipped binary: the command line over the shipped mechanisms.
 
-use sim::cli::entry;
+use sim::cli::{Entry, model_entry};
 use std::process::ExitCode;
 
-macro_rules! entries {
-    ($($model:ty),*) => { [$(entry::<$model>()),*] };
-}
-
 fn main() -> ExitCode {
-    sim::cli::main(&models::all_models!(entries))
+    let shipped: Vec<Entry> = models::erased().map(|(name, model)| model_entry(name, model)).collect();
+    sim::cli::main(&shipped)
 }

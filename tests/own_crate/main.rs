@@ -25,7 +25,7 @@ fn shared_target() -> &'static Path {
 
 /// The profile of the workspace for the packages of others, without which nothing could be shared. Its own packages are others
 /// to a crate beside it, and built anew: as fast as can be.
-const PROFILE: [&str; 19] = [
+const PROFILE: [&str; 21] = [
     "profile.dev.debug='line-tables-only'",
     "profile.dev.package.'*'.opt-level=1",
     "profile.dev.package.'*'.debug=false",
@@ -35,6 +35,8 @@ const PROFILE: [&str; 19] = [
     "profile.dev.package.codegen.debug='line-tables-only'",
     "profile.dev.package.sim.opt-level=0",
     "profile.dev.package.sim.debug='line-tables-only'",
+    "profile.dev.package.sim-import.opt-level=0",
+    "profile.dev.package.sim-import.debug='line-tables-only'",
     "profile.dev.package.sim-runtime.opt-level=0",
     "profile.dev.package.sim-runtime.debug='line-tables-only'",
     "profile.dev.package.sim-output.opt-level=0",

@@ -136,16 +136,12 @@ fn shipped_models_give_the_same_bits() {
     assert!(differences.is_empty(), "{differences}`cargo results` accepts the changes");
 }
 
-macro_rules! erased_models {
-    ($($model:ty),*) => { vec![$(sim::erase(<$model>::default())),*] };
-}
-
 /// How the results of one in so many models, by loops for any model, differ from the compiled ones.
 fn differences_of_erased(every: usize, form: fn(&Arc<dyn Model>) -> Arc<dyn Model>) -> String {
     let text = fs::read_to_string(file()).unwrap();
     let compiled: Vec<Fingerprint> = text.lines().map(Fingerprint::parsed).collect();
-    let models: Vec<Arc<dyn Model>> = models::all_models!(erased_models);
-    let pairs = models.into_iter().zip(compiled.chunks(3)).step_by(every);
+    let models = models::erased().map(|(_, model)| model());
+    let pairs = models.zip(compiled.chunks(3)).step_by(every);
     let differences = |(model, compiled): (Arc<dyn Model>, &[Fingerprint])| {
         let erased = of_erased(form(&model));
         erased.iter().zip(compiled).filter_map(|(now, before)| now.difference(before)).collect::<String>()

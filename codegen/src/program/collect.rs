@@ -8,6 +8,7 @@
 use super::values::{Operation, Value, Values};
 use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;
+use std::cmp::Reverse;
 
 /// A term of a sum: `factors / divisors`.
 pub(super) struct Term {
@@ -81,29 +82,40 @@ fn factor(values: &mut Values, terms: Vec<Term>) -> Vec<(bool, Value)> {
 
 /// Repeatedly merges two terms whose sum, apart from common factors, exists already.
 fn take_known_sums(values: &Values, mut terms: Vec<Term>) -> Vec<Term> {
-    let pair = |terms: &[Term]| {
-        let pairs = (1..terms.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
-        pairs.filter_map(|(a, b)| Some((a, b, known_sum(values, &terms[a], &terms[b])?))).next()
-    };
-    while let Some((a, b, sum)) = pair(&terms) {
+    // Pairs of terms up to here have no known sum, but for those of the term that was merged last.
+    let (mut checked, mut merged) = (0, 0);
+    while let Some((a, b, sum)) = first_known_sum(values, &terms, checked, merged) {
         terms.remove(b);
         terms[a] = sum;
+        (checked, merged) = (b, a);
     }
     terms
 }
 
+/// The first pair of terms, by the second of them, whose sum exists. Among the first `checked` terms only pairs with the term
+/// `merged` may be such.
+fn first_known_sum(values: &Values, terms: &[Term], checked: usize, merged: usize) -> Option<(usize, usize, Term)> {
+    for b in 1..terms.len() {
+        for a in 0..b {
+            let may_have_one = b >= checked || a == merged || b == merged;
+            if may_have_one && let Some(sum) = known_sum(values, &terms[a], &terms[b]) {
+                return Some((a, b, sum));
+            }
+        }
+    }
+    None
+}
+
 /// The sum of two terms with a factor in common, if the rest of both is added or subtracted somewhere.
 fn known_sum(values: &Values, a: &Term, b: &Term) -> Option<Term> {
-    let is_common = |factor: &&Value| a.factors.contains(factor) && b.factors.contains(factor);
-    let rest = |term: &Term| values.known_product(term.factors.iter().filter(|factor| !is_common(factor)).copied());
-    if a.divisors != b.divisors || !a.factors.iter().any(|factor| is_common(&factor)) {
+    if a.divisors != b.divisors || !a.factors.iter().any(|factor| b.factors.contains(factor)) {
         return None;
     }
-    let (x, y) = (rest(a)?, rest(b)?);
+    let (x, y) = (values.known_product(&a.factors, &b.factors)?, values.known_product(&b.factors, &a.factors)?);
     let is_difference = a.negative != b.negative;
     let sum = |x: Value, y: Value| values.find(&Operation::Sum(vec![(false, x), (is_difference, y)]));
     let (negative, sum) = sum(x, y).map(|sum| (a.negative, sum)).or_else(|| Some((b.negative, sum(y, x)?)))?;
-    let common = a.factors.iter().filter(is_common).copied();
+    let common = a.factors.iter().filter(|factor| b.factors.contains(factor)).copied();
     Some(Term { negative, factors: common.chain([sum]).collect(), divisors: a.divisors.clone() })
 }
 
@@ -129,7 +141,7 @@ pub(super) fn add_multiples(values: &mut Values, terms: Vec<(bool, Value)>) -> V
 }
 
 /// The common factor of several terms.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Common {
     Factor(Value),
     Divisor(Value),
@@ -159,16 +171,16 @@ fn most_common(terms: &[Term]) -> Option<Common> {
     if terms.len() < 2 {
         return None;
     }
-    let mut counts: Map<Common, usize> = Map::default();
-    for term in terms {
-        // A term has a factor once: powers are values of their own.
+    // A term has a factor once: powers are values of their own.
+    let common = |term: &Term| {
         let factors = term.factors.iter().map(|factor| Common::Factor(*factor));
-        let divisors = term.divisors.iter().map(|divisor| Common::Divisor(*divisor));
-        factors.chain(divisors).for_each(|common| *counts.entry(common).or_default() += 1);
-    }
+        factors.chain(term.divisors.iter().map(|divisor| Common::Divisor(*divisor))).collect::<Vec<_>>()
+    };
+    let mut places: Vec<(Common, usize)> = terms.iter().flat_map(common).zip(0..).collect();
+    places.sort_unstable();
+    let several = places.chunk_by(|a, b| a.0 == b.0).filter(|equal| equal.len() > 1);
     // The first of those with the largest count.
-    let largest = counts.values().copied().max().filter(|count| *count > 1)?;
-    counts.into_iter().find(|(_, count)| *count == largest).map(|(common, _)| common)
+    several.max_by_key(|equal| (equal.len(), Reverse(equal[0].1))).map(|equal| equal[0].0)
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ use super::{Kernel, Program};
 use crate::dynamics::EquationsOfMotion;
 use crate::kernel_id::{KernelId, Record};
 use crate::symbolic::Expr;
+use crate::threads::side_by_side;
 use rustc_hash::FxHashMap;
 
 /// The largest sum allowed when multiplying out.
@@ -23,18 +24,25 @@ pub fn plan(equations: &mut EquationsOfMotion) -> Program {
     let zero = equations.graph.zero();
     let alternatives = expansions(equations);
     let planner = Planner::new(equations, &alternatives);
-    let mut kernels = prepared_kernels(&planner);
-    kernels.extend(separate_kernels(&planner, zero));
+    let (mut kernels, (others, sparsity)) =
+        side_by_side(|| prepared_kernels(&planner), || other_kernels(&planner, zero));
+    kernels.extend(others);
+    Program { kernels, sparsity }
+}
+
+/// The kernels that share nothing with those of `prepare`, and which entries of C_q may differ from 0.
+fn other_kernels(planner: &Planner, zero: Expr) -> (Vec<Kernel>, Option<Sparsity>) {
+    let mut kernels = separate_kernels(planner, zero);
     let columns = reduced::columns_of_constraints(planner.equations, &mut planner.lowering());
     let sparsity = Sparsity::of(columns, planner.equations.model.coordinates.len());
-    kernels.extend(sparsity.as_ref().map(|sparsity| sparse_linearization_kernel(&planner, sparsity)));
-    kernels.extend(generalized_speeds_kernel(&planner));
-    kernels.extend(speed_mass_matrix(&planner));
-    kernels.extend(event_values_kernel(&planner));
-    kernels.extend(switching_functions_kernel(&planner));
-    kernels.extend(load_conditions_kernel(&planner));
-    kernels.extend(input_values_kernel(&planner));
-    Program { kernels, sparsity }
+    kernels.extend(sparsity.as_ref().map(|sparsity| sparse_linearization_kernel(planner, sparsity)));
+    kernels.extend(generalized_speeds_kernel(planner));
+    kernels.extend(speed_mass_matrix(planner));
+    kernels.extend(event_values_kernel(planner));
+    kernels.extend(switching_functions_kernel(planner));
+    kernels.extend(load_conditions_kernel(planner));
+    kernels.extend(input_values_kernel(planner));
+    (kernels, sparsity)
 }
 
 /// Expressions with products of sums multiplied out, if terms then cancel; the power by forces along coordinates.

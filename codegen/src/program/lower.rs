@@ -78,6 +78,9 @@ impl<'a> Lowering<'a> {
     /// Marks a value and all of its operands as needed; gives the newly marked ones.
     fn want(&mut self, value: Value) -> Vec<Value> {
         self.wanted.resize(self.values.len(), false);
+        if self.wanted[value.index()] {
+            return vec![];
+        }
         let (mut new, mut stack) = (vec![], vec![value]);
         while let Some(value) = stack.pop() {
             if !std::mem::replace(&mut self.wanted[value.index()], true) {
@@ -156,7 +159,8 @@ impl<'a> Lowering<'a> {
             _ => (1.0, &[(expr, 1)][..]),
         };
         let number = coefficient.to_f64() * inner;
-        let mut term = Term { negative: false, factors: vec![self.values.constant(number.abs())], divisors: vec![] };
+        let mut term = Term { negative: false, factors: Vec::with_capacity(factors.len() + 1), divisors: vec![] };
+        term.factors.push(self.values.constant(number.abs()));
         for (base, exponent) in factors {
             let (power, is_above) = self.integer_power(*base, *exponent);
             let list = if is_above { &mut term.factors } else { &mut term.divisors };

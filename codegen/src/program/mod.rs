@@ -16,6 +16,7 @@ mod names;
 mod needs;
 mod notes;
 mod numbers;
+mod operation;
 mod operations;
 mod pieces;
 mod planner;
@@ -45,7 +46,7 @@ pub use sparsity::{SparseRow, Sparsity};
 
 use crate::kernel_id::KernelId;
 use crate::symbolic::TableId;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// All kernels of a mechanism.
 pub struct Program {
@@ -108,7 +109,7 @@ pub enum Statement {
 /// A system with many right-hand sides, and its solutions.
 pub struct Columns {
     /// The structure of the system.
-    pub shape: Rc<ColumnsShape>,
+    pub shape: Arc<ColumnsShape>,
     /// The reciprocals of pivots, by steps.
     pub inverses: Vec<Tree>,
     /// The entries of L, by steps.
@@ -140,7 +141,7 @@ pub struct Wave {
 }
 
 /// A name, shared by all of its uses.
-pub type Name = Rc<str>;
+pub type Name = Arc<str>;
 
 /// An expression over names.
 #[derive(Clone)]

@@ -5,7 +5,7 @@ use super::columns::{BLOCK, ColumnsShape, ColumnsStep};
 use super::eliminate::{Factors, Step};
 use super::responses::Responses;
 use super::values::{ColumnsOperation, Operation, Value, Values};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// An unknown with the reciprocal of its pivot and its column of L.
 type Eliminated<'a> = (usize, Value, &'a [(usize, Value)]);
@@ -32,7 +32,7 @@ pub(super) fn solve_each(values: &mut Values, factors: &Factors, columns: Vec<Ve
         operands.extend((0..shape.columns).map(|j| columns.get(j).map_or(zero, |column| column[row])));
     }
     let rows = steps.len();
-    let matrix = values.add(Operation::Columns(Box::new(ColumnsOperation { shape: Rc::new(shape), operands })));
+    let matrix = values.add(Operation::Columns(Box::new(ColumnsOperation { shape: Arc::new(shape), operands })));
     let mut column = |j: usize| (0..rows).map(|i| values.add(Operation::Entry(matrix, i, j))).collect();
     (0..count).map(&mut column).collect()
 }

@@ -50,7 +50,7 @@ pub(super) fn share_products(values: &Values, roots: &[Value], leaves: &Leaves) 
 
 /// Whether two factors stand together in several products.
 fn has_shared_pair(values: &Values, needed: &[Value]) -> bool {
-    let mut seen: FxHashMap<(Value, Value), Value> = FxHashMap::default();
+    let mut seen: FxHashMap<(Value, Value), Value> = FxHashMap::with_capacity_and_hasher(needed.len(), FxBuildHasher);
     let is_new = |product: Value, pair: (Value, Value), seen: &mut FxHashMap<_, _>| {
         seen.insert(pair, product).is_none_or(|other| other == product)
     };
@@ -180,7 +180,7 @@ impl Products {
     }
 
     fn rebuild(&self, values: &Values, needed: &[Value]) -> Shared {
-        let mut shared = Shared { values: Values::default(), moved: Moved::default() };
+        let mut shared = Shared { values: Values::with_room(needed.len()), moved: Moved::default() };
         let mut taken: Vec<Option<Value>> = vec![None; self.pairs.len()];
         for value in needed {
             let new = match self.by_value.get(value) {

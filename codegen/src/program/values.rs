@@ -4,81 +4,11 @@
 //! that depend on parameters alone are kept together, so that they are computed once for each set of parameters.
 
 use super::Tree;
-use super::columns::ColumnsShape;
-use crate::symbolic::{Function, TableId};
+use crate::symbolic::Function;
 use indexmap::IndexSet;
 use rustc_hash::{FxBuildHasher, FxHashMap};
-use std::rc::Rc;
 
-/// A value of the program. Operands have smaller indices than their results.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub(super) struct Value(u32);
-
-/// The operation of a value.
-#[derive(Clone, PartialEq, Eq, Hash, Debug)]
-pub(super) enum Operation {
-    /// A number that is not negative, by its bits.
-    Constant(u64),
-    /// An input of the kernel.
-    Input(Input),
-    /// Terms, each with whether it is subtracted.
-    Sum(Vec<(bool, Value)>),
-    /// Factors.
-    Product(Vec<Value>),
-    /// A quotient.
-    Quotient(Value, Value),
-    /// The opposite.
-    Negate(Value),
-    /// A function of one argument.
-    Call(Function, Value),
-    /// A square root.
-    Sqrt(Value),
-    /// A real power.
-    Power(Value, Value),
-    /// The angle of the point (x, y), as (y, x).
-    Atan2(Value, Value),
-    /// The second where the first is above zero, otherwise the third.
-    Choice(Value, Value, Value),
-    /// The derivative of this order of a table.
-    Table(TableId, u8, Value),
-    /// An input: the value it is set to, or its declared course.
-    Held(Value, Value),
-    /// The solutions of a system for many right-hand sides.
-    Columns(Box<ColumnsOperation>),
-    /// The entry of such a matrix in a row and a column.
-    Entry(Value, usize, usize),
-}
-
-/// A matrix of right-hand sides with what solves it.
-#[derive(Clone, PartialEq, Eq, Hash, Debug)]
-pub(super) struct ColumnsOperation {
-    pub(super) shape: Rc<ColumnsShape>,
-    /// The reciprocals of pivots and the entries of L, by steps; then the right-hand sides, by rows.
-    pub(super) operands: Vec<Value>,
-}
-
-/// An input of a kernel; numbers count in the order of declaration.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub(super) enum Input {
-    /// A parameter of the mechanism.
-    Parameter(usize),
-    /// The activity of a constraint that events switch.
-    Activity(usize),
-    /// The value that an input of the mechanism is set to, if any.
-    Held(usize),
-    /// Time.
-    Time,
-    /// A coordinate.
-    Position(usize),
-    /// Its speed.
-    Speed(usize),
-    /// Its acceleration.
-    Acceleration(usize),
-    /// A multiplier.
-    Multiplier(usize),
-    /// A generalised speed.
-    GeneralizedSpeed(usize),
-}
+pub(super) use super::operation::{ColumnsOperation, Input, Operands, Operation, Value};
 
 /// Values that need no statement: inputs and prepared values.
 pub(super) type Leaves = FxHashMap<Value, Tree>;
@@ -206,45 +136,44 @@ impl Values {
     }
 
     /// The product of factors, with signs in front.
-    pub(super) fn product(&mut self, factors: Vec<Value>) -> Value {
+    pub(super) fn product(&mut self, mut factors: Vec<Value>) -> Value {
         let mut negative = false;
-        let mut kept = Vec::with_capacity(factors.len());
-        for factor in factors {
-            let size = match *self.operation(factor) {
-                Operation::Negate(inner) => {
-                    negative = !negative;
-                    inner
-                }
-                _ => factor,
-            };
-            if self.is_zero(size) {
-                return size;
+        for factor in &mut factors {
+            if let Some(opposite) = self.opposite(*factor) {
+                negative = !negative;
+                *factor = opposite;
             }
-            if !self.is_constant(size, 1.0) {
-                kept.push(size);
+            if self.is_zero(*factor) {
+                return *factor;
             }
         }
-        if let Some(parametric) = self.separate(&mut kept, |factor| *factor) {
+        factors.retain(|factor| !self.is_constant(*factor, 1.0));
+        if let Some(parametric) = self.separate(&mut factors, |factor| *factor) {
             let together = self.product(parametric);
-            kept.insert(0, together);
+            factors.insert(0, together);
         }
         // In a fixed order, so that equal products are one value.
-        kept.sort();
-        let product = match kept.as_slice() {
+        factors.sort();
+        let product = match factors.as_slice() {
             [] => self.constant(1.0),
             [one] => *one,
-            _ => self.add(Operation::Product(kept)),
+            _ => self.add(Operation::Product(factors)),
         };
         if negative { self.negate(product) } else { product }
     }
 
-    /// The product of factors without signs, if it exists.
-    pub(super) fn known_product(&self, mut factors: impl Iterator<Item = Value>) -> Option<Value> {
-        let (first, second) = (factors.next()?, factors.next());
-        let Some(second) = second else { return Some(first) };
-        let mut factors: Vec<Value> = [first, second].into_iter().chain(factors).collect();
-        factors.sort();
-        self.find(&Operation::Product(factors))
+    /// The product of factors without signs, `left_out` left out, if it exists.
+    pub(super) fn known_product(&self, factors: &[Value], left_out: &[Value]) -> Option<Value> {
+        let mut rest = factors.to_vec();
+        rest.retain(|factor| !left_out.contains(factor));
+        match rest.as_slice() {
+            [] => None,
+            [one] => Some(*one),
+            _ => {
+                rest.sort();
+                self.find(&Operation::Product(rest))
+            }
+        }
     }
 
     /// The value as a multiple of another by a factor that depends on parameters alone.
@@ -341,57 +270,7 @@ impl Values {
     }
 
     /// The operands of a value, in order.
-    pub(super) fn operands(&self, value: Value) -> impl Iterator<Item = Value> + Clone + use<'_> {
-        let (mut all_terms, mut all_factors, mut few) = (&[][..], &[][..], [None; 3]);
-        match self.operation(value) {
-            Operation::Constant(_) | Operation::Input(_) => {}
-            Operation::Sum(terms) => all_terms = terms,
-            Operation::Product(factors) => all_factors = factors,
-            Operation::Columns(columns) => all_factors = &columns.operands,
-            Operation::Quotient(a, b) | Operation::Power(a, b) | Operation::Atan2(a, b) | Operation::Held(a, b) => {
-                few = [Some(*a), Some(*b), None];
-            }
-            Operation::Choice(a, b, c) => few = [a, b, c].map(|part| Some(*part)),
-            Operation::Negate(a)
-            | Operation::Call(_, a)
-            | Operation::Sqrt(a)
-            | Operation::Table(_, _, a)
-            | Operation::Entry(a, ..) => {
-                few = [Some(*a), None, None];
-            }
-        }
-        let terms = all_terms.iter().map(|(_, term): &(bool, Value)| *term);
-        terms.chain(all_factors.iter().copied()).chain(few.into_iter().flatten())
-    }
-}
-
-impl Operation {
-    /// The same on other operands.
-    pub(super) fn map(&self, f: impl Fn(Value) -> Value) -> Operation {
-        match self {
-            Operation::Constant(_) | Operation::Input(_) => self.clone(),
-            Operation::Sum(terms) => Operation::Sum(terms.iter().map(|(negative, x)| (*negative, f(*x))).collect()),
-            Operation::Product(factors) => Operation::Product(factors.iter().map(|x| f(*x)).collect()),
-            Operation::Quotient(above, below) => Operation::Quotient(f(*above), f(*below)),
-            Operation::Negate(operand) => Operation::Negate(f(*operand)),
-            Operation::Call(function, argument) => Operation::Call(*function, f(*argument)),
-            Operation::Sqrt(argument) => Operation::Sqrt(f(*argument)),
-            Operation::Power(base, exponent) => Operation::Power(f(*base), f(*exponent)),
-            Operation::Atan2(y, x) => Operation::Atan2(f(*y), f(*x)),
-            Operation::Choice(difference, above, other) => Operation::Choice(f(*difference), f(*above), f(*other)),
-            Operation::Table(table, order, argument) => Operation::Table(*table, *order, f(*argument)),
-            Operation::Held(held, course) => Operation::Held(f(*held), f(*course)),
-            Operation::Columns(columns) => {
-                let operands = columns.operands.iter().map(|x| f(*x)).collect();
-                Operation::Columns(Box::new(ColumnsOperation { shape: columns.shape.clone(), operands }))
-            }
-            Operation::Entry(matrix, i, j) => Operation::Entry(f(*matrix), *i, *j),
-        }
-    }
-}
-
-impl Value {
-    pub(super) fn index(self) -> usize {
-        self.0 as usize
+    pub(super) fn operands(&self, value: Value) -> Operands<'_> {
+        self.operation(value).operands()
     }
 }

@@ -6,6 +6,7 @@ use super::motion::Motion;
 use super::planner::Planner;
 use super::values::{Leaves, Value, Values};
 use crate::dynamics::{ConstraintForm, ConstraintRows, EquationsOfMotion, Links, Separation};
+use crate::threads;
 
 /// With more coordinates only recursions are tried where there are links: rows of T of a tree depend on all coordinates before
 /// them, and to count what they would take takes long.
@@ -81,19 +82,19 @@ impl<'a> Way<'a> {
 
 impl<'a> Solution<'a> {
     pub(super) fn cheapest(planner: &'a Planner<'a>) -> Option<Solution<'a>> {
-        let least = |ways: &mut dyn Iterator<Item = Way<'a>>| {
-            let trials = ways.filter_map(|way| way.tried(planner));
+        let least = |ways: Vec<Way<'a>>| {
+            let trials = threads::map(&ways, |way| way.tried(planner)).into_iter().flatten();
             trials.reduce(|best, other| if other.cost < best.cost { other } else { best })
         };
         let is_differentiated = is_differentiated(planner.equations);
-        let open = least(&mut Way::open(planner.equations));
+        let open = least(Way::open(planner.equations).collect());
         let open = match open {
             Some(Trial { lowering, motion, .. }) if !is_differentiated && !can_be_by_rows(planner.equations) => {
                 return Some(Solution { lowering, motion, differentiable: None });
             }
             open => open,
         };
-        let factorised = least(&mut Way::factorised(planner.equations))?;
+        let factorised = least(Way::factorised(planner.equations).collect())?;
         let open = open.filter(|open| open.cost < factorised.cost);
         let Some(Trial { mut lowering, motion, .. }) = open else {
             let Trial { lowering, motion, .. } = factorised;

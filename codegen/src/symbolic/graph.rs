@@ -1,6 +1,7 @@
 //! The shared graph of expressions.
 
 use super::facts::Facts;
+use super::operands::Operands;
 use super::symbols::Symbols;
 use super::{Constant, Expr, Node, Number, Symbol, Table};
 use indexmap::IndexSet;
@@ -149,20 +150,8 @@ impl Graph {
     }
 
     /// The operands of a node, in order.
-    pub fn operands(&self, expr: Expr) -> impl Iterator<Item = Expr> + Clone + use<'_> {
-        let (mut all_terms, mut all_factors, mut few) = (&[][..], &[][..], [None; 3]);
-        match self.node(expr) {
-            Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => {}
-            Node::Sum { terms, .. } => all_terms = terms,
-            Node::Product { factors, .. } => all_factors = factors,
-            Node::Power { base, exponent } => few = [Some(*base), Some(*exponent), None],
-            Node::Call(_, argument) | Node::Table(_, _, argument) => few = [Some(*argument), None, None],
-            Node::Atan2(y, x) => few = [Some(*y), Some(*x), None],
-            Node::Choice(difference, above, otherwise) => few = [difference, above, otherwise].map(|part| Some(*part)),
-        }
-        let terms = all_terms.iter().map(|(term, _): &(Expr, Number)| *term);
-        let factors = all_factors.iter().map(|(base, _): &(Expr, i64)| *base);
-        terms.chain(factors).chain(few.into_iter().flatten())
+    pub fn operands(&self, expr: Expr) -> Operands<'_> {
+        self.node(expr).operands()
     }
 
     /// The given expressions and all of their operands, operands first.

@@ -75,15 +75,14 @@ impl Graph {
                 None => factors.push((base, exponent)),
             },
             Node::Product { coefficient: inner, factors: inner_factors } => {
-                let folds = inner.pow(exponent).filter(|_| self.may_distribute(inner_factors, exponent));
-                let scaled: Option<Vec<_>> =
-                    inner_factors.iter().map(|(b, e)| Some((*b, e.checked_mul(exponent)?))).collect();
-                match (folds, scaled) {
-                    (Some(value), Some(scaled)) => {
+                let is_small = inner_factors.iter().all(|(_, e)| e.checked_mul(exponent).is_some());
+                let may_fold = is_small && self.may_distribute(inner_factors, exponent);
+                match inner.pow(exponent).filter(|_| may_fold) {
+                    Some(value) => {
                         *coefficient = &*coefficient * &value;
-                        factors.extend(scaled);
+                        factors.extend(inner_factors.iter().map(|(b, e)| (*b, e * exponent)));
                     }
-                    _ => factors.push((base, exponent)),
+                    None => factors.push((base, exponent)),
                 }
             }
             Node::Sum { .. } => {

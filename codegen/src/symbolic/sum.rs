@@ -94,13 +94,13 @@ impl Graph {
 /// Adds the weights of equal terms, drops what cancels, and sorts.
 fn merge(mut terms: Vec<(Expr, Number)>) -> Vec<(Expr, Number)> {
     terms.sort_by_key(|(term, _)| *term);
-    let mut merged: Vec<(Expr, Number)> = Vec::with_capacity(terms.len());
-    for (term, weight) in terms {
-        match merged.last_mut() {
-            Some((last, sum)) if *last == term => *sum = &*sum + &weight,
-            _ => merged.push((term, weight)),
+    terms.dedup_by(|(term, weight), (last, sum)| {
+        let is_equal = term == last;
+        if is_equal {
+            *sum = &*sum + &*weight;
         }
-    }
-    merged.retain(|(_, weight)| !weight.is_zero());
-    merged
+        is_equal
+    });
+    terms.retain(|(_, weight)| !weight.is_zero());
+    terms
 }

@@ -31,7 +31,7 @@ enum Source {
 /// kernels are.
 pub fn entry<M: Compiled>() -> Entry {
     let description: &Description = const { &M::DESCRIPTION };
-    Entry { name: description.name, source: Source::Compiled(|| erase(M::defaults())), run: None }
+    model_entry(description.name, || erase(M::defaults()))
 }
 
 /// The same with step loops compiled for this mechanism: `run` integrates several times as fast, to the same bits, and
@@ -39,6 +39,11 @@ pub fn entry<M: Compiled>() -> Entry {
 pub fn entry_with_own_loops<M: Compiled>() -> Entry {
     let run = |arguments: &RunArguments, voice: Voice| run_command(M::defaults(), arguments, voice);
     Entry { run: Some(run), ..entry::<M>() }
+}
+
+/// Registers a mechanism that is a model already.
+pub const fn model_entry(name: &'static str, model: fn() -> Arc<dyn Model>) -> Entry {
+    Entry { name, source: Source::Compiled(model), run: None }
 }
 
 /// Registers a declaration by its text, that of a `.mech` or `.rs` file with this mechanism alone. It is read when the

@@ -42,7 +42,7 @@ use commands::{
     check, compare, evaluate, generate, import, info, kinematics, linearize, list, new, new_file, plot, poincare, run,
     statics, verify, watch,
 };
-pub use entry::{Entry, entry, entry_with_own_loops, text_entry};
+pub use entry::{Entry, entry, entry_with_own_loops, model_entry, text_entry};
 use files::run_file::RunFile;
 use sim_runtime::Erased;
 pub use simulated::{GoesOn, Simulated, Stand, simulated};

@@ -10,8 +10,6 @@ mod analysis;
 mod batch;
 mod compiled;
 mod events;
-#[cfg(feature = "analysis")]
-pub mod import;
 mod integrate;
 #[cfg(feature = "analysis")]
 mod interpreted;
@@ -63,6 +61,9 @@ pub use record::table::{Column, Table};
 pub use run::{
     Controller, DOUBTFUL_BALANCE, NotRestored, Run, Simulation, dead_points, run, run_controlled, run_while,
 };
+/// Other formats to declarations.
+#[cfg(feature = "analysis")]
+pub use sim_import as import;
 pub use sim_kernel::{
     self, Array, Compiled, Description, Dual, Dynamics, FixedArray, GeneralizedSpeeds, Input, Interval, Lanes,
     Mechanism, Scalar, Vectors, Work,

@@ -19,6 +19,7 @@ pub const CRATES: &[Crate] = &[
     Crate {
         folder: "codegen/src",
         stages: &[
+            "threads",
             "nearest",
             "mistakes",
             "kernel_id",
@@ -46,7 +47,6 @@ pub const CRATES: &[Crate] = &[
             "numerics",
             "state",
             "model",
-            "import",
             "interpreted",
             "motion",
             "integrate",
@@ -65,6 +65,7 @@ pub const CRATES: &[Crate] = &[
         stages: &["whole", "outcome", "happening", "write", "formats", "show"],
         apart: &[],
     },
+    Crate { folder: "sim/import/src", stages: &[], apart: &[] },
     Crate { folder: "sim/command/src", stages: &[], apart: &[] },
 ];
 

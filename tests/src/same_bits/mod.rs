@@ -6,17 +6,13 @@ mod draws;
 
 use crate::Random;
 use draws::{DualPlace, Place, dual_values, random_values};
-use sim::{At, DeclarationFile, Dual, Input, Kernel, LoadError, Model, Values, erase};
+use sim::{At, DeclarationFile, Dual, Input, Kernel, LoadError, Model, Values};
 use std::path::Path;
 use std::sync::Arc;
 
-macro_rules! erased {
-    ($($model:ty),*) => { vec![$(erase(<$model as sim::Compiled>::defaults())),*] };
-}
-
 /// Every shipped mechanism, compiled.
 pub fn compiled() -> Vec<Arc<dyn Model>> {
-    models::all_models!(erased)
+    models::erased().map(|(_, model)| model()).collect()
 }
 
 /// The same mechanism, from the text of its declaration.

@@ -10,6 +10,7 @@ use crate::kernel_id::{Argument, KernelId, Receiver};
 use crate::model::Model;
 use crate::program::{self, Entries, Kernel, Name, Program, Results, Statement, Tree};
 use crate::symbolic::Function;
+use crate::threads;
 use rustc_hash::FxHashMap;
 
 /// Every kernel of a program.
@@ -26,7 +27,7 @@ pub fn codes(model: &Model, program: &Program, order: Order) -> Vec<Code> {
         };
         Writer::new(fields, &inputs).code(kernel, order)
     };
-    program.kernels.iter().map(code).collect()
+    threads::map(&program.kernels, code)
 }
 
 fn fields_of_mechanism(model: &Model) -> impl Iterator<Item = (&str, Field)> {

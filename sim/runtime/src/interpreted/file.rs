@@ -1,13 +1,13 @@
 //! Declarations in files.
 
 use super::interpret;
-use crate::import::urdf::{self, Imported};
 use crate::model::erased::Model;
 use codegen::Derived;
 use codegen::description::kebab_case;
 use codegen::dsl::{self, folder_of_tables};
 use codegen::mistakes::Mistake;
 use proc_macro2::TokenStream;
+use sim_import::urdf::{self, Imported};
 use std::fs::File;
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};

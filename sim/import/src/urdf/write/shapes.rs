@@ -2,11 +2,11 @@
 
 use super::blocks::Blocks;
 use super::{Written, one_line};
-use crate::import::urdf::mesh::{self, Missing};
-use crate::import::urdf::number::Number;
-use crate::import::urdf::outline::outlines;
-use crate::import::urdf::robot::{Geometry, Kind, Place, Visual};
-use crate::import::urdf::warnings::Warnings;
+use crate::urdf::mesh::{self, Missing};
+use crate::urdf::number::Number;
+use crate::urdf::outline::outlines;
+use crate::urdf::robot::{Geometry, Kind, Place, Visual};
+use crate::urdf::warnings::Warnings;
 use indexmap::IndexMap;
 use nalgebra::Vector3;
 

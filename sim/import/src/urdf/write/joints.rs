@@ -2,11 +2,11 @@
 
 use super::blocks::Blocks;
 use super::{Named, Written, one_line};
-use crate::import::urdf::Mimic;
-use crate::import::urdf::mimic::Law;
-use crate::import::urdf::names::Names;
-use crate::import::urdf::number::Number;
-use crate::import::urdf::robot::{Joint, Kind};
+use crate::urdf::Mimic;
+use crate::urdf::mimic::Law;
+use crate::urdf::names::Names;
+use crate::urdf::number::Number;
+use crate::urdf::robot::{Joint, Kind};
 
 /// Where friction is nearly whole, in rad/s or m/s.
 const SLOW: &str = "0.05";

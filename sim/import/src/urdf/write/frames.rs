@@ -2,9 +2,9 @@
 
 use super::blocks::{Blocks, FREE};
 use super::{Named, Written};
-use crate::import::urdf::number::Number;
-use crate::import::urdf::pose::{Pose, quaternion};
-use crate::import::urdf::robot::{Joint, Kind, Origin};
+use crate::urdf::number::Number;
+use crate::urdf::pose::{Pose, quaternion};
+use crate::urdf::robot::{Joint, Kind, Origin};
 use codegen::model::impossible_inertia;
 use nalgebra::{Matrix3, Vector3};
 
