@@ -29,7 +29,7 @@ pub(crate) fn map<T: Sync, U: Send>(items: &[T], f: impl Fn(&T) -> U + Sync) -> 
     };
     let mut done = scope(|scope| {
         let others = processors().min(items.len()).saturating_sub(1);
-        let threads: Vec<_> = (0..others).filter_map(|_| started(scope, &work)).collect();
+        let threads: Vec<_> = (0..others).filter_map(|_| started(scope, work)).collect();
         let own = work();
         threads.into_iter().flat_map(joined).chain(own).collect::<Vec<_>>()
     });
