@@ -33,6 +33,8 @@ fn no_smooth_pulse_is_passed_over() {
         // Two peaks within 3 s, where the sine is 0 and its argument to 1e-6.
         ("F*exp(-(sin(f*(t - a))/(f*w))^2)", 2.0 * force * w * PI.sqrt()),
         ("F/(1 + ((t - a)/w)^2)", force * w * ((2.23 / w).atan() + (0.77 / w).atan())),
+        // Two peaks, each sqrt(2 pi/n) (1 - 1/(4 n)) / f by the ratio of gamma functions.
+        ("F*cos(f*(t - a))^20000", force * (2.0 * PI / 2e4f64).sqrt() * (1.0 - 1.0 / 8e4)),
     ];
     for (force, impulse) in forces {
         for method in [Method::Dop853, Method::Dopri5, Method::Radau5] {
@@ -115,4 +117,63 @@ fn no_smooth_pulse_by_position_is_passed_over() {
             }
         }
     }
+}
+
+/// What a mass of 2 kg at about 1 m/s gains in momentum from a push of 1 N by equal steps of 1 ms, as a part of the push's impulse,
+/// and whether a step is counted as too long for it.
+fn by_equal_steps(force: &str, impulse: f64, [w, a]: [f64; 2], method: Method) -> (f64, bool) {
+    let declaration = format!(
+        "pub Pushed; coordinates {{ x [m]; }} parameters {{ F [N] = 1; w [s] = {w}; a [s] = {a}; v [m/s] = 1; }}
+         bodies {{ block: mass 2 [kg] at [x, 0]; }} loads {{ force {force} on x; }} initial {{ dot(x) = v; }}"
+    );
+    let run = run_with(interpreted(&declaration).unwrap(), &Settings::equal_steps(method, 0.1, 100)).unwrap();
+    assert!(run.trajectory.failure.is_none(), "{:?}", run.trajectory.failure);
+    let gained = 2.0 * (run.trajectory.samples.last().unwrap().state.speeds[0] - 1.0);
+    (gained / (impulse * w), run.steps.sudden_changes.is_some())
+}
+
+/// Pulses of time and of the place, wherever they lie in a step.
+#[test]
+fn equal_steps_that_are_too_long_for_a_pulse_are_counted() {
+    let forces = [
+        ("F*exp(-((t - a)/w)^2)", PI.sqrt()),
+        ("F*exp(-((x/v - a)/w)^2)", PI.sqrt()),
+        ("F/cosh((t - a)/w)", PI),
+        ("F/cosh((x/v - a)/w)", PI),
+        ("F/(1 + ((t - a)/w)^2)", PI),
+    ];
+    for (force, impulse) in forces {
+        for (of_step, offset) in [0.03, 0.3, 1.0, 1.5, 4.0].into_iter().flat_map(|w| (0..6).map(move |k| (w, k))) {
+            let place = [of_step * 1e-3, 0.05 + 1e-3 / 6.0 * f64::from(offset)];
+            for method in [Method::Rk4, Method::Dopri5, Method::Radau5] {
+                let (gained, is_counted) = by_equal_steps(force, impulse, place, method);
+                // Of the last one a twentieth is before and after the run.
+                let is_wrong = (gained - 1.0).abs() > 0.06;
+                let what = format!("{force}, {place:?}, {method:?}: {gained}");
+                assert!(is_counted || !is_wrong, "wrong without a word: {what}");
+                assert!(!is_counted || of_step < 1.5, "counted for nothing: {what}");
+            }
+        }
+    }
+}
+
+/// A coordinate without a unit that goes to infinity, with a load that begins on the way: each step is looked into in a moment.
+#[test]
+fn a_motion_to_infinity_ends_soon() {
+    let declaration = "pub Blown; coordinates { z; } parameters { m [kg] = 1; k [N*m] = 1; L [m] = 1; }
+        bodies { block: mass m at [L*z, 0]; } loads { force (if z > 2 then k*z^3 else 0) on z; }
+        initial { z = 1; dot(z) = 1 [1/s]; }";
+    let settings = Settings { rows: Rows::Steps, ..Settings::adaptive(Method::Dop853, 10.0, 1e-10) };
+    let run = run_with(interpreted(declaration).unwrap(), &settings).unwrap();
+    let last = run.trajectory.samples.last().unwrap();
+    // z'^2 = z^4/2 - 7 from z = 2 at 1 s on; with u = 1/z the integral of sqrt(2) du/sqrt(1 - 14 u^4) up to 1/2, by its series.
+    let terms = (0..200).scan(1.0, |binomial, k| {
+        let term = *binomial * 0.875f64.powi(k) / 2.0 / f64::from(4 * k + 1);
+        *binomial *= f64::from(2 * k + 1) / f64::from(2 * k + 2);
+        Some(term)
+    });
+    let blown = 1.0 + 2f64.sqrt() * terms.sum::<f64>();
+    assert!(run.trajectory.failure.is_some() && last.state.positions[0] > 1e9);
+    // What is left when z is 1e9 is 1.4e-9; the rest is the tolerance.
+    assert!((last.state.time - blown).abs() < 1e-8, "{} {blown}", last.state.time);
 }

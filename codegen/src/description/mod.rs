@@ -71,7 +71,7 @@ pub struct Description {
 pub struct Switching {
     /// The table whose rows count; if there is none, its zeros do.
     pub table: Option<NamedTable>,
-    /// Whether it changes at a constant rate.
+    /// Whether it is of the first degree in time; where it is one of the state, in positions and speeds too.
     pub is_affine: bool,
     /// Whether expressions keep their form there, which is the middle of a pulse or a step.
     pub is_smooth: bool,

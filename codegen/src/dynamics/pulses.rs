@@ -5,9 +5,12 @@
 //! positions each step is searched for them. By speeds there are none: smooth friction would end a step at each of its turns.
 
 use super::rows::LoadRow;
-use super::switching::{Switching, is_affine, is_new, is_of_time, nodes_of_loads};
+use super::switching::{Switching, is_affine, is_affine_in_state, is_new, is_of_time, nodes_of_loads};
 use crate::model::{Dependence, Dependences, Model};
 use crate::symbolic::{Differential, Expr, Function, Graph, Node};
+
+/// From this power on a function is a pulse where it is largest or smallest, as `sin(t)^200`: a fifth of its period long, or less.
+const SHARP: i64 = 16;
 
 /// A function whose zeros are the middles.
 enum Middle {
@@ -50,7 +53,7 @@ pub(super) fn middles_in_time(graph: &mut Graph, model: &Model, known: &[Switchi
     let of_node = |node| of_node(graph, &mut dependences, node, Course::Time);
     let middles: Vec<Middle> = graph.nodes().flat_map(of_node).collect();
     let along = Differential::partial(graph, model.time);
-    switchings(graph, dependences, (middles, along), known)
+    switchings(graph, model, dependences, (middles, along), known)
 }
 
 /// Those by positions in loads.
@@ -65,12 +68,13 @@ pub(super) fn middles_of_loads(
     let middles: Vec<Middle> = nodes_of_loads(graph, rows).flat_map(of_node).collect();
     let mut rates = vec![(model.time, graph.one())];
     rates.extend(model.coordinates.iter().map(|c| (c.position, graph.variable(c.speed))));
-    switchings(graph, dependences, (middles, Differential::along(rates)), known)
+    switchings(graph, model, dependences, (middles, Differential::along(rates)), known)
 }
 
 /// Middles as functions that are zero there.
 fn switchings(
     graph: &mut Graph,
+    model: &Model,
     mut dependences: Dependences,
     (middles, mut along): (Vec<Middle>, Differential),
     known: &[Switching],
@@ -83,8 +87,7 @@ fn switchings(
         };
         let changes = dependences.of(graph, value).meets(Dependence::TIME.or(Dependence::COORDINATE));
         if changes && is_new(known, value, None) && is_new(&found, value, None) {
-            let of_time = is_of_time(graph, &mut dependences, value);
-            let is_affine = of_time && is_affine(graph, &mut dependences, value, Dependence::TIME);
+            let is_affine = is_affine_in_state(graph, model, &mut dependences, value);
             found.push(Switching { value, table: None, is_affine, is_smooth: true });
         }
     }
@@ -93,9 +96,10 @@ fn switchings(
 
 /// The middles by which a node is a pulse or a step. A logistic function has its own where its exponent is 0.
 fn of_node(graph: &Graph, dependences: &mut Dependences, node: &Node, course: Course) -> Vec<Middle> {
+    let changing = course.changing();
     let is_pulse = |base: Expr, dependences: &mut Dependences| {
         course.is_of(graph, dependences, base)
-            && !is_affine(graph, dependences, base, course.changing())
+            && !is_affine(graph, dependences, base, changing)
             && !matches!(graph.node(base), Node::Call(..))
     };
     match node {
@@ -105,10 +109,15 @@ fn of_node(graph: &Graph, dependences: &mut Dependences, node: &Node, course: Co
         {
             vec![Middle::At(*argument)]
         }
-        // By positions distances stand below too, and what is nearest is no pulse.
-        Node::Product { factors, .. } if course == Course::Time => {
-            let below = factors.iter().filter(|(_, exponent)| *exponent < 0).map(|(base, _)| *base);
-            below.filter(|base| is_pulse(*base, dependences)).map(Middle::AtExtremum).collect()
+        Node::Product { factors, .. } => {
+            let is_short = |base: Expr, exponent: i64, dependences: &mut Dependences| match exponent {
+                SHARP.. => course.is_of(graph, dependences, base) && !is_affine(graph, dependences, base, changing),
+                // By positions distances stand below too, and what is nearest is no pulse.
+                ..0 => course == Course::Time && is_pulse(base, dependences),
+                _ => false,
+            };
+            let short = factors.iter().filter(|(base, exponent)| is_short(*base, *exponent, dependences));
+            short.map(|(base, _)| Middle::AtExtremum(*base)).collect()
         }
         _ => Vec::new(),
     }

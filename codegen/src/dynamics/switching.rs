@@ -7,7 +7,7 @@
 
 use super::rows::LoadRow;
 use crate::model::{Dependence, Dependences, Model};
-use crate::symbolic::{Expr, Function, Graph, Node, TableId};
+use crate::symbolic::{Expr, Function, Graph, Node, Symbol, TableId};
 
 /// One of them.
 pub struct Switching {
@@ -15,7 +15,7 @@ pub struct Switching {
     pub value: Expr,
     /// The table whose rows count; if there is none, its zeros do.
     pub table: Option<TableId>,
-    /// Whether it changes at a constant rate.
+    /// Whether it is of the first degree in time; where it is one of the state, in positions and speeds too.
     pub is_affine: bool,
     /// Whether expressions keep their form there, which is the middle of a pulse or a step.
     pub is_smooth: bool,
@@ -50,10 +50,23 @@ pub(super) fn of_loads(graph: &Graph, model: &Model, rows: &[LoadRow]) -> Vec<Sw
             && is_new(&found, value, table)
             && dependences.of(graph, value).meets(Dependence::COORDINATE.or(Dependence::SPEED))
         {
-            found.push(Switching { value, table, is_affine: false, is_smooth: false });
+            let is_affine = is_affine_in_state(graph, model, &mut dependences, value);
+            found.push(Switching { value, table, is_affine, is_smooth: false });
         }
     }
     found
+}
+
+/// Whether a condition is of the first degree in time, positions and speeds, with nothing else in it but parameters.
+pub(super) fn is_affine_in_state(graph: &Graph, model: &Model, dependences: &mut Dependences, value: Expr) -> bool {
+    let of_state = Dependence::TIME.or(Dependence::COORDINATE).or(Dependence::SPEED);
+    let is_known = |symbol: Symbol| {
+        let mut coordinates = model.coordinates.iter();
+        symbol == model.time
+            || coordinates.any(|coordinate| [coordinate.position, coordinate.speed].contains(&symbol))
+            || model.parameters.iter().any(|parameter| parameter.symbol == symbol)
+    };
+    graph.symbols_of(&[value]).into_iter().all(is_known) && is_affine(graph, dependences, value, of_state)
 }
 
 /// All that forces are made of.

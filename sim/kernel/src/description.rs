@@ -67,7 +67,7 @@ pub struct Description {
 pub struct Switching {
     /// The table whose rows count; if there is none, the function's zeros do.
     pub table: Option<&'static Table>,
-    /// Whether it changes at a constant rate.
+    /// Whether it is of the first degree in time; where it is one of the state, in positions and speeds too.
     pub is_affine: bool,
     /// Whether expressions keep their form there: it is the middle of a smooth pulse or step, which a long step might not see.
     pub is_smooth: bool,

@@ -99,7 +99,7 @@ impl Outcome {
         let SuddenChanges { steps, first, .. } = self.steps.sudden_changes?;
         let led = if steps == 1 { "one equal step leads".to_owned() } else { format!("{steps} equal steps lead") };
         Some(format!(
-            "{led} over a sudden change of what acts on the mechanism, the first at {first:.9} s: such a step is less accurate, and does not see what begins and ends within it; steps with a tolerance (`--rtol`) end where such changes are"
+            "{led} over a sudden change or a short pulse of what acts on the mechanism, the first at {first:.9} s: such a step is less accurate, and does not see what begins and ends within it; steps with a tolerance (`--rtol`) end where such changes are"
         ))
     }
 }

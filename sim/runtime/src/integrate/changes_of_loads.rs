@@ -23,6 +23,9 @@ use sim_kernel::{Array, Mechanism, Switching};
 
 /// Rates are differences over this part of the interval that is searched.
 const BESIDE: f64 = 1e-4;
+/// The most parts of a step for conditions of the first degree in positions and speeds, which may be of a coordinate that goes to
+/// infinity.
+const MOST_AFFINE_PARTS: f64 = 1e3;
 /// The number of halvings of a part of a step.
 const MOST_HALVINGS: usize = 8;
 /// A change of a coordinate, in its scale, that is rounding.
@@ -57,10 +60,10 @@ pub(super) struct Change {
     /// Whether it is a row of a table: there the load is continuous.
     pub(super) is_row: bool,
     /// Whether it is the middle of a smooth pulse, where the load keeps its form.
-    is_smooth: bool,
+    pub(super) is_smooth: bool,
 }
 
-/// The changes of form of loads within a step, in order; those at one time are one.
+/// The changes of form of loads within a step, and the middles of smooth pulses, in order; those at one time are one.
 ///
 /// # Errors
 /// As the dense output.
@@ -121,15 +124,19 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
         self.search_parts(|_| Ok(None::<()>))?;
         let found = std::mem::take(&mut self.found);
         let mut changes = found.iter().map(|between| self.change(between)).collect::<Result<Vec<Change>, Failure>>()?;
-        changes.retain(|change| !change.is_smooth);
         changes.sort_by(|a, b| a.time.total_cmp(&b.time));
         let least = SAME * self.step.length();
         changes.dedup_by(|next, kept| {
-            let is_same = next.time - kept.time <= least;
+            let is_same = next.time - kept.time <= least && next.is_smooth == kept.is_smooth;
             kept.is_row &= next.is_row || !is_same;
             is_same
         });
         Ok(changes)
+    }
+
+    /// Into how many parts a step is divided at most. Turns count where conditions are periodic in them.
+    fn most_parts(&self) -> f64 {
+        if self.conditions.iter().all(|condition| condition.is_affine) { MOST_AFFINE_PARTS } else { f64::INFINITY }
     }
 
     /// Searches all parts of the step in turn; where changes have been found, until something comes of them.
@@ -138,7 +145,7 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
         mut come_of: impl FnMut(&mut Self) -> Result<Option<T>, Failure>,
     ) -> Result<Option<T>, Failure> {
         let [begin, end] = [self.step.from, self.step.to].map(|sample| sample.state.time);
-        let parts = self.step.parts_by_angles();
+        let parts = self.step.parts_by_angles().min(self.most_parts());
         let length = (end - begin) / parts;
         let mut from = self.look(self.step.from, length);
         for part in 1..=parts as usize {

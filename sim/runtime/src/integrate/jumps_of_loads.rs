@@ -1,4 +1,4 @@
-//! Equal steps over sudden changes of loads by positions and speeds.
+//! Equal steps over sudden changes of loads by positions and speeds, and over short pulses.
 //!
 //! Over a jump of a load the error of a step is in proportion to its length, by any method; over a kink to its square or higher, and
 //! most motions with contacts or friction have kinks. So a step counts where accelerations jump, and where loads begin and end within
@@ -7,6 +7,7 @@
 use super::Step;
 use super::changes_of_loads::{Change, changes};
 use super::jump::jump;
+use super::short_pulses::short_pulse;
 use super::switching::SuddenChanges;
 use crate::state::failure::Failure;
 use sim_kernel::{Array, Mechanism};
@@ -21,7 +22,8 @@ const BEYOND: f64 = 0.02;
 /// Counts an equal step, if it leads over a sudden change of loads by positions or speeds.
 #[inline]
 pub(super) fn note_jump<M: Mechanism>(step: &mut Step<M>, noted: &mut Option<SuddenChanges>) {
-    if !step.motion.mechanism().description().load_conditions.is_empty() {
+    let description = step.motion.mechanism().description();
+    if !description.load_conditions.is_empty() || description.switching.iter().any(|function| function.is_smooth) {
         note(step, noted);
     }
 }
@@ -35,9 +37,13 @@ fn note<M: Mechanism>(step: &mut Step<M>, noted: &mut Option<SuddenChanges>) {
     }
 }
 
-/// The time of the first change within a step that is sudden.
+/// The time of the first pulse within a step that is too short for it, or of the first change that is sudden.
 fn sudden_change<M: Mechanism>(step: &mut Step<M>) -> Result<Option<f64>, Failure> {
-    let changes = changes(step)?;
+    let (middles, changes): (Vec<Change>, Vec<Change>) =
+        changes(step)?.into_iter().partition(|change| change.is_smooth);
+    if let Some(middle) = short_pulse(step, middles.iter().map(|middle| middle.time))? {
+        return Ok(Some(middle));
+    }
     for (place, Change { time, is_row, .. }) in changes.iter().enumerate() {
         let neighbours = [place.checked_sub(1), Some(place + 1)].into_iter().flatten();
         let gaps = neighbours.filter_map(|other| changes.get(other)).map(|other| (other.time - time).abs());

@@ -20,6 +20,7 @@ mod order_conditions;
 mod pace;
 mod plain;
 mod radau;
+mod short_pulses;
 mod step;
 mod stepper;
 mod switching;

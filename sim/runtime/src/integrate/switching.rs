@@ -4,7 +4,7 @@
 //! An adaptive step over a force that begins and ends within it might see nothing of it, and one over a jump is refused
 //! many times. So steps end before such a time, and a step as short as rounding allows leads over it. A table is
 //! continuous: its row itself is the end of a step, and so is the middle of a smooth pulse. Equal steps stay equal; those that lead over such times are counted, as are
-//! those over changes by positions and speeds ([`super::jumps_of_loads`]).
+//! those over changes by positions and speeds and over short pulses ([`super::jumps_of_loads`]).
 
 use super::changes_in_time::{ASIDE, First, What, first_change, tick};
 use crate::motion::Motion;
@@ -46,7 +46,7 @@ fn first_stop<M: Mechanism>(
     })
 }
 
-/// Equal steps that led over sudden changes of what acts on the mechanism: they are less accurate, and do not see what begins
+/// Equal steps that led over sudden changes, or short pulses, of what acts on the mechanism: they are less accurate, and do not see what begins
 /// and ends within them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SuddenChanges {

@@ -185,8 +185,8 @@ impl<M: Mechanism> Motion<M> {
         Ok(state)
     }
 
-    /// d(q'')/dq and d(q'')/dq' at a sample: the generated kernel, or difference quotients if that refuses a pivot or
-    /// does not describe the integrated equations.
+    /// d(q'')/dq and d(q'')/dq' at a sample: the generated kernel, or difference quotients if that refuses a pivot, is
+    /// not finite, or does not describe the integrated equations.
     ///
     /// # Errors
     /// As the right-hand side.
@@ -197,10 +197,13 @@ impl<M: Mechanism> Motion<M> {
             return self.difference_quotients(at);
         }
         let generated = self.mechanism.dynamics_jacobian(state.time, &state.positions, &state.speeds);
-        if !generated.refused {
-            return Ok((generated.accelerations_by_positions, generated.accelerations_by_speeds));
+        let (by_positions, by_speeds) = (generated.accelerations_by_positions, generated.accelerations_by_speeds);
+        // Far from its pulse a derivative may be the quotient of two infinities, as that of 1/cosh(x) for x > 710.
+        let is_finite = |matrix: &M::QQ| matrix.iter().all(|row| row.iter().all(|entry| entry.is_finite()));
+        match !generated.refused && is_finite(&by_positions) && is_finite(&by_speeds) {
+            true => Ok((by_positions, by_speeds)),
+            false => self.difference_quotients(at),
         }
-        self.difference_quotients(at)
     }
 
     #[cold]
