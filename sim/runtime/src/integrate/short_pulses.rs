@@ -16,8 +16,7 @@ const NEAR: f64 = 0.5;
 const FAR: f64 = 2.0;
 const MOST: f64 = 0.4;
 
-/// The first of the middles of pulses within a step, by positions at the given times or of time alone, whose pulse is too short
-/// for the step.
+/// The middle of a pulse within a step, by positions at one of the given times or of time alone, that is too short for the step.
 ///
 /// # Errors
 /// As the dense output and the right-hand side.
@@ -25,9 +24,8 @@ pub(super) fn short_pulse<M: Mechanism>(
     step: &mut Step<M>,
     by_positions: impl Iterator<Item = f64>,
 ) -> Result<Option<f64>, Failure> {
-    let mut middles: Vec<f64> = by_positions.chain(middles_in_time(step)).collect();
-    middles.sort_by(f64::total_cmp);
-    for middle in middles {
+    let ends = [step.from, step.to].map(|sample| sample.state.time);
+    for middle in by_positions.chain(middles_in_time(step.motion.mechanism(), ends)) {
         if is_short(step, middle)? {
             return Ok(Some(middle));
         }
@@ -35,19 +33,16 @@ pub(super) fn short_pulse<M: Mechanism>(
     Ok(None)
 }
 
-/// The middles of pulses of time alone within a step.
-fn middles_in_time<M: Mechanism>(step: &Step<M>) -> Vec<f64> {
-    let mechanism = step.motion.mechanism();
+/// The middles of pulses of time alone between two times. There may be many: each is found when it is asked for.
+fn middles_in_time<M: Mechanism>(mechanism: &M, [mut from, until]: [f64; 2]) -> impl Iterator<Item = f64> {
     let functions: &[Switching] = mechanism.description().switching;
-    let [mut from, until] = [step.from, step.to].map(|sample| sample.state.time);
-    let mut middles = Vec::new();
-    if functions.iter().any(|function| function.is_smooth) {
-        while let Some(First { time, what }) = first_change(mechanism, functions, from, until) {
-            middles.extend((what == What::Middle).then_some(time.min(until)));
-            from = time;
-        }
-    }
-    middles
+    let has_middles = functions.iter().any(|function| function.is_smooth);
+    let changes = std::iter::from_fn(move || {
+        let first = has_middles.then(|| first_change(mechanism, functions, from, until)).flatten()?;
+        from = first.time;
+        Some(first)
+    });
+    changes.filter(|change| change.what == What::Middle).map(move |First { time, .. }| time.min(until))
 }
 
 /// Whether accelerations change from the middle to near places before and after it by so large a part of what they change by to
