@@ -13,7 +13,7 @@ fn pushed(force: &str, as_input: bool, method: Method, rows: Rows) -> f64 {
     };
     let declaration = format!(
         "pub Pushed; coordinates {{ x [m]; }}
-         parameters {{ m [kg] = 2; F [N] = 20; w [ms] = 0.3; a [ms] = 770; b [ms] = 772; f [rad/s] = 2; }} {inputs}
+         parameters {{ m [kg] = 2; F [N] = 20; w [ms] = 0.3; a [ms] = 770; b [ms] = 772; f [rad/s] = 2; n = 20000; }} {inputs}
          bodies {{ block: mass m at [x, 0]; }} loads {{ force {load} on x; }} initial {{ dot(x) = 0.1; }}"
     );
     let settings = Settings { rows, ..Settings::adaptive(method, 3.0, 1e-10) };
@@ -35,6 +35,8 @@ fn no_smooth_pulse_is_passed_over() {
         ("F/(1 + ((t - a)/w)^2)", force * w * ((2.23 / w).atan() + (0.77 / w).atan())),
         // Two peaks, each sqrt(2 pi/n) (1 - 1/(4 n)) / f by the ratio of gamma functions.
         ("F*cos(f*(t - a))^20000", force * (2.0 * PI / 2e4f64).sqrt() * (1.0 - 1.0 / 8e4)),
+        ("F*abs(cos(f*(t - a)))^n", force * (2.0 * PI / 2e4f64).sqrt() * (1.0 - 1.0 / 8e4)),
+        ("F*(cos(f*(t - a))^2)^(n/2)", force * (2.0 * PI / 2e4f64).sqrt() * (1.0 - 1.0 / 8e4)),
     ];
     for (force, impulse) in forces {
         for method in [Method::Dop853, Method::Dopri5, Method::Radau5] {
@@ -81,7 +83,7 @@ fn passed(force: &str, is_wheel: bool, method: Method, rows: Rows) -> f64 {
              bodies {{ slider: mass 1 [kg] at [x, 0]; }} loads {{ force {force} on x; }} initial {{ dot(x) = 1; }}"
         ),
         true => format!(
-            "pub Wheel; coordinates {{ phi [rad]; }} parameters {{ T [N*m] = 10; w = 0.001; }}
+            "pub Wheel; coordinates {{ phi [rad]; }} parameters {{ T [N*m] = 10; w = 0.001; n = 20000; }}
              bodies {{ wheel: inertia 1 [kg*m^2], angle phi; }} loads {{ torque {force} on phi; }}
              initial {{ phi = 0.2; dot(phi) = 1; }}"
         ),
@@ -107,6 +109,9 @@ fn no_smooth_pulse_by_position_is_passed_over() {
         ("T*exp(-((phi - 1.3)/w)^2)", true, force * w * PI.sqrt()),
         // Within 1e-6 a Gauss curve of the angle, of the width 1e-3.
         ("T*exp((cos(phi - 1.3) - 1)/w^2*2)", true, force * w * PI.sqrt()),
+        // By the ratio of gamma functions, but for 1/n^2.
+        ("T*cos(phi - 1.3)^20000", true, force * (2.0 * PI / 2e4f64).sqrt() * (1.0 - 1.0 / 8e4)),
+        ("T*abs(cos(phi - 1.3))^n", true, force * (2.0 * PI / 2e4f64).sqrt() * (1.0 - 1.0 / 8e4)),
     ];
     for (pulse, is_wheel, work) in pulses {
         for method in [Method::Dop853, Method::Dopri5, Method::Radau5] {

@@ -109,6 +109,14 @@ fn of_node(graph: &Graph, dependences: &mut Dependences, node: &Node, course: Co
         {
             vec![Middle::At(*argument)]
         }
+        // How high a power by a parameter is, is not known here.
+        Node::Power { base, exponent }
+            if dependences.of(graph, *exponent) == Dependence::PARAMETER
+                && course.is_of(graph, dependences, *base)
+                && !is_affine(graph, dependences, *base, changing) =>
+        {
+            vec![Middle::AtExtremum(*base)]
+        }
         Node::Product { factors, .. } => {
             let is_short = |base: Expr, exponent: i64, dependences: &mut Dependences| match exponent {
                 SHARP.. => course.is_of(graph, dependences, base) && !is_affine(graph, dependences, base, changing),

@@ -198,7 +198,8 @@ impl<M: Mechanism> Motion<M> {
         }
         let generated = self.mechanism.dynamics_jacobian(state.time, &state.positions, &state.speeds);
         let (by_positions, by_speeds) = (generated.accelerations_by_positions, generated.accelerations_by_speeds);
-        // Far from its pulse a derivative may be the quotient of two infinities, as that of 1/cosh(x) for x > 710.
+        // Far from its pulse a derivative may be the quotient of two infinities, as that of 1/cosh(x) for x > 710. Newton's method,
+        // for which this matrix is, needs it about right; its solution does not depend on it.
         let is_finite = |matrix: &M::QQ| matrix.iter().all(|row| row.iter().all(|entry| entry.is_finite()));
         match !generated.refused && is_finite(&by_positions) && is_finite(&by_speeds) {
             true => Ok((by_positions, by_speeds)),
