@@ -108,12 +108,12 @@ macro_rules! all_models {
 
 /// A mechanism's name, and the mechanism with its declared values as a model.
 #[cfg(feature = "erased")]
-pub type Erased = (&'static str, fn() -> alloc::sync::Arc<dyn sim_runtime::Model>);
+pub type Shipped = (&'static str, fn() -> alloc::sync::Arc<dyn sim_runtime::Model>);
 
 /// All mechanisms as models of one type, which commands and tests share: their kernels are compiled here, once.
 #[cfg(feature = "erased")]
-pub fn erased() -> impl ExactSizeIterator<Item = Erased> {
-    fn erased<M: sim_kernel::Compiled>() -> Erased {
+pub fn erased() -> impl ExactSizeIterator<Item = Shipped> {
+    fn erased<M: sim_kernel::Compiled>() -> Shipped {
         (const { &M::DESCRIPTION }.name, || sim_runtime::erase(M::defaults()))
     }
     macro_rules! all {
