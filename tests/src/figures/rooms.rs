@@ -1,6 +1,6 @@
 //! A house with rooms: imports, functions and files.
 
-use super::builds::first_build_and_change;
+use super::builds::{first_build_and_before, first_build_and_change};
 use super::sizes::sizes_at_run_time;
 use super::{Subject, Table};
 use std::path::Path;
@@ -9,6 +9,7 @@ use tests::house::{CRATES, Crate, Long, Source, imports, long_files, long_functi
 pub(super) const SUBJECTS: &[Subject] = &[
     ("sizes", sizes_at_run_time),
     ("builds", first_build_and_change),
+    ("build-before", first_build_and_before),
     ("imports", imports_of_crates),
     ("lengths", lengths),
 ];
