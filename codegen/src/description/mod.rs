@@ -73,8 +73,10 @@ pub struct Switching {
     pub table: Option<NamedTable>,
     /// Whether it is of the first degree in time; where it is one of the state, in positions and speeds too.
     pub is_affine: bool,
-    /// Whether expressions keep their form there, which is the middle of a pulse or a step.
+    /// Whether expressions keep their form there, which is the middle of a pulse or a step, or a flank of one.
     pub is_smooth: bool,
+    /// Whether it is a flank.
+    pub is_flank: bool,
 }
 
 /// A table.

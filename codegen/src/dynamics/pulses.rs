@@ -5,9 +5,9 @@
 //! positions each step is searched for them. By speeds there are none: smooth friction would end a step at each of its turns.
 
 use super::rows::LoadRow;
-use super::switching::{Switching, is_affine, is_affine_in_state, is_new, is_of_time, nodes_of_loads};
+use super::switching::{Switching, is_affine, is_affine_in_state, is_new, is_of_time, nodes_of_loads, with_inputs};
 use crate::model::{Dependence, Dependences, Model};
-use crate::symbolic::{Differential, Expr, Function, Graph, Node};
+use crate::symbolic::{Differential, Expr, Function, Graph, Node, Symbol};
 
 /// From this power on a function is a pulse where it is largest or smallest, as `sin(t)^200`: a fifth of its period long, or less.
 const SHARP: i64 = 16;
@@ -17,6 +17,9 @@ enum Middle {
     At(Expr),
     /// Where this is largest or smallest.
     AtExtremum(Expr),
+    /// Where this is 1/2 or -1/2: about the steepest places of a pulse, beside its middle. Some are zero in the middle, as the force
+    /// of the potential `exp(-(x/w)^2)`.
+    Flank(Expr),
 }
 
 /// What pulses are of.
@@ -32,7 +35,8 @@ impl Course {
         match self {
             Course::Time => is_of_time(graph, dependences, expr),
             Course::Positions => {
-                let allowed = Dependence::COORDINATE.or(Dependence::TIME).or(Dependence::PARAMETER);
+                let of_time = Dependence::TIME.or(Dependence::PARAMETER).or(Dependence::INPUT);
+                let allowed = Dependence::COORDINATE.or(of_time);
                 on.meets(Dependence::COORDINATE) && on.or(allowed) == allowed
             }
         }
@@ -49,10 +53,10 @@ impl Course {
 
 /// Those of time alone in a graph that are not known already, each once.
 pub(super) fn middles_in_time(graph: &mut Graph, model: &Model, known: &[Switching]) -> Vec<Switching> {
-    let mut dependences = model.dependences.clone();
+    let mut dependences = with_inputs(graph, model);
     let of_node = |node| of_node(graph, &mut dependences, node, Course::Time);
     let middles: Vec<Middle> = graph.nodes().flat_map(of_node).collect();
-    let along = Differential::partial(graph, model.time);
+    let along = Differential::along(rates_in_time(graph, model));
     switchings(graph, model, dependences, (middles, along), known)
 }
 
@@ -63,12 +67,20 @@ pub(super) fn middles_of_loads(
     rows: &[LoadRow],
     known: &[Switching],
 ) -> Vec<Switching> {
-    let mut dependences = model.dependences.clone();
+    let mut dependences = with_inputs(graph, model);
     let of_node = |node| of_node(graph, &mut dependences, node, Course::Positions);
     let middles: Vec<Middle> = nodes_of_loads(graph, rows).flat_map(of_node).collect();
-    let mut rates = vec![(model.time, graph.one())];
+    let mut rates = rates_in_time(graph, model);
     rates.extend(model.coordinates.iter().map(|c| (c.position, graph.variable(c.speed))));
     switchings(graph, model, dependences, (middles, Differential::along(rates)), known)
+}
+
+/// The rates of time and of the inputs.
+fn rates_in_time(graph: &mut Graph, model: &Model) -> Vec<(Symbol, Expr)> {
+    let mut by_time = Differential::partial(graph, model.time);
+    let mut rates = vec![(model.time, graph.one())];
+    rates.extend(model.inputs.iter().map(|input| (input.symbol, by_time.of(graph, input.course))));
+    rates
 }
 
 /// Middles as functions that are zero there.
@@ -81,17 +93,31 @@ fn switchings(
 ) -> Vec<Switching> {
     let mut found: Vec<Switching> = Vec::new();
     for middle in middles {
+        let is_flank = matches!(middle, Middle::Flank(_));
         let value = match middle {
             Middle::At(value) => value,
             Middle::AtExtremum(of) => along.of(graph, of),
+            Middle::Flank(of) => flank(graph, of),
         };
         let changes = dependences.of(graph, value).meets(Dependence::TIME.or(Dependence::COORDINATE));
         if changes && is_new(known, value, None) && is_new(&found, value, None) {
             let is_affine = is_affine_in_state(graph, model, &mut dependences, value);
-            found.push(Switching { value, table: None, is_affine, is_smooth: true });
+            found.push(Switching { value, table: None, is_affine, is_smooth: true, is_flank });
         }
     }
     found
+}
+
+fn with_flanks(of: Expr) -> Vec<Middle> {
+    vec![Middle::AtExtremum(of), Middle::Flank(of)]
+}
+
+/// What is zero where a function is 1/2, or -1/2 if it is written with a sign.
+fn flank(graph: &mut Graph, of: Expr) -> Expr {
+    let is_negative = matches!(graph.node(of), Node::Product { coefficient, .. } if coefficient.is_negative());
+    let (two, one) = (graph.integer(2), graph.integer(if is_negative { 1 } else { -1 }));
+    let twice = graph.mul(two, of);
+    graph.add(twice, one)
 }
 
 /// The middles by which a node is a pulse or a step. A logistic function has its own where its exponent is 0.
@@ -103,7 +129,18 @@ fn of_node(graph: &Graph, dependences: &mut Dependences, node: &Node, course: Co
             && !matches!(graph.node(base), Node::Call(..))
     };
     match node {
-        Node::Call(Function::Exp, exponent) if is_pulse(*exponent, dependences) => vec![Middle::AtExtremum(*exponent)],
+        Node::Call(Function::Exp, exponent) if is_pulse(*exponent, dependences) => with_flanks(*exponent),
+        Node::Power { base, exponent }
+            if !dependences.of(graph, *base).meets(changing) && is_pulse(*exponent, dependences) =>
+        {
+            with_flanks(*exponent)
+        }
+        // It touches zero, and does not cross it.
+        Node::Call(Function::Tanh | Function::Atan, argument)
+            if is_pulse(*argument, dependences) && keeps_its_sign(graph, dependences, *argument, changing) =>
+        {
+            with_flanks(*argument)
+        }
         Node::Call(Function::Exp | Function::Tanh | Function::Atan | Function::Cosh, argument)
             if course.is_of(graph, dependences, *argument) =>
         {
@@ -129,4 +166,10 @@ fn of_node(graph: &Graph, dependences: &mut Dependences, node: &Node, course: Co
         }
         _ => Vec::new(),
     }
+}
+
+/// Whether a function is a product of even powers, but for what does not change.
+fn keeps_its_sign(graph: &Graph, dependences: &mut Dependences, expr: Expr, changing: Dependence) -> bool {
+    let Node::Product { factors, .. } = graph.node(expr) else { return false };
+    factors.iter().all(|(base, exponent)| exponent % 2 == 0 || !dependences.of(graph, *base).meets(changing))
 }

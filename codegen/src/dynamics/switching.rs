@@ -1,8 +1,8 @@
 //! Functions at whose zeros, or at the rows of a table, expressions change their form: conditions of `if`, `min`, `max`, `abs`
 //! and `sign`, and arguments of tables.
 //!
-//! A step over such a place might see nothing of what begins and ends within it. Those that depend on nothing but `t` and
-//! parameters are known before the motion is, and the runtime ends steps there; conditions of loads on the state it looks at
+//! A step over such a place might see nothing of what begins and ends within it. Those that depend on nothing but `t`, inputs
+//! and parameters are known before the motion is, and the runtime ends steps there; conditions of loads on the state it looks at
 //! after each step.
 
 use super::rows::LoadRow;
@@ -17,13 +17,24 @@ pub struct Switching {
     pub table: Option<TableId>,
     /// Whether it is of the first degree in time; where it is one of the state, in positions and speeds too.
     pub is_affine: bool,
-    /// Whether expressions keep their form there, which is the middle of a pulse or a step.
+    /// Whether expressions keep their form there, which is the middle of a pulse or a step, or a flank of one.
     pub is_smooth: bool,
+    /// Whether it is a flank.
+    pub is_flank: bool,
+}
+
+/// What expressions depend on, with each input as what its declared course is made of: one that is held is a parameter.
+pub(super) fn with_inputs(graph: &Graph, model: &Model) -> Dependences {
+    model.inputs.iter().fold(model.dependences.clone(), |mut dependences, input| {
+        let changes = dependences.of(graph, input.course).meets(Dependence::TIME);
+        let kind = if changes { Dependence::TIME.or(Dependence::INPUT) } else { Dependence::PARAMETER };
+        dependences.redeclared(input.symbol, kind)
+    })
 }
 
 /// Those of time alone in a graph, each once.
 pub(super) fn of_time(graph: &Graph, model: &Model) -> Vec<Switching> {
-    let mut dependences = model.dependences.clone();
+    let mut dependences = with_inputs(graph, model);
     let mut found: Vec<Switching> = Vec::new();
     for node in graph.nodes() {
         if let Some((value, table)) = switched_by(node)
@@ -35,6 +46,7 @@ pub(super) fn of_time(graph: &Graph, model: &Model) -> Vec<Switching> {
                 table,
                 is_affine: is_affine(graph, &mut dependences, value, Dependence::TIME),
                 is_smooth: false,
+                is_flank: false,
             });
         }
     }
@@ -43,7 +55,7 @@ pub(super) fn of_time(graph: &Graph, model: &Model) -> Vec<Switching> {
 
 /// Those of loads that depend on positions or speeds, each once.
 pub(super) fn of_loads(graph: &Graph, model: &Model, rows: &[LoadRow]) -> Vec<Switching> {
-    let mut dependences = model.dependences.clone();
+    let mut dependences = with_inputs(graph, model);
     let mut found: Vec<Switching> = Vec::new();
     for node in nodes_of_loads(graph, rows) {
         if let Some((value, table)) = switched_by(node)
@@ -51,7 +63,7 @@ pub(super) fn of_loads(graph: &Graph, model: &Model, rows: &[LoadRow]) -> Vec<Sw
             && dependences.of(graph, value).meets(Dependence::COORDINATE.or(Dependence::SPEED))
         {
             let is_affine = is_affine_in_state(graph, model, &mut dependences, value);
-            found.push(Switching { value, table, is_affine, is_smooth: false });
+            found.push(Switching { value, table, is_affine, is_smooth: false, is_flank: false });
         }
     }
     found
@@ -69,10 +81,10 @@ pub(super) fn is_affine_in_state(graph: &Graph, model: &Model, dependences: &mut
     graph.symbols_of(&[value]).into_iter().all(is_known) && is_affine(graph, dependences, value, of_state)
 }
 
-/// All that forces are made of.
+/// All that forces, and what they act along, are made of: a potential is one of -1 along itself.
 pub(super) fn nodes_of_loads<'g>(graph: &'g Graph, rows: &[LoadRow]) -> impl Iterator<Item = &'g Node> + use<'g> {
-    let forces: Vec<Expr> = rows.iter().flat_map(|row| row.forces.iter().copied()).collect();
-    graph.reachable(&forces).into_iter().map(|expr| graph.node(expr))
+    let made_of: Vec<Expr> = rows.iter().flat_map(|row| row.forces.iter().copied().chain([row.quantity()])).collect();
+    graph.reachable(&made_of).into_iter().map(|expr| graph.node(expr))
 }
 
 /// What a node changes its form by.
@@ -90,8 +102,8 @@ pub(super) fn is_new(found: &[Switching], value: Expr, table: Option<TableId>) -
 }
 
 pub(super) fn is_of_time(graph: &Graph, dependences: &mut Dependences, expr: Expr) -> bool {
-    let on = dependences.of(graph, expr);
-    on == Dependence::TIME || on == Dependence::TIME.or(Dependence::PARAMETER)
+    let (on, allowed) = (dependences.of(graph, expr), Dependence::TIME.or(Dependence::PARAMETER).or(Dependence::INPUT));
+    on.meets(Dependence::TIME) && on.or(allowed) == allowed
 }
 
 /// Whether a function is written as one of the first degree in what changes.
@@ -100,7 +112,8 @@ pub(super) fn is_affine(graph: &Graph, dependences: &mut Dependences, expr: Expr
         return true;
     }
     match graph.node(expr) {
-        Node::Symbol(_) => true,
+        // What course an input follows is not known here.
+        Node::Symbol(_) => !dependences.of(graph, expr).meets(Dependence::INPUT),
         Node::Sum { terms, .. } => terms.iter().all(|(term, _)| is_affine(graph, dependences, *term, changing)),
         Node::Product { factors, .. } => {
             let mut of_those = factors.iter().filter(|(base, _)| dependences.of(graph, *base).meets(changing));

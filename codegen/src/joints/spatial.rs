@@ -78,7 +78,8 @@ pub(super) fn screw(
 }
 
 /// A disc that touches a plane and does not slip on it. With a the axis of the disc and k the normal, the contact is r u
-/// from the centre, u = -(k - (k.a) a)/|k x a|; the disc's speed there, P' + w x r u, has no component in the plane.
+/// from the centre, u = -(k - (k.a) a)/|k x a|; the disc's speed there, P' + w x r u, is that of the plane, which moves with its
+/// point O and does not turn.
 pub(super) fn rolls(
     at: Region,
     rolling: &Rolling,
@@ -89,11 +90,12 @@ pub(super) fn rolls(
     let Marks { axis: normal, across: [t1, t2] } = Marks::about(&rolling.normal)?;
     let both = |a: &Expression, b: &Expression| inner(at, a.clone(), b.clone());
     let tilt = call(at, "norm", vec![call(at, "cross", vec![normal.clone(), axis.clone()])]);
-    let height = both(&normal, &difference(centre.clone(), rolling.on.clone()));
+    let above = difference(centre, rolling.on.clone());
+    let height = both(&normal, &above);
     let down = difference(product(both(&normal, &axis), axis), normal);
     let arm = product(quotient(rolling.radius.clone(), tilt.clone()), down);
     let swept = call(at, "cross", vec![spin, arm]);
-    let slip = binary(Operator::Add, call(at, "dot", vec![centre]), swept);
+    let slip = binary(Operator::Add, call(at, "dot", vec![above]), swept);
     Ok([
         ("", height, product(rolling.radius.clone(), tilt)),
         ("_f1", both(&t1, &slip), zero(at)),

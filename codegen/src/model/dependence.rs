@@ -50,6 +50,12 @@ impl Dependences {
         self.symbols.insert(symbol, kind);
     }
 
+    /// The same, with another kind for a symbol.
+    pub(crate) fn redeclared(mut self, symbol: Symbol, kind: Dependence) -> Dependences {
+        self.symbols.insert(symbol, kind);
+        Dependences { symbols: self.symbols, nodes: FxHashMap::default() }
+    }
+
     /// The dependence of an expression.
     pub fn of(&mut self, graph: &Graph, expr: Expr) -> Dependence {
         if let Some(known) = self.nodes.get(&expr) {

@@ -69,8 +69,11 @@ pub struct Switching {
     pub table: Option<&'static Table>,
     /// Whether it is of the first degree in time; where it is one of the state, in positions and speeds too.
     pub is_affine: bool,
-    /// Whether expressions keep their form there: it is the middle of a smooth pulse or step, which a long step might not see.
+    /// Whether expressions keep their form there: it is the middle of a smooth pulse or step, which a long step might not see, or a
+    /// flank of one.
     pub is_smooth: bool,
+    /// Whether it is a flank.
+    pub is_flank: bool,
 }
 
 /// A setting of a run, as a program takes it on its command line.

@@ -74,8 +74,10 @@ fn switching(each: &Switching, path: &TokenStream) -> TokenStream {
         }
         None => quote! { ::core::option::Option::None },
     };
-    let Switching { is_affine, is_smooth, .. } = each;
-    quote! { #path::Switching { table: #table, is_affine: #is_affine, is_smooth: #is_smooth } }
+    let Switching { is_affine, is_smooth, is_flank, .. } = each;
+    quote! {
+        #path::Switching { table: #table, is_affine: #is_affine, is_smooth: #is_smooth, is_flank: #is_flank }
+    }
 }
 
 /// A coordinate with its speed and acceleration, and how it starts.

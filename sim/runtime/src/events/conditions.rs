@@ -12,6 +12,9 @@ use sim_kernel::{Array, Mechanism};
 /// An interval this much shorter than another has rates of its own.
 const SHORTER: f64 = 1e-3;
 
+/// Rates are differences over this part of an interval.
+const PART: f64 = 1e-4;
+
 /// The conditions at one time.
 #[derive(Clone, Debug)]
 pub(super) struct Point<M: Mechanism> {
@@ -88,10 +91,10 @@ impl<M: Mechanism> Point<M> {
         bytes.number(&mut self.interval)
     }
 
-    /// Values, and their first and second rates by central differences along the motion, over 1e-4 of the interval to be
+    /// Values, and their first and second rates by central differences along the motion, over a part of the interval to be
     /// searched.
     pub(super) fn of(motion: &Motion<M>, sample: &Sample<M>, interval: f64) -> Result<Point<M>, Failure> {
-        let (state, d) = (&sample.state, 1e-4 * interval);
+        let (state, d) = (&sample.state, PART * interval);
         let (ahead, behind) = (conditions(motion, &moved(sample, d))?, conditions(motion, &moved(sample, -d))?);
         let (qdd, lambda) = (&sample.accelerations, &sample.multipliers);
         let values = motion.mechanism().events(state.time, &state.positions, &state.speeds, qdd, lambda);
@@ -102,6 +105,13 @@ impl<M: Mechanism> Point<M> {
             values,
             interval,
         })
+    }
+
+    /// The changes of a condition over the same short time before and after this.
+    pub(super) fn beside(&self, event: usize) -> [f64; 2] {
+        let d = PART * self.interval;
+        let (first, second) = (d * self.rates[event], d * d / 2.0 * self.seconds[event]);
+        [second - first, second + first]
     }
 
     /// The same as the start of a step: differences over a much shorter one before it would be rounding.

@@ -1,7 +1,7 @@
 //! What the declaration says of an event: whether it acts, in which direction it counts, what it switches.
 
 use sim_kernel::Mechanism;
-use sim_kernel::event::{Direction, Event, Step, Switch};
+use sim_kernel::event::{Direction, Event, Step, Switch, Target};
 
 /// Whether any event does something.
 #[inline(always)]
@@ -15,6 +15,24 @@ fn switched(event: &Event) -> impl Iterator<Item = &Switch> {
         Step::Switch(switches) => *switches,
         _ => &[],
     })
+}
+
+/// Whether an event changes the motion itself, and not only what acts on it or whether it goes on.
+pub(super) fn moves(event: &Event) -> bool {
+    event.steps.iter().any(|step| match step {
+        Step::Stop(_) => false,
+        Step::Set(assignments) => assignments.iter().any(|set| !matches!(set.target, Target::Parameter(_))),
+        Step::Switch(_) | Step::Impact(_) => true,
+    })
+}
+
+/// The constraints that an event strikes.
+pub(super) fn struck(event: &Event) -> Vec<usize> {
+    let hits = event.steps.iter().flat_map(|step| match step {
+        Step::Impact(hits) => *hits,
+        _ => &[],
+    });
+    hits.map(|hit| hit.conditional).collect()
 }
 
 /// Whether an event switches a constraint on that is released, or off that holds.

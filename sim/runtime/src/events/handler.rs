@@ -2,11 +2,12 @@
 
 use super::act::{Change, Located, act};
 use super::conditions::tolerance;
-use super::described::{any_acts, is_done, switches, through};
+use super::described::{any_acts, is_done, moves, struck, switches, through};
 use super::onset::Onset;
 use super::{Crossing, EventSearch, Occurrence};
 use crate::integrate::Step;
 use crate::motion::Motion;
+use crate::motion::residuals::rates;
 use crate::numerics::insertion::sort_few;
 use crate::state::failure::{Failure, What};
 use crate::state::saved::{Bytes, Damaged};
@@ -65,12 +66,12 @@ fn is_turned_back<M: Mechanism>(
         Crossing::Falling => -1.0,
         Crossing::Touching => return false,
     };
-    let [before, after] = states.map(|state| through * change(mechanism, state, event, span));
+    let [before, after] = states.map(|state| through * rate(mechanism, state, event, span));
     !described.on_forces && before > 0.0 && after < -TURNED * before
 }
 
 /// The change of a condition about a state, by its speeds.
-fn change<M: Mechanism>(mechanism: &M, state: &State<M>, event: usize, span: f64) -> f64 {
+fn rate<M: Mechanism>(mechanism: &M, state: &State<M>, event: usize, span: f64) -> f64 {
     let (zero, none) = (state.positions.like(|_| 0.0), M::L::repeat(mechanism.m(), 0.0));
     let d = 100.0 * tolerance(state.time, span);
     let at = |d: f64| {
@@ -78,6 +79,20 @@ fn change<M: Mechanism>(mechanism: &M, state: &State<M>, event: usize, span: f64
         mechanism.events(state.time + d, &q, &state.speeds, &zero, &none)[event]
     };
     at(d) - at(-d)
+}
+
+/// The rates of the constraints that blows strike, as if they held.
+fn speeds_of<M: Mechanism>(mechanism: &M, struck: &[usize], state: &State<M>) -> Vec<f64> {
+    let mut activities = mechanism.activities();
+    struck.iter().for_each(|conditional| activities[*conditional] = 1.0);
+    let mechanism = mechanism.clone().with_activities(activities);
+    let linear = mechanism.constraint_linearization(state.time, &state.positions);
+    let rates = rates(&mechanism, &linear, &state.speeds);
+    let rows = struck.iter().flat_map(|conditional| {
+        let described = &mechanism.description().conditionals[*conditional];
+        described.first_row..described.first_row + described.rows
+    });
+    rows.map(|row| rates[row]).collect()
 }
 
 /// Whether a condition holds at a start and leaves against the direction in which its event counts.
@@ -197,7 +212,7 @@ impl<M: Mechanism> EventHandler<M> {
             if onset.as_ref().is_some_and(|onset| turns_back(motion.mechanism(), onset, event)) {
                 self.turned[event] = sample.state.time;
             }
-            if onset.as_ref().is_some_and(|onset| self.is_due(motion.mechanism(), onset, event, sample.state.time)) {
+            if onset.as_ref().is_some_and(|onset| self.is_due(motion.mechanism(), onset, event, &sample.state)) {
                 self.happen_at_start(motion.mechanism(), event, sample)?;
             }
         }
@@ -245,28 +260,31 @@ impl<M: Mechanism> EventHandler<M> {
 
     /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and
     /// continues through zero. If the event has just happened, this requires that it was an impact, which has changed the
-    /// condition's rate and should have turned it back, that a constraint it switched has been switched back, that the
+    /// condition's rate in vain, that a constraint it switched has been switched back, that the
     /// condition had turned back since, or that it returns to zero within an instant or without having left it by more than
     /// the tolerance of constraints. One that releases a constraint because of a force happens also if its condition is beyond
     /// zero: a contact that a blow has closed does not pull. What holds already does not land again: its condition stays where
     /// it is.
-    fn is_due(&self, mechanism: &M, onset: &Onset<M>, index: usize, time: f64) -> bool {
+    fn is_due(&self, mechanism: &M, onset: &Onset<M>, index: usize, now: &State<M>) -> bool {
+        let time = now.time;
         let described = &mechanism.description().events[index];
-        let Some(through) = through(described) else { return false };
+        let jumps_to =
+            |side: f64| described.on_forces && switches(mechanism, described, false) && onset.is_beyond(index, side);
+        let Some(through) = through(described) else {
+            let side = -self.search.side(index);
+            return side != 0.0 && jumps_to(side);
+        };
         if is_done(mechanism, described) && onset.stays(index) {
             return false;
         }
-        if described.on_forces && switches(mechanism, described, false) && onset.is_beyond(index, through) {
+        if jumps_to(through) {
             return true;
         }
         let just_happened = time - self.last[index] < self.instant();
         let goes_on = match just_happened {
             true if onset.leaving(index) == through => {
-                let hits = described.steps.iter().any(|step| matches!(step, event::Step::Impact(_)));
                 let is_undone = [true, false].into_iter().any(|on| switches(mechanism, described, on));
-                (hits && !self.kept_its_rate(mechanism, index))
-                    || is_undone
-                    || time - self.turned[index] < self.instant()
+                self.hits_in_vain(mechanism, index, now) || is_undone || time - self.turned[index] < self.instant()
             }
             true => {
                 let soon = onset.returns_after(index) < self.instant() || onset.hides_return(index);
@@ -277,14 +295,23 @@ impl<M: Mechanism> EventHandler<M> {
         !described.steps.is_empty() && onset.holds(index) && goes_on
     }
 
-    /// Whether the actions of an event have left the rate of its condition as it was, as that of a time.
-    fn kept_its_rate(&self, mechanism: &M, event: usize) -> bool {
-        let last = self.search.found.iter().rev().find(|found| found.event == event);
-        let rate = |state: &State<M>| change(mechanism, state, event, self.span);
-        last.and_then(|last| Some((&last.state, last.change.as_ref()?))).is_some_and(|(before, change)| {
-            let before = rate(before);
-            (rate(&change.state) - before).abs() <= KEPT * before.abs()
-        })
+    /// Whether the last blow of an event that has just happened has not done what it is for: it has changed the rate of its
+    /// condition, which stands still now, or the struck constraints close again. A condition of its own, as a place at which a
+    /// brake is applied, may go on.
+    fn hits_in_vain(&self, mechanism: &M, index: usize, now: &State<M>) -> bool {
+        let last = self.search.found.iter().rev().find(|found| found.event == index);
+        let Some((before, change)) = last.and_then(|last| Some((&last.state, last.change.as_ref()?))) else {
+            return false;
+        };
+        let rate = |state: &State<M>| rate(mechanism, state, index, self.span);
+        let (was, kept) = (rate(before), rate(&change.state));
+        let hits = struck(&mechanism.description().events[index]);
+        if hits.is_empty() || (kept - was).abs() <= KEPT * was.abs() {
+            return false;
+        }
+        let closing = |state: &State<M>| speeds_of(mechanism, &hits, state);
+        let close_again = closing(before).into_iter().zip(closing(now));
+        rate(now).abs() <= TURNED * was.abs() || close_again.into_iter().any(|(was, is)| was * is > KEPT * was * was)
     }
 
     fn happen_at_start(&mut self, mechanism: &M, event: usize, sample: &Sample<M>) -> Result<(), Failure> {
@@ -334,7 +361,8 @@ impl<M: Mechanism> EventHandler<M> {
                 index += 1;
                 continue;
             }
-            if changes && is_turned_back(&mechanism, [&begin, &state], (event, crossing), self.span) {
+            if changes && moves(described) && is_turned_back(&mechanism, [&begin, &state], (event, crossing), self.span)
+            {
                 self.search.found.remove(index);
                 continue;
             }

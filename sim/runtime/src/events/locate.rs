@@ -2,6 +2,7 @@
 
 use super::conditions::{Point, conditions, ends, tolerance, value};
 use super::described::releases;
+use super::onset::sizes;
 use super::{Crossing, EventSearch, Occurrence};
 use crate::integrate::Step;
 use crate::numerics::root::{find_minimum, find_root};
@@ -13,6 +14,19 @@ use sim_kernel::event::Direction;
 
 /// How close to zero, relative to its largest value, a condition has to turn to touch it.
 const TOUCH: f64 = 1e-9;
+
+/// How far beyond zero, relative to its terms there, a condition is through it.
+const THROUGH: f64 = 1e-10;
+/// Touches within this part of a step, or of a second, are the same.
+const SAME_TOUCH: f64 = 1e-3;
+const SAME_TIME: f64 = 1e-7;
+
+/// Whether a condition touches zero at the end of a part, to rounding: it is larger on both sides.
+fn touches_at_end<M: Mechanism>(event: usize, from: &Point<M>, to: &Point<M>) -> bool {
+    let (sign, value, beside) = (from.values[event].signum(), to.values[event], to.beside(event));
+    let is_beyond = |change: f64| sign * change > 0.0 && value.abs() <= TOUCH * change.abs();
+    from.values[event] != 0.0 && beside.into_iter().all(is_beyond)
+}
 
 impl<M: Mechanism> EventSearch<M> {
     /// Searches a part for one event; where the cubic of its ends does not foretell the condition, both halves of it, so often.
@@ -34,6 +48,11 @@ impl<M: Mechanism> EventSearch<M> {
             return self.search_defined(step, event, &middle, to, halvings - 1);
         }
         match () {
+            _ if touches_at_end(event, from, to) => {
+                let state = step.at(to.time)?;
+                self.push_touch(step, event, state);
+                Ok(())
+            }
             _ if crosses(values) => self.locate(step, event, [from.time, to.time], values),
             _ if turns_back(values, rates) => self.touch(step, event, [from.time, to.time], values),
             _ => Ok(()),
@@ -52,15 +71,33 @@ impl<M: Mechanism> EventSearch<M> {
         let (fraction, least) =
             find_minimum(&mut |fraction| Ok(sign * value(step, from + fraction * (to - from), event)?))?;
         let turn = from + fraction * (to - from);
-        if least < -TOUCH * self.largest[event] {
+        if least < -TOUCH * self.largest[event] || (least < 0.0 && self.is_through(step, event, turn, least)?) {
             self.locate(step, event, [from, turn], [values[0], sign * least])?;
             return self.locate(step, event, [turn, to], [sign * least, values[1]]);
         }
         if least.abs() <= TOUCH * self.largest[event] {
             let state = step.at(turn)?;
-            self.push(step.motion.mechanism(), event, Crossing::Touching, state);
+            self.push_touch(step, event, state);
         }
         Ok(())
+    }
+
+    /// Whether a condition that turns so far beyond zero is through it, and has not only touched it up to the accuracy of the
+    /// motion: where its terms cancel, it is known better than its largest value tells.
+    fn is_through(&self, step: &mut Step<M>, event: usize, turn: f64, least: f64) -> Result<bool, Failure> {
+        let sample = step.sample(turn)?;
+        Ok(least < -THROUGH * sizes(step.motion, &sample, self.span)?[event])
+    }
+
+    /// Enters a touch, unless it is the same as the last, which is known to the root of rounding.
+    fn push_touch(&mut self, step: &Step<M>, event: usize, state: State<M>) {
+        let same = (SAME_TOUCH * step.length()).max(SAME_TIME * self.span.min(1.0));
+        let last = self.found.iter().rev().find(|found| found.event == event);
+        let is_same =
+            |last: &Occurrence<M>| last.crossing == Crossing::Touching && state.time - last.state.time <= same;
+        if !last.is_some_and(is_same) {
+            self.push(step.motion.mechanism(), event, Crossing::Touching, state);
+        }
     }
 
     pub(super) fn locate(

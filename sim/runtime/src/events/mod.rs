@@ -26,7 +26,7 @@ use crate::numerics::signs::crosses;
 use crate::state::failure::{Failure, What};
 use crate::state::saved::{Bytes, Damaged};
 use conditions::{Point, ends, may_reach_zero, value};
-use onset::Onset;
+use onset::{OFFSET, Onset, sizes};
 use sim_kernel::event::Direction;
 use sim_kernel::{Array, Mechanism};
 use undefined::is_defined;
@@ -60,6 +60,8 @@ pub struct EventSearch<M: Mechanism> {
     before: Option<M::Events>,
     /// Those at the start of the last step.
     stepped_from: M::Events,
+    /// The same of the step that led to this phase; zero at the start of the motion.
+    came_from: M::Events,
     largest: M::Events,
     /// The onset of conditions at the beginning, if events change the motion.
     onset: Option<Onset<M>>,
@@ -78,6 +80,7 @@ impl<M: Mechanism> EventSearch<M> {
             last: None,
             before: None,
             stepped_from: M::Events::repeat(events, 0.0),
+            came_from: M::Events::repeat(events, 0.0),
             largest: M::Events::repeat(events, 0.0),
             onset: None,
             at_start: None,
@@ -89,7 +92,14 @@ impl<M: Mechanism> EventSearch<M> {
         let arrives = |event: usize| onset.as_ref().is_some_and(|onset| self.arrives(event, onset, begin));
         let begins = self.begin.like(|event| if arrives(event) { ARRIVES } else { begin });
         (self.begin, self.last, self.before, self.onset) = (begins, None, None, onset);
-        self.stepped_from = self.stepped_from.like(|_| 0.0);
+        let none = self.stepped_from.like(|_| 0.0);
+        self.came_from = std::mem::replace(&mut self.stepped_from, none);
+    }
+
+    /// The side from which a condition has come to this phase, or 0 if that is unknown.
+    pub(crate) fn side(&self, event: usize) -> f64 {
+        let from = self.came_from[event];
+        if from == 0.0 { 0.0 } else { from.signum() }
     }
 
     /// Whether a condition that the last step has led up to zero, and not through it, goes through from here on: another event
@@ -101,8 +111,18 @@ impl<M: Mechanism> EventSearch<M> {
     }
 
     fn has_just_happened(&self, event: usize, begin: f64) -> bool {
+        self.just_found(event, begin).is_some()
+    }
+
+    /// Whether a condition has touched zero where the phase begins.
+    fn has_just_touched(&self, event: usize) -> bool {
+        let found = self.just_found(event, self.begin[event]);
+        found.is_some_and(|found| found.crossing == Crossing::Touching) && self.side(event) != 0.0
+    }
+
+    fn just_found(&self, event: usize, begin: f64) -> Option<&Occurrence<M>> {
         let at_begin = |found: &&Occurrence<M>| begin - found.state.time <= 2.0 * tolerance(begin, self.span);
-        self.found.iter().rev().take_while(at_begin).any(|found| found.event == event)
+        self.found.iter().rev().take_while(at_begin).find(|found| found.event == event)
     }
 
     /// Continues after a change of the mechanism: unaffected conditions are tracked on, and others from here, as from a
@@ -127,8 +147,12 @@ impl<M: Mechanism> EventSearch<M> {
                         self.begin[event] = point.time;
                     }
                     let value = started(&point, event, self.onset.as_ref(), self.span);
-                    // Still on the side that it comes from.
-                    point.values[event] = if self.begin[event] == ARRIVES { -value } else { value };
+                    point.values[event] = match () {
+                        // Still on the side that it comes from.
+                        _ if self.begin[event] == ARRIVES => -value,
+                        _ if self.has_just_touched(event) => f64::MIN_POSITIVE * self.side(event),
+                        _ => value,
+                    };
                 }
             }
         }
@@ -138,7 +162,18 @@ impl<M: Mechanism> EventSearch<M> {
 
     /// All of it as bytes, or from them; `blank` is filled by each occurrence that is read.
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes, blank: &Change<M>) -> Result<(), Damaged> {
-        let EventSearch { found, span: _, begin, last, before, stepped_from: _, largest, onset, at_start: _ } = self;
+        let EventSearch {
+            found,
+            span: _,
+            begin,
+            last,
+            before,
+            stepped_from: _,
+            came_from,
+            largest,
+            onset,
+            at_start: _,
+        } = self;
         let none =
             || Occurrence { event: 0, name: "", crossing: Crossing::Rising, state: blank.state.clone(), change: None };
         let zeros = begin.like(|_| 0.0);
@@ -146,6 +181,7 @@ impl<M: Mechanism> EventSearch<M> {
         bytes.numbers(begin.as_mut())?;
         bytes.option(last, || Point::blank(&zeros), |bytes, last| last.transfer(bytes))?;
         bytes.option(before, || zeros.clone(), |bytes, before| bytes.numbers(before.as_mut()))?;
+        bytes.numbers(came_from.as_mut())?;
         bytes.numbers(largest.as_mut())?;
         bytes.option(onset, || Onset::blank(&zeros), |bytes, onset| onset.transfer(bytes))
     }
@@ -223,7 +259,10 @@ impl<M: Mechanism> EventSearch<M> {
         let first = self.found.len();
         for event in 0..self.begin.len() {
             if self.is_noise(step, event, from, &to)? {
-                to.values[event] = from.values[event];
+                // One that is nothing but zero has been reached, and may be left to either side.
+                if to.values[event] != 0.0 {
+                    to.values[event] = from.values[event];
+                }
                 continue;
             }
             self.largest[event] = to.values[event].abs().max(from.values[event].abs()).max(self.largest[event]);
@@ -257,17 +296,25 @@ impl<M: Mechanism> EventSearch<M> {
     /// Whether a condition is zero throughout a step, up to the tolerance of constraints: it keeps the sign that it had.
     fn is_noise(&self, step: &mut Step<M>, event: usize, from: &Point<M>, to: &Point<M>) -> Result<bool, Failure> {
         let Some(onset) = &self.onset else { return Ok(false) };
-        let is_small = |value: f64| value.abs() <= onset.noise[event];
-        if !(is_small(from.values[event]) && is_small(to.values[event])) {
+        let ends = from.values[event].abs().max(to.values[event].abs());
+        if !(ends <= onset.noise[event]) {
             return Ok(false);
         }
-        Ok(is_small(value(step, (from.time + to.time) / 2.0, event)?))
+        let largest = ends.max(value(step, (from.time + to.time) / 2.0, event)?.abs());
+        if !(largest <= onset.noise[event]) {
+            return Ok(false);
+        }
+        // Where the phase has begun, the terms may have been much larger than here.
+        let end = step.sample(to.time)?;
+        // The sign of one that has been left is noted as the least number.
+        Ok(largest <= f64::MIN_POSITIVE.max(OFFSET * sizes(step.motion, &end, self.span)?[event]))
     }
 }
 
 /// The value of a condition where a search starts: a condition that holds there is being left, not crossed.
 fn started<M: Mechanism>(point: &Point<M>, event: usize, onset: Option<&Onset<M>>, span: f64) -> f64 {
-    let is_zero = point.values[event].abs() <= 2.0 * tolerance(point.time, span) * point.rates[event].abs();
+    let is_zero = point.values[event].is_finite()
+        && point.values[event].abs() <= 2.0 * tolerance(point.time, span) * point.rates[event].abs();
     let sign = match onset {
         Some(onset) if onset.holds(event) => onset.leaving(event),
         _ if is_zero => point.rates[event],

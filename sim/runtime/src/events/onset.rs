@@ -32,7 +32,7 @@ pub(crate) struct Onset<M: Mechanism> {
 }
 
 /// Constraints are held to 1e-12.
-const OFFSET: f64 = 4e-12;
+pub(super) const OFFSET: f64 = 4e-12;
 /// Terms of less than one SI unit count as one, but not those of small mechanisms: at most this many times themselves.
 const LARGE: f64 = 1e6;
 /// Rounding of a condition relative to its terms.
@@ -44,8 +44,7 @@ impl<M: Mechanism> Onset<M> {
     /// By differences over parts of the time scale of the motion, or of the span of the run. In 1e-5 of it third derivatives
     /// contribute less than rounding to a change, and in 1e-4 fourth ones, but gentle accelerations more.
     pub(crate) fn of(motion: &Motion<M>, sample: &Sample<M>, span: f64) -> Result<Onset<M>, Failure> {
-        let [fast, sharp] = [&sample.state.speeds, &sample.accelerations].map(|change| motion.size(change));
-        let scale = span.min(1.0 / fast.max(sharp.sqrt()));
+        let scale = time_scale(motion, sample, span);
         let times @ [d, e] = [1e-5 * scale, 1e-4 * scale];
         let values = conditions(motion, &sample.state)?;
         let beside = |moved: &dyn Fn(f64) -> State<M>, time: f64| -> Result<[M::Events; 2], Failure> {
@@ -62,7 +61,10 @@ impl<M: Mechanism> Onset<M> {
             rates: values.like(|i| (ahead[i] - behind[i]) / (2.0 * d)),
             seconds: values.like(|i| (far_ahead[i] - 2.0 * values[i] + far_behind[i]) / (e * e)),
             bends: values.like(|i| (bent_ahead[i] - 2.0 * values[i] + bent_behind[i]) / (e * e)),
-            noise: values.like(|i| OFFSET * terms[i].max(floor(i))),
+            noise: values.like(|i| {
+                let noise = OFFSET * terms[i].max(floor(i));
+                if noise.is_finite() { noise } else { 0.0 }
+            }),
             significant: values.like(|i| ROUNDING * terms[i]),
             last_digits: values.like(|i| LAST_DIGITS * own_terms[i]),
             times,
@@ -88,7 +90,8 @@ impl<M: Mechanism> Onset<M> {
 
     /// Whether a condition holds here, to the tolerance of a time.
     pub(crate) fn holds(&self, event: usize) -> bool {
-        self.values[event].abs() <= 2.0 * self.tolerance * self.rates[event].abs() + self.noise[event]
+        let value = self.values[event].abs();
+        value.is_finite() && value <= 2.0 * self.tolerance * self.rates[event].abs() + self.noise[event]
     }
 
     /// Whether a condition lies beyond zero here, on the side of this sign.
@@ -135,6 +138,20 @@ impl<M: Mechanism> Onset<M> {
         let farthest = self.rates[event].powi(2) / (2.0 * self.seconds[event].abs());
         self.returns_after(event).is_finite() && farthest <= self.noise[event].max(self.last_digits[event])
     }
+}
+
+/// The time in which a motion changes by as much as counts as 1, or that of the run.
+fn time_scale<M: Mechanism>(motion: &Motion<M>, sample: &Sample<M>, span: f64) -> f64 {
+    let [fast, sharp] = [&sample.state.speeds, &sample.accelerations].map(|change| motion.size(change));
+    span.min(1.0 / fast.max(sharp.sqrt()))
+}
+
+/// The size of the terms of each condition at a place in the motion, of all that it depends on.
+pub(super) fn sizes<M: Mechanism>(motion: &Motion<M>, sample: &Sample<M>, span: f64) -> Result<M::Events, Failure> {
+    let values = conditions(motion, &sample.state)?;
+    let [terms, _] = terms(motion, &sample.state, &values)?;
+    let others = other_terms(motion, sample, &values, time_scale(motion, sample, span))?;
+    Ok(values.like(|i| terms[i] + others[i]))
 }
 
 /// Derivatives are differences over this part of what is changed.

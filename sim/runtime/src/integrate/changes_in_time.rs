@@ -38,6 +38,8 @@ pub(super) enum What {
     Row,
     /// The middle of a smooth pulse is just passed.
     Middle,
+    /// A flank of one is.
+    Flank,
     /// Nothing changes before, and what comes then has not been searched.
     Unknown,
 }
@@ -111,6 +113,7 @@ impl<M: Mechanism> Search<'_, M> {
             let time = change.time(|time| values(time)[k], self.tick)?;
             Some(match function.table {
                 Some(_) => First { time, what: What::Row },
+                None if function.is_flank => First { time: time + ASIDE * self.tick, what: What::Flank },
                 None if function.is_smooth => First { time: time + ASIDE * self.tick, what: What::Middle },
                 None => First { time, what: What::Zero },
             })

@@ -59,8 +59,9 @@ pub(super) struct Change {
     pub(super) time: f64,
     /// Whether it is a row of a table: there the load is continuous.
     pub(super) is_row: bool,
-    /// Whether it is the middle of a smooth pulse, where the load keeps its form.
+    /// Whether it is the middle of a smooth pulse or a flank of one, where the load keeps its form.
     pub(super) is_smooth: bool,
+    pub(super) is_flank: bool,
 }
 
 /// The changes of form of loads within a step, and the middles of smooth pulses, in order; those at one time are one.
@@ -127,7 +128,8 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
         changes.sort_by(|a, b| a.time.total_cmp(&b.time));
         let least = SAME * self.step.length();
         changes.dedup_by(|next, kept| {
-            let is_same = next.time - kept.time <= least && next.is_smooth == kept.is_smooth;
+            let is_same =
+                next.time - kept.time <= least && [next.is_smooth, next.is_flank] == [kept.is_smooth, kept.is_flank];
             kept.is_row &= next.is_row || !is_same;
             is_same
         });
@@ -347,8 +349,8 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
     }
 
     fn change(&mut self, between: &Between) -> Result<Change, Failure> {
-        let Switching { table, is_smooth, .. } = self.conditions[between.condition];
-        Ok(Change { time: self.locate(between)?, is_row: table.is_some(), is_smooth })
+        let Switching { table, is_smooth, is_flank, .. } = self.conditions[between.condition];
+        Ok(Change { time: self.locate(between)?, is_row: table.is_some(), is_smooth, is_flank })
     }
 
     /// The time of a change, to a small part of the step.

@@ -41,7 +41,8 @@ fn note<M: Mechanism>(step: &mut Step<M>, noted: &mut Option<SuddenChanges>) {
 fn sudden_change<M: Mechanism>(step: &mut Step<M>) -> Result<Option<f64>, Failure> {
     let (middles, changes): (Vec<Change>, Vec<Change>) =
         changes(step)?.into_iter().partition(|change| change.is_smooth);
-    if let Some(middle) = short_pulse(step, middles.iter().map(|middle| middle.time))? {
+    if let Some(middle) = short_pulse(step, middles.iter().filter(|middle| !middle.is_flank).map(|middle| middle.time))?
+    {
         return Ok(Some(middle));
     }
     for (place, Change { time, is_row, .. }) in changes.iter().enumerate() {

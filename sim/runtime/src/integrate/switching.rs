@@ -38,7 +38,7 @@ fn first_stop<M: Mechanism>(
     let First { time, what } = first_change(motion.mechanism(), functions, now, until)?;
     Some(match what {
         What::Row if !rows_jump => Stop::Before(time),
-        What::Middle | What::Unknown => Stop::Before(time),
+        What::Middle | What::Flank | What::Unknown => Stop::Before(time),
         What::Row | What::Zero => match time - ASIDE * tick {
             before if before > now + tick => Stop::Before(before),
             _ => Stop::Across(time + ASIDE * tick),
@@ -102,7 +102,7 @@ fn sudden_change<M: Mechanism>(motion: &Motion<M>, functions: &[Switching], now:
     let First { time, what } = known(now)?;
     match what {
         What::Row => known(time).map(|_| time),
-        What::Zero | What::Middle | What::Unknown => Some(time),
+        What::Zero | What::Middle | What::Flank | What::Unknown => Some(time),
     }
 }
 
@@ -111,7 +111,7 @@ fn first_known_change<M: Mechanism>(mechanism: &M, functions: &[Switching], now:
     let mut from = now;
     loop {
         match first_change(mechanism, functions, from, until)? {
-            First { time, what: What::Middle | What::Unknown } => from = time,
+            First { time, what: What::Middle | What::Flank | What::Unknown } => from = time,
             known => return Some(known),
         }
     }

@@ -235,6 +235,9 @@ fn assemble_speeds(mechanism: &dyn AnyMechanism, start: &Given, q: &[f64]) -> Re
     Err(mechanism.failure(What::SpeedsContradict { constraint, residual }, 0.0, q))
 }
 
+/// What is so small beside the largest derivative of a constraint is zero: at a dead point cos(pi/2) is 6e-17.
+const ROUNDING_OF_DERIVATIVES: f64 = 1e-14;
+
 /// The shortest x with J x nearest to the residual, x_j = 0 where j is given.
 pub(super) fn least_norm_solution(
     mut jacobian: DMatrix<f64>,
@@ -244,13 +247,15 @@ pub(super) fn least_norm_solution(
     if jacobian.nrows() == 0 {
         return Some(DVector::zeros(given.len()));
     }
+    let whole = jacobian.amax();
     (0..given.len()).filter(|j| given[*j]).for_each(|j| jacobian.column_mut(j).fill(0.0));
     if jacobian.iter().chain(residual.iter()).any(|value| !value.is_finite()) {
         return None;
     }
     let svd = jacobian.svd(true, true);
     let largest = svd.singular_values.iter().fold(0.0, |a: f64, b| a.max(*b));
-    let mut solution = svd.solve(residual, 1e-12 * largest.max(f64::MIN_POSITIVE)).ok()?;
+    let least = (1e-12 * largest).max(ROUNDING_OF_DERIVATIVES * whole).max(f64::MIN_POSITIVE);
+    let mut solution = svd.solve(residual, least).ok()?;
     // Rounding must not move given values.
     (0..given.len()).filter(|j| given[*j]).for_each(|j| solution[j] = 0.0);
     Some(solution)

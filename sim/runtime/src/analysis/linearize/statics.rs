@@ -9,6 +9,8 @@ use nalgebra::{Cholesky, DMatrix, DVector, RowDVector, SymmetricEigen};
 
 /// Accelerations up to this count as rest, in radians and in the mechanism's own length per s^2.
 const AT_REST: f64 = 1e-8;
+/// Along what nothing holds any acceleration leads away: the largest one that is rounding, likewise.
+const PUSHED: f64 = 1e-13;
 /// So are those that the rounding of positions makes, in stiff mechanisms: q'' changes by q''_q times q times as many ulp.
 const ROUNDINGS: f64 = 64.0;
 /// The rounding of a stiffness, beside the terms that make it; and where derivatives are differences.
@@ -152,6 +154,7 @@ impl Statics {
             let direction = direction / self.size(direction);
             let inertia = direction.dot(&(&self.mass * &direction));
             let rounding = ROUNDINGS * f64::EPSILON * direction.abs().dot(&force.abs());
+            let rounding = rounding + direction.abs().dot(&self.rounding_of_force());
             direction.dot(force).abs() > least * inertia + rounding
         };
         free.column_iter().map(|direction| direction.into_owned()).find(is_pushed)
@@ -165,7 +168,7 @@ impl Statics {
     /// Whether no force acts along what is free, and Newton's method would not go on.
     pub(crate) fn is_settled(&self, mechanism: &dyn Differentiable) -> bool {
         let is_settled = |tangent: Tangent| {
-            let pushed = self.pushed(&tangent.free, &self.force(), AT_REST);
+            let pushed = self.pushed(&tangent.free, &self.force(), PUSHED);
             pushed.is_none() && self.driven(mechanism, &tangent).is_none()
         };
         self.tangent().is_none_or(is_settled)
@@ -247,13 +250,20 @@ impl Statics {
 
     /// Whether nothing accelerates.
     pub(crate) fn is_at_rest(&self) -> bool {
+        (0..self.q.len()).all(|i| self.accelerations[i].abs() <= AT_REST * self.sizes[i] + self.rounding(i))
+    }
+
+    /// What the rounding of positions makes of an acceleration.
+    fn rounding(&self, i: usize) -> f64 {
         let independent = self.reduction.independent().iter().enumerate();
-        (0..self.q.len()).all(|i| {
-            let rounding =
-                |(k, j): (usize, &usize)| self.by_positions[(i, k)].abs() * (self.q[*j].abs() + self.sizes[*j]);
-            let rounding: f64 = independent.clone().map(rounding).sum();
-            self.accelerations[i].abs() <= AT_REST * self.sizes[i] + ROUNDINGS * f64::EPSILON * rounding
-        })
+        let of = |(k, j): (usize, &usize)| self.by_positions[(i, k)].abs() * (self.q[*j].abs() + self.sizes[*j]);
+        ROUNDINGS * f64::EPSILON * independent.map(of).sum::<f64>()
+    }
+
+    /// The same of the force.
+    fn rounding_of_force(&self) -> DVector<f64> {
+        let speeds = self.reduction.independent_speeds();
+        self.mass.abs() * DVector::from_fn(speeds.len(), |k, _| self.rounding(speeds[k]))
     }
 
     /// Refuses a position where a speed moves next to nothing, in the scales of the start.
