@@ -2,6 +2,7 @@
 
 use crate::arguments::{LinearizeArguments, Voice};
 use crate::commands::steady::advice;
+use crate::events::{idle_events, only_in_runs};
 use crate::files::asked;
 use crate::given::as_given;
 use crate::numbers::in_units;
@@ -188,6 +189,7 @@ fn summary(found: &Found, place: &str) -> Value {
         "inputs": found.inputs,
         "outputs": found.description.outputs.iter().map(|o| o.name).collect::<Vec<_>>(),
         "outputs_without_derivative": found.undefined,
+        "events_without_effect": idle_events(found.description),
     });
     for (name, matrix) in found.matrices {
         said[name] = rows(matrix);
@@ -232,6 +234,9 @@ fn report(found: &Found) -> String {
     if !found.undefined.is_empty() {
         let outputs = found.undefined.join(", ");
         text += &format!("{:<12} {outputs}: no derivative here, so rows of C and D are not numbers\n", "warning");
+    }
+    if let Some(line) = only_in_runs(found.description) {
+        text += &format!("{:<12} {line}\n", "events");
     }
     let largest = found.modes.iter().map(|mode| mode.eigenvalue.norm()).fold(0.0, f64::max);
     for (k, mode) in found.modes.iter().enumerate() {

@@ -123,14 +123,15 @@ pub(crate) fn balanced<M: Mechanism>(mechanism: M, arguments: &StartArguments) -
     let description = mechanism.description();
     let (mechanism, start) = as_given(&mechanism, &arguments.set, &arguments.initial)?;
     let found = equilibrium(&mechanism, &start)?;
-    let (positions, multipliers) = (found.state.positions.as_ref(), found.multipliers.as_ref());
-    of_equilibrium(description, positions, multipliers, (&found.eigenvalues, found.is_steady))
+    let redundant = mobility(&mechanism, found.state.time, &found.state.positions);
+    let numbers = (found.state.positions.as_ref(), found.multipliers.as_ref());
+    of_equilibrium(description, &redundant, numbers, (&found.eigenvalues, found.is_steady))
 }
 
 fn of_equilibrium(
     description: &Description,
-    positions: &[f64],
-    multipliers: &[f64],
+    mobility: &Mobility,
+    (positions, multipliers): (&[f64], &[f64]),
     (eigenvalues, is_steady): (&[Complex<f64>], bool),
 ) -> Result<Said, Stop> {
     let values = eigenvalues.iter().map(|value| json!([value.re, value.im]));
@@ -138,6 +139,7 @@ fn of_equilibrium(
         "model": description.name,
         "coordinates": named(description.coordinates.iter().map(|c| &c.position), positions),
         "multipliers": named(description.constraints.iter(), multipliers),
+        "redundant_constraints": mobility.dependent,
         "eigenvalues": values.collect::<Vec<_>>(),
         "steady": is_steady,
         "events_without_effect": idle_events(description),
@@ -146,6 +148,9 @@ fn of_equilibrium(
     let coordinates = description.coordinates.iter().map(|c| &c.position);
     for (c, q) in coordinates.clone().zip(in_units(coordinates, positions, 12)) {
         writeln!(out, "{:<20} {q:>20} {}", c.name, c.unit)?;
+    }
+    for line in mobility.redundancies() {
+        writeln!(out, "{:<20} {line}", "redundant")?;
     }
     let constraints = description.constraints.iter();
     for (c, lambda) in constraints.clone().zip(in_units(constraints, multipliers, 12)) {

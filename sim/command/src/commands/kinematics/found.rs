@@ -146,6 +146,7 @@ pub(super) fn report(found: &Found) -> String {
         },
         found.values.len()
     );
+    found.mobility.redundancies().iter().for_each(|line| text += &format!("{:<12} {line}\n", "redundant"));
     text += &passed(found);
     text += &format!("{:<22} {:>14} {:>14} {:>14} {:>14}  unit\n", "", "least", "at", "greatest", "at");
     let mut row = |name: &str, range: &Option<Range>, factor: f64, unit: &str| {
