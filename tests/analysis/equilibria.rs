@@ -2,6 +2,7 @@
 
 use models::{CartPole, DoublePendulum, Pendulum};
 use sim::{Compiled, State, What, assemble, declared_start, equilibrium, linearize, mechanism};
+use tests::any_model::interpreted;
 
 mechanism! {
     /// A four-bar of three free bodies.
@@ -233,4 +234,51 @@ fn a_mechanism_without_lengths_rests_where_it_has_none() {
             assert!((found / expected - 1.0).abs() < 1e-12, "{frequencies:?}");
         }
     }
+}
+
+/// What nothing holds is at rest under no force, however far from the origin it is, how heavy, and how weak the force.
+#[test]
+fn what_nothing_holds_rests_under_no_force() {
+    let heavy = |force: f64| {
+        format!(
+            "pub Heavy; coordinates {{ x [m]; }} parameters {{ R [km] = 6371; }} bodies {{ a: mass 1e3 [kg] at [R + x, 0]; }} loads {{ force {force:e} [N] on x; }}"
+        )
+    };
+    let cart = |length: f64, force: f64| {
+        format!(
+            "pub Cart; coordinates {{ x [m]; phi [rad]; }} parameters {{ l [m] = {length}; g [m/s^2] = 9.81; }}
+             bodies {{ c: mass 1 [kg] at [x, 0]; b: mass 0.2 [kg] at [x, 0] + l*[sin(phi), -cos(phi)]; }}
+             loads {{ gravity [0, -g]; force {force:e} [N] on x; }} initial {{ phi = 0.1; }}"
+        )
+    };
+    for force in [50.0, 1e-3, 1e-7, 0.0] {
+        // 1e-13 of the radius of the earth per s^2 is rounding.
+        let found = [heavy(1e5 * force), cart(0.5, force), cart(10.0, force), cart(1000.0, force)].map(|text| {
+            let model = interpreted(&text).unwrap();
+            equilibrium(&model, &declared_start(&model)).map(|found| found.state.positions[0])
+        });
+        assert!(found.iter().all(|found| found.is_ok() == (force == 0.0)), "{force}: {found:?}");
+    }
+}
+
+/// F = k x^3, and a mass between two springs across their length, F = k y^3/l^2 for small y: no stiffness where the search begins.
+#[test]
+fn an_equilibrium_is_found_from_where_nothing_is_stiff() {
+    for force in [1.0, 1e-6, 1e-9, 1e-12] {
+        for mass in [1.0, 1e6] {
+            let text = format!(
+                "pub Soft; coordinates {{ x [m]; }} bodies {{ a: mass {mass:e} [kg] at [x, 0]; }} loads {{ force {force:e}*{mass:e} [N] - {mass:e} [N/m^3]*x^3 on x; }}"
+            );
+            let model = interpreted(&text).unwrap();
+            let found = equilibrium(&model, &declared_start(&model)).unwrap().state.positions[0];
+            assert!((found / f64::cbrt(force) - 1.0).abs() < 1e-6, "{force:e} {mass}: {found:e}");
+        }
+    }
+    let text = "pub Strings; coordinates { y [m]; } parameters { k [N/m] = 1e4; l [m] = 1; F [N] = 1e-5; }
+        bodies { a: mass 1000 [kg] at [0, y]; }
+        loads { force F on y; spring k, length l from [-l, 0] to [0, y]; spring k, length l from [l, 0] to [0, y]; }";
+    let model = interpreted(text).unwrap();
+    let found = equilibrium(&model, &declared_start(&model)).unwrap().state.positions[0];
+    // k y^3/l^2 (1 - 3/4 (y/l)^2 ..) = F.
+    assert!((found - 1e-3 * (1.0 + 0.25e-6)).abs() < 1e-11, "{found:e}");
 }

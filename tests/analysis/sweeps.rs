@@ -3,6 +3,7 @@
 use models::{FourBar, QuickReturn, SliderCrank};
 use sim::{Compiled, Driven, Kinematics, Mechanism, Sweep, declared_start, kinematics, mechanism};
 use std::f64::consts::{PI, TAU};
+use tests::any_model::interpreted;
 
 /// Drives a coordinate or output from the declared start.
 pub(crate) fn driven<M: Compiled>(
@@ -250,5 +251,29 @@ fn time_runs_during_the_sweep() {
         let t = sample.state.time;
         let (x, rate) = (0.01 + 0.1 * t - 0.005 * (30.0 * t).sin(), 0.1 - 0.15 * (30.0 * t).cos());
         assert!((sample.state.positions[0] - x).abs() < 1e-16 && (force - 500.0 * x - rate).abs() < 1e-12, "{t}");
+    }
+}
+
+/// A sweep of a length that begins at the origin, or close to it, where the mechanism has no length of its own: the spring pulls.
+#[test]
+fn a_length_is_driven_from_the_origin_on() {
+    for constraints in ["", "constraints { c1: y = 0; c2: y = 0; }", "constraints { c1: y = 0.1*x; c2: 2*y = 0.2*x; }"]
+    {
+        let coordinates = if constraints.is_empty() { "x [m];" } else { "x [m]; y [m];" };
+        let place = if constraints.is_empty() { "[x, 0]" } else { "[x, y]" };
+        for from in [0.0, 1e-9, 1e-4, -1e-9, 0.1] {
+            let text = format!(
+                "pub Short; coordinates {{ {coordinates} }} bodies {{ a: mass 1 [kg] at {place}; }}
+                 loads {{ spring 100 [N/m], rest 0 on x; }} {constraints} initial {{ x = {from:e}; }}"
+            );
+            let model = interpreted(&text).unwrap();
+            let driven = Driven::find(model.description(), "x").unwrap();
+            let sweep = Sweep { driven, from, to: 1.0, speed: 0.0, steps: 10, held: Vec::new() };
+            let found = kinematics(model.clone(), &declared_start(&model), &sweep).unwrap();
+            assert!(found.trajectory.failure.is_none() && found.values.len() == 11, "{text}");
+            for (x, force) in found.values.iter().zip(&found.forces[0]) {
+                assert!((force - 100.0 * x).abs() < 1e-10, "{text}: {force} N at {x} m");
+            }
+        }
     }
 }

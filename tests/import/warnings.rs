@@ -283,6 +283,22 @@ fn followers_start_where_their_leader_has_them() {
     check(&link(&still, INERTIAL), &["3 joint `k` mimics `j` by 0 times its value: it moves by itself"]);
 }
 
+/// The limits of a follower that its leader would pass stop both; those that come after the leader's need no stop.
+#[test]
+fn followers_stop_their_leaders() {
+    let slide = "<limit lower=\"-0.1\" upper=\"0.5\"/><axis xyz=\"0 0 1\"/><mimic joint=\"j\" multiplier=\"-2\" offset=\"0.3\"/>";
+    let text = robot(&link(slide, INERTIAL).replace("revolute", "prismatic"));
+    let text = imported(&text, &Options { stops: true, ..Options::default() }).text;
+    for side in ["lower", "upper"] {
+        assert!(text.contains(&format!("k_{side}_hit: (-2 [m]*j + 0.3 [m]) = ")), "{text}");
+    }
+    let after = slide.replace("-0.1", "-10").replace("0.5", "10");
+    let text = robot(&link(&after, INERTIAL).replace("revolute", "prismatic"));
+    let text = text.replace("type=\"continuous\">", &format!("type=\"revolute\">{LIMIT}"));
+    let text = imported(&text, &Options { stops: true, ..Options::default() }).text;
+    assert!(!text.contains("_hit: (-2") && text.contains("k_limit: "), "{text}");
+}
+
 /// On a slide that starts amid its range, with a link that floats from there.
 #[test]
 fn floating_links_start_on_the_links_before_them() {

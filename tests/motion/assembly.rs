@@ -162,3 +162,31 @@ fn rates_of_what_is_carried_along_are_rounding() {
         assert!((1..4).all(|j| state.speeds[j].abs() < 1e-9 * speed * size), "{:?}", state.speeds);
     }
 }
+
+/// At a dead point the crank says nothing of the slider: pi/2 is known to rounding, and its cosine is none.
+#[test]
+fn a_speed_that_a_dead_point_does_not_allow_is_refused() {
+    let ways = [("sin", "pi/2"), ("sin", "90 [deg]"), ("cos", "0"), ("cos", "pi"), ("cos", "1e-300"), ("sin", "-pi/2")];
+    for (way, angle) in ways {
+        for size in [1e-3, 0.5, 1e3] {
+            let text = format!(
+                "pub Dead; coordinates {{ a [rad]; x [m]; }}
+                 bodies {{ crank: inertia 1 [kg*m^2], angle a; slider: mass 1 [kg] at [x, 0]; }}
+                 constraints {{ c: x = {size:?} [m]*{way}(a); }} initial {{ a = {angle}; dot(x) = {size:?}; }}"
+            );
+            let model = interpreted(&text).unwrap();
+            let failure = assemble(&model, &declared_start(&model)).unwrap_err();
+            assert!(
+                matches!(failure.what, What::SpeedsContradict { constraint: "c", .. }),
+                "{way} {angle} {size}: {failure}"
+            );
+        }
+    }
+    // A little before it, it turns fast.
+    let text = "pub Near; coordinates { a [rad]; x [m]; }
+        bodies { crank: inertia 1 [kg*m^2], angle a; slider: mass 1 [kg] at [x, 0]; }
+        constraints { c: x = 0.5 [m]*cos(a); } initial { a = 1e-7; dot(x) = 1; }";
+    let model = interpreted(text).unwrap();
+    let speed = assemble(&model, &declared_start(&model)).unwrap().speeds[0];
+    assert!((speed / -2e7 - 1.0).abs() < 1e-9, "{speed:e}");
+}

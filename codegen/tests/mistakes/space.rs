@@ -115,6 +115,10 @@ fn rotations() {
     output("(R*l).z", &["8:27 a rotation turns vectors of three components and other rotations, not a scalar"]);
     output("norm(dot(R))", &["8:33 the rate of a rotation is an angular velocity: `angular_velocity(R)`"]);
     output("l*norm(omega(tap))", &["8:31 `omega(..)` takes the name of a body that turns"]);
+    output(
+        "l*(quaternion(0, 0, 0, 0)*[1, 0, 0]).x",
+        &["8:27 four zeros are no quaternion: they have no direction; `quaternion(1, 0, 0, 0)` turns nothing"],
+    );
     load("torque 1 [N*m] on top;", &["7:16 a scalar stands where a vector belongs; a vector is written `[x, y, z]`"]);
 }
 

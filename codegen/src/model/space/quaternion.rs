@@ -31,6 +31,11 @@ impl Interpreter {
         let is_of_coordinates = self.note_coordinates(region, q);
         let Interpreter { graph, motion, .. } = self;
         let square = norm_square(graph, &q);
+        if graph.is_zero(square) {
+            let message =
+                "four zeros are no quaternion: they have no direction; `quaternion(1, 0, 0, 0)` turns nothing";
+            return self.refuse(region, message);
+        }
         let inverse = graph.integer_power(square, -1);
         let matrix = matrix(graph, &q, inverse);
         let rates = q.map(|x| motion.of(graph, x));

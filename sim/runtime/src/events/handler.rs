@@ -2,12 +2,12 @@
 
 use super::act::{Change, Located, act};
 use super::conditions::tolerance;
-use super::described::{any_acts, is_done, moves, struck, switches, through};
+use super::described::{any_acts, is_done, moves, switches, through};
 use super::onset::Onset;
+use super::turned::{hits_in_vain, is_turned_back, turns_back};
 use super::{Crossing, EventSearch, Occurrence};
 use crate::integrate::Step;
 use crate::motion::Motion;
-use crate::motion::residuals::rates;
 use crate::numerics::insertion::sort_few;
 use crate::state::failure::{Failure, What};
 use crate::state::saved::{Bytes, Damaged};
@@ -21,11 +21,6 @@ use std::collections::VecDeque;
 const MOST_AT_ONCE: usize = 32;
 /// The instant, as a fraction of the whole time.
 const INSTANT: f64 = 1e-9;
-
-/// The speed at which a condition turns back, relative to that at which it came, that is not rounding.
-const TURNED: f64 = 1e-3;
-/// A change of a condition's rate that is rounding, relative to it: rates are differences over the accuracy of times.
-const KEPT: f64 = 1e-6;
 
 /// Finds the events of a motion and carries out their actions.
 #[derive(Clone, Debug)]
@@ -51,54 +46,6 @@ pub(crate) struct EventHandler<M: Mechanism> {
     next_phase: Option<(M, State<M>)>,
     /// Whether an event has ended the motion.
     has_ended: bool,
-}
-
-/// Whether a condition that crosses zero by the speeds of one state turns back by those of another, at the same time and place.
-fn is_turned_back<M: Mechanism>(
-    mechanism: &M,
-    states: [&State<M>; 2],
-    (event, crossing): (usize, Crossing),
-    span: f64,
-) -> bool {
-    let described = &mechanism.description().events[event];
-    let through = match crossing {
-        Crossing::Rising => 1.0,
-        Crossing::Falling => -1.0,
-        Crossing::Touching => return false,
-    };
-    let [before, after] = states.map(|state| through * rate(mechanism, state, event, span));
-    !described.on_forces && before > 0.0 && after < -TURNED * before
-}
-
-/// The change of a condition about a state, by its speeds.
-fn rate<M: Mechanism>(mechanism: &M, state: &State<M>, event: usize, span: f64) -> f64 {
-    let (zero, none) = (state.positions.like(|_| 0.0), M::L::repeat(mechanism.m(), 0.0));
-    let d = 100.0 * tolerance(state.time, span);
-    let at = |d: f64| {
-        let q = state.positions.like(|j| state.positions[j] + d * state.speeds[j]);
-        mechanism.events(state.time + d, &q, &state.speeds, &zero, &none)[event]
-    };
-    at(d) - at(-d)
-}
-
-/// The rates of the constraints that blows strike, as if they held.
-fn speeds_of<M: Mechanism>(mechanism: &M, struck: &[usize], state: &State<M>) -> Vec<f64> {
-    let mut activities = mechanism.activities();
-    struck.iter().for_each(|conditional| activities[*conditional] = 1.0);
-    let mechanism = mechanism.clone().with_activities(activities);
-    let linear = mechanism.constraint_linearization(state.time, &state.positions);
-    let rates = rates(&mechanism, &linear, &state.speeds);
-    let rows = struck.iter().flat_map(|conditional| {
-        let described = &mechanism.description().conditionals[*conditional];
-        described.first_row..described.first_row + described.rows
-    });
-    rows.map(|row| rates[row]).collect()
-}
-
-/// Whether a condition holds at a start and leaves against the direction in which its event counts.
-fn turns_back<M: Mechanism>(mechanism: &M, onset: &Onset<M>, index: usize) -> bool {
-    let through = through(&mechanism.description().events[index]);
-    through.is_some_and(|through| onset.holds(index) && onset.leaving(index) == -through)
 }
 
 impl<M: Mechanism> EventHandler<M> {
@@ -259,12 +206,11 @@ impl<M: Mechanism> EventHandler<M> {
     }
 
     /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and
-    /// continues through zero. If the event has just happened, this requires that it was an impact, which has changed the
-    /// condition's rate in vain, that a constraint it switched has been switched back, that the
-    /// condition had turned back since, or that it returns to zero within an instant or without having left it by more than
-    /// the tolerance of constraints. One that releases a constraint because of a force happens also if its condition is beyond
-    /// zero: a contact that a blow has closed does not pull. What holds already does not land again: its condition stays where
-    /// it is.
+    /// continues through zero. If the event has just happened, this requires that it was an impact in vain, that a constraint it
+    /// switched has been switched back, that the condition had turned back since, or that it returns to zero within an instant or
+    /// without having left it by more than the tolerance of constraints. One that releases a constraint because of a force
+    /// happens also if its condition is beyond zero, with or without a direction: a contact that a blow has closed does not
+    /// pull. What holds already does not land again: its condition stays where it is.
     fn is_due(&self, mechanism: &M, onset: &Onset<M>, index: usize, now: &State<M>) -> bool {
         let time = now.time;
         let described = &mechanism.description().events[index];
@@ -283,8 +229,11 @@ impl<M: Mechanism> EventHandler<M> {
         let just_happened = time - self.last[index] < self.instant();
         let goes_on = match just_happened {
             true if onset.leaving(index) == through => {
+                let last = self.search.found.iter().rev().find(|found| found.event == index);
                 let is_undone = [true, false].into_iter().any(|on| switches(mechanism, described, on));
-                self.hits_in_vain(mechanism, index, now) || is_undone || time - self.turned[index] < self.instant()
+                last.is_some_and(|last| hits_in_vain(mechanism, last, now, self.span))
+                    || is_undone
+                    || time - self.turned[index] < self.instant()
             }
             true => {
                 let soon = onset.returns_after(index) < self.instant() || onset.hides_return(index);
@@ -293,25 +242,6 @@ impl<M: Mechanism> EventHandler<M> {
             false => onset.sign(index) == through,
         };
         !described.steps.is_empty() && onset.holds(index) && goes_on
-    }
-
-    /// Whether the last blow of an event that has just happened has not done what it is for: it has changed the rate of its
-    /// condition, which stands still now, or the struck constraints close again. A condition of its own, as a place at which a
-    /// brake is applied, may go on.
-    fn hits_in_vain(&self, mechanism: &M, index: usize, now: &State<M>) -> bool {
-        let last = self.search.found.iter().rev().find(|found| found.event == index);
-        let Some((before, change)) = last.and_then(|last| Some((&last.state, last.change.as_ref()?))) else {
-            return false;
-        };
-        let rate = |state: &State<M>| rate(mechanism, state, index, self.span);
-        let (was, kept) = (rate(before), rate(&change.state));
-        let hits = struck(&mechanism.description().events[index]);
-        if hits.is_empty() || (kept - was).abs() <= KEPT * was.abs() {
-            return false;
-        }
-        let closing = |state: &State<M>| speeds_of(mechanism, &hits, state);
-        let close_again = closing(before).into_iter().zip(closing(now));
-        rate(now).abs() <= TURNED * was.abs() || close_again.into_iter().any(|(was, is)| was * is > KEPT * was * was)
     }
 
     fn happen_at_start(&mut self, mechanism: &M, event: usize, sample: &Sample<M>) -> Result<(), Failure> {
@@ -325,7 +255,12 @@ impl<M: Mechanism> EventHandler<M> {
             let what = What::Accumulating { event: name, count: self.counts[event] + 1 };
             return Err(Failure::at(mechanism, what, state.time, &state.positions));
         }
-        let crossing = if described.direction == Direction::Rising { Crossing::Rising } else { Crossing::Falling };
+        let rises = match described.direction {
+            Direction::Rising => true,
+            Direction::Falling => false,
+            Direction::Both => self.search.side(event) < 0.0,
+        };
+        let crossing = if rises { Crossing::Rising } else { Crossing::Falling };
         self.search.found.push(Occurrence { event, name, crossing, state, change: None });
         Ok(())
     }

@@ -12,6 +12,7 @@ mod jumps;
 mod locate;
 mod occurrence;
 mod onset;
+mod turned;
 mod undefined;
 mod waves;
 
@@ -296,18 +297,19 @@ impl<M: Mechanism> EventSearch<M> {
     /// Whether a condition is zero throughout a step, up to the tolerance of constraints: it keeps the sign that it had.
     fn is_noise(&self, step: &mut Step<M>, event: usize, from: &Point<M>, to: &Point<M>) -> Result<bool, Failure> {
         let Some(onset) = &self.onset else { return Ok(false) };
+        // The sign of a condition that is left is noted as the least number.
+        let at_start = onset.noise[event].max(f64::MIN_POSITIVE);
         let ends = from.values[event].abs().max(to.values[event].abs());
-        if !(ends <= onset.noise[event]) {
+        if !(ends <= at_start) {
             return Ok(false);
         }
         let largest = ends.max(value(step, (from.time + to.time) / 2.0, event)?.abs());
-        if !(largest <= onset.noise[event]) {
-            return Ok(false);
+        if !(largest <= at_start) || largest <= f64::MIN_POSITIVE {
+            return Ok(largest <= at_start);
         }
         // Where the phase has begun, the terms may have been much larger than here.
         let end = step.sample(to.time)?;
-        // The sign of one that has been left is noted as the least number.
-        Ok(largest <= f64::MIN_POSITIVE.max(OFFSET * sizes(step.motion, &end, self.span)?[event]))
+        Ok(largest <= OFFSET * sizes(step.motion, &end, self.span)?[event])
     }
 }
 

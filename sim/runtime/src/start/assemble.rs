@@ -214,7 +214,7 @@ fn assemble_speeds(mechanism: &dyn AnyMechanism, start: &Given, q: &[f64]) -> Re
     let (mut contradicted, (sizes, terms)) = (0, measure(mechanism, 0.0, q));
     // Once is enough, unless lengths are far from 1 m and the decomposition of J loses digits.
     for _ in 0..MOST_REFINEMENTS {
-        let (rows, left) = of_one_size((jacobian.clone(), open), &terms);
+        let (rows, left) = of_one_size((without_rounding(jacobian.clone(), &terms, &sizes), open), &terms);
         let Some(step) = least_norm_solution(rows, start.speed_given, &left) else {
             let quantity = "a derivative of the constraints".into();
             return Err(mechanism.failure(What::NotFinite { quantity }, 0.0, q));
@@ -235,9 +235,6 @@ fn assemble_speeds(mechanism: &dyn AnyMechanism, start: &Given, q: &[f64]) -> Re
     Err(mechanism.failure(What::SpeedsContradict { constraint, residual }, 0.0, q))
 }
 
-/// What is so small beside the largest derivative of a constraint is zero: at a dead point cos(pi/2) is 6e-17.
-const ROUNDING_OF_DERIVATIVES: f64 = 1e-14;
-
 /// The shortest x with J x nearest to the residual, x_j = 0 where j is given.
 pub(super) fn least_norm_solution(
     mut jacobian: DMatrix<f64>,
@@ -247,19 +244,32 @@ pub(super) fn least_norm_solution(
     if jacobian.nrows() == 0 {
         return Some(DVector::zeros(given.len()));
     }
-    let whole = jacobian.amax();
     (0..given.len()).filter(|j| given[*j]).for_each(|j| jacobian.column_mut(j).fill(0.0));
     if jacobian.iter().chain(residual.iter()).any(|value| !value.is_finite()) {
         return None;
     }
     let svd = jacobian.svd(true, true);
     let largest = svd.singular_values.iter().fold(0.0, |a: f64, b| a.max(*b));
-    let least = (1e-12 * largest).max(ROUNDING_OF_DERIVATIVES * whole).max(f64::MIN_POSITIVE);
-    let mut solution = svd.solve(residual, least).ok()?;
+    let mut solution = svd.solve(residual, 1e-12 * largest.max(f64::MIN_POSITIVE)).ok()?;
     // Rounding must not move given values.
     (0..given.len()).filter(|j| given[*j]).for_each(|j| solution[j] = 0.0);
     Some(solution)
 }
+
+/// C_q without what is but rounding of the terms of its rows: at a dead point cos(pi/2) is 6e-17.
+fn without_rounding(mut jacobian: DMatrix<f64>, terms: &[f64], sizes: &[f64]) -> DMatrix<f64> {
+    for (j, size) in sizes.iter().enumerate() {
+        for (entry, terms) in jacobian.column_mut(j).iter_mut().zip(terms) {
+            if (*entry * size).abs() <= ROUNDED * terms {
+                *entry = 0.0;
+            }
+        }
+    }
+    jacobian
+}
+
+/// The rounding of a derivative relative to the terms of its constraint.
+const ROUNDED: f64 = 4.0 * f64::EPSILON;
 
 /// Rows whose terms are this much smaller than those of others are brought to one size with them.
 const UNEQUAL: f64 = 1e-6;

@@ -110,21 +110,30 @@ impl Written<'_> {
         let block = if of.kind == Kind::Prismatic { "outputs_lengths" } else { "outputs_angles" };
         let distance = format!("min({value}{}, {greatest} - {value})", minus(lower));
         blocks.line(block, format!("{margin} [{unit}] = {distance};"));
-        if !self.options.stops || self.is_substituted(joint) {
+        let sides = [("lower", lower, least, ["falling", "rising"]), ("upper", upper, greatest, ["rising", "falling"])];
+        let stops = sides.into_iter().filter(|(_, at, ..)| self.comes_before_its_leader(joint, at.value));
+        let mut stops = stops.filter(|_| self.options.stops).peekable();
+        if stops.peek().is_none() {
             let event = names.take(&format!("{name}_limit"), "event");
             // Slightly beyond it, as many joints start on their limit.
             blocks.line("events", format!("{event}: {distance} = -{BEYOND} [{unit}] falling;"));
             return;
         }
-        for (side, limit, [towards, away]) in
-            [("lower", least, ["falling", "rising"]), ("upper", greatest, ["rising", "falling"])]
-        {
+        for (side, _, limit, [towards, away]) in stops {
             let [stop, hit, leave] =
                 ["stop", "hit", "leave"].map(|what| names.take(&format!("{name}_{side}_{what}"), "stop"));
-            blocks.line("constraints", format!("{stop}: {name} = {limit} initially released;"));
-            blocks.line("events", format!("{hit}: {name} = {limit} {towards} {{ activate {stop}; }}"));
+            blocks.line("constraints", format!("{stop}: {value} = {limit} initially released;"));
+            blocks.line("events", format!("{hit}: {value} = {limit} {towards} {{ activate {stop}; }}"));
             blocks.line("events", format!("{leave}: reaction({stop}) = 0 {away} {{ release {stop}; }}"));
         }
+    }
+
+    /// Whether a limit of a joint comes before those of the joint that it follows, if it is written by that.
+    fn comes_before_its_leader(&self, joint: usize, limit: f64) -> bool {
+        let Some(law) = self.followers.law(joint).filter(|_| self.is_substituted(joint)) else { return true };
+        let at = (limit - law.offset.value) / law.multiplier.value;
+        let leader = self.robot.joints[law.joint].limit.as_ref().and_then(|limit| limit.range.as_ref());
+        at.is_finite() && leader.is_none_or(|[lower, upper]| lower.value < at && at < upper.value)
     }
 
     /// What is told of a joint.

@@ -126,7 +126,7 @@ pub fn inverse_dynamics<M: Mechanism>(
     let any = Any(mechanism);
     let (system, _) = System::new(&any, laws, q.as_ref())?;
     let system = system.running(system.laws.clone());
-    let found = prescribed(&system, &Sizes::new(&system, q.as_ref()), (q.as_ref(), time), accelerations)?;
+    let found = prescribed(&system, &Sizes::new(&system, q.as_ref(), 0.0), (q.as_ref(), time), accelerations)?;
     Ok(Prescribed { sample: found.sample(mechanism, 0.0), forces: found.forces })
 }
 

@@ -54,7 +54,7 @@ pub(super) struct Path<'s> {
 impl<'s> Path<'s> {
     /// The curve of a system from a position, for p from 0 to `end`.
     pub(super) fn new(system: &'s System<'s>, q: &[f64], end: f64) -> Path<'s> {
-        Path { system, sizes: Sizes::new(system, q), end }
+        Path { system, sizes: Sizes::new(system, q, end), end }
     }
 
     /// A position and its p.

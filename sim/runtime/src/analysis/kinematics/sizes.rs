@@ -3,7 +3,11 @@
 
 use super::driven::{Driven, is_angle};
 use super::system::{Law, System};
-use crate::motion::lengths::{measure, own_length};
+use crate::motion::lengths::{measure, of_constraints, own_length};
+
+/// No length is smaller than this part of the range through which a length is driven: a start near the origin, where nothing else
+/// has a length, is none.
+const PART: f64 = 1e-3;
 
 /// Coordinates and constraints have the same scales as in runs. The scale of the driven quantity is 1 for an angle, the
 /// mechanism's own length for a length, and otherwise its change with the coordinates.
@@ -18,18 +22,28 @@ pub(super) struct Sizes {
 }
 
 impl Sizes {
-    /// Those of a system at a position, at the start.
-    pub(super) fn new(system: &System, q: &[f64]) -> Sizes {
+    /// Those of a system at a position, at the start, for p from 0 to `end`.
+    pub(super) fn new(system: &System, q: &[f64], end: f64) -> Sizes {
         let (mechanism, time) = (system.mechanism, system.time(0.0));
-        let (coordinates, constraints) = measure(mechanism, time, q);
+        let (mut coordinates, mut constraints) = measure(mechanism, time, q);
+        let description = mechanism.description();
+        let lengths = system.laws.iter().filter(|law| law.driven.quantity(description).is_length);
+        let least = PART * lengths.map(|law| (law.rate * end).abs()).fold(0.0, f64::max);
+        let is_small = |j: usize, size: f64| description.coordinates[j].position.is_length && size < least;
+        if (0..coordinates.len()).any(|j| is_small(j, coordinates[j])) {
+            for (j, size) in coordinates.iter_mut().enumerate() {
+                *size = if is_small(j, *size) { least } else { *size };
+            }
+            constraints = of_constraints(mechanism, time, q, &coordinates);
+        }
         let jacobian = system.linear(q, 0.0).jacobian;
         let change = |row: usize| {
             let changes = coordinates.iter().enumerate().map(|(j, size)| (jacobian[(row, j)] * size).powi(2));
             changes.sum::<f64>().sqrt()
         };
-        let of_law = |(k, law): (usize, &Law)| match (law.driven, law.driven.quantity(mechanism.description())) {
+        let of_law = |(k, law): (usize, &Law)| match (law.driven, law.driven.quantity(description)) {
             (Driven::Coordinate(j), _) => coordinates[j],
-            (_, quantity) if quantity.is_length => own_length(mechanism, time, q),
+            (_, quantity) if quantity.is_length => own_length(mechanism, time, q).max(least),
             (_, quantity) if is_angle(quantity.unit) => 1.0,
             _ => or_one(change(system.rows.len() + k)),
         };

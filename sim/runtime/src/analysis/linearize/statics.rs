@@ -150,11 +150,21 @@ impl Statics {
 
     /// The first of these directions along which a force accelerates by more than this.
     fn pushed(&self, free: &DMatrix<f64>, force: &DVector<f64>, least: f64) -> Option<DVector<f64>> {
+        self.pushed_beyond(&DVector::zeros(force.len()), (free, force), least)
+    }
+
+    /// The same, with a force that is but so well known.
+    fn pushed_beyond(
+        &self,
+        error: &DVector<f64>,
+        (free, force): (&DMatrix<f64>, &DVector<f64>),
+        least: f64,
+    ) -> Option<DVector<f64>> {
         let is_pushed = |direction: &DVector<f64>| {
             let direction = direction / self.size(direction);
             let inertia = direction.dot(&(&self.mass * &direction));
             let rounding = ROUNDINGS * f64::EPSILON * direction.abs().dot(&force.abs());
-            let rounding = rounding + direction.abs().dot(&self.rounding_of_force());
+            let rounding = rounding + direction.abs().dot(error);
             direction.dot(force).abs() > least * inertia + rounding
         };
         free.column_iter().map(|direction| direction.into_owned()).find(is_pushed)
@@ -168,7 +178,9 @@ impl Statics {
     /// Whether no force acts along what is free, and Newton's method would not go on.
     pub(crate) fn is_settled(&self, mechanism: &dyn Differentiable) -> bool {
         let is_settled = |tangent: Tangent| {
-            let pushed = self.pushed(&tangent.free, &self.force(), PUSHED);
+            let (free, force) = (&tangent.free, &self.force());
+            let gently = || self.pushed_beyond(&self.rounding_of_force(), (free, force), PUSHED);
+            let pushed = self.pushed(free, force, AT_REST).or_else(gently);
             pushed.is_none() && self.driven(mechanism, &tangent).is_none()
         };
         self.tangent().is_none_or(is_settled)
