@@ -163,3 +163,18 @@ fn a_blow_may_leave_the_rate_of_its_condition() {
         assert_eq!(run.events.len(), 1);
     }
 }
+
+/// Waves that decay are searched as finely as at first: each passage of x = k pi/1000, or of t, up to exp(-10).
+#[test]
+fn decaying_waves_are_searched_as_finely_as_at_first() {
+    for (condition, count) in [("sin(1000*x/1 [m])*exp(-x/1 [m])", 3183), ("sin(1000*t/1 [s])*exp(-t/1 [s])", 3183)] {
+        let declaration = mass("0 [N]", "x = 0; dot(x) = 1;", &format!("c: {condition} = 0;"));
+        for (method, equal) in [(Method::Dop853, None), (Method::Dopri5, None), (Method::Rk4, Some(20))] {
+            assert_eq!(
+                run_of(&declaration, method, equal, 10.0).events.len(),
+                count,
+                "{condition} {method:?} {equal:?}"
+            );
+        }
+    }
+}

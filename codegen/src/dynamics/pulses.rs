@@ -108,13 +108,18 @@ fn switchings(
     found
 }
 
+/// The middle of a pulse with its flanks.
 fn with_flanks(of: Expr) -> Vec<Middle> {
     vec![Middle::AtExtremum(of), Middle::Flank(of)]
 }
 
 /// What is zero where a function is 1/2, or -1/2 if it is written with a sign.
 fn flank(graph: &mut Graph, of: Expr) -> Expr {
-    let is_negative = matches!(graph.node(of), Node::Product { coefficient, .. } if coefficient.is_negative());
+    let is_negative = match graph.node(of) {
+        Node::Product { coefficient, .. } => coefficient.is_negative(),
+        Node::Sum { terms, .. } => terms.iter().all(|(_, coefficient)| coefficient.is_negative()),
+        _ => false,
+    };
     let (two, one) = (graph.integer(2), graph.integer(if is_negative { 1 } else { -1 }));
     let twice = graph.mul(two, of);
     graph.add(twice, one)

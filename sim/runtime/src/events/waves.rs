@@ -16,6 +16,9 @@ pub(super) const DIVIDED_AGAIN: f64 = 3.0;
 /// The least size of a condition, relative to its terms, that goes to and fro: of rounding nothing is asked.
 const LEAST_WAVE: f64 = 1e-6;
 
+/// The least value that is not rounding, relative to the largest one, which is a millionth of the terms at least.
+const LEAST_VALUE: f64 = 1e-9;
+
 impl<M: Mechanism> EventSearch<M> {
     /// Notes how large conditions are by their terms.
     pub(super) fn note_sizes(&mut self, step: &Step<M>) {
@@ -28,7 +31,8 @@ impl<M: Mechanism> EventSearch<M> {
 
     /// The number of parts of an interval for the condition that changes fastest, and which that is. One that goes to and fro as
     /// A sin(w t) has everywhere between 0.78 w and w as the larger of |rate|/A and the root of |second rate|/A. So both ends say
-    /// how fast it is; one may lie at a corner, where the second rate means nothing.
+    /// how fast it is; one may lie at a corner, where the second rate means nothing. Of one that decays A is not known, but w is also
+    /// the root of |second rate|/|value|, where these are of unlike sign.
     pub(super) fn waves(&self, from: &Point<M>, to: &Point<M>) -> (f64, usize) {
         let h = to.time - from.time;
         let of = |event: usize| {
@@ -37,7 +41,12 @@ impl<M: Mechanism> EventSearch<M> {
                 let [rate, second] = [point.rates[event], point.seconds[event]].map(|rate| rate.abs() / size);
                 rate.max(second.sqrt())
             };
-            ((h * (fastest(from) * fastest(to)).sqrt() / MOST_CHANGE).ceil(), event)
+            let swings = |point: &Point<M>| match point.values[event] {
+                value if value.abs() > LEAST_VALUE * size => (-point.seconds[event] / value).max(0.0).sqrt(),
+                _ => 0.0,
+            };
+            let fast = (fastest(from) * fastest(to)).sqrt().max(swings(from).min(swings(to)));
+            ((h * fast / MOST_CHANGE).ceil(), event)
         };
         let all = (0..self.begin.len()).map(of).filter(|(parts, _)| parts.is_finite());
         let (most, event) = all.fold((1.0, 0), |most, of| if of.0 > most.0 { of } else { most });
