@@ -1,8 +1,9 @@
 //! The middles of smooth pulses and steps, as of `exp(-((t - t1)/w)^2)` and `tanh((x - x1)/w)`.
 //!
 //! A short one may lie between all places at which a method evaluates a long step. The runtime ends a step in its middle, which sees
-//! it and is made short enough. Of time, in loads and in what moves with it, middles are known before the motion is; in loads by
-//! positions each step is searched for them. By speeds there are none: smooth friction would end a step at each of its turns.
+//! it and is made short enough, and on its flanks, as the load may be zero in the middle. Of time, in loads and in what moves with
+//! it, these places are known before the motion is; in loads by positions each step is searched for them. By speeds there are none:
+//! smooth friction would end a step at each of its turns.
 
 use super::rows::LoadRow;
 use super::switching::{Switching, is_affine, is_affine_in_state, is_new, is_of_time, nodes_of_loads, with_inputs};
