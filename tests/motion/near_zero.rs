@@ -119,6 +119,21 @@ fn a_touch_happens_once() {
     }
 }
 
+/// Many touches within one step are as many events.
+#[test]
+fn a_step_may_hold_many_touches() {
+    for condition in ["sin(100*x/1 [m])^2", "abs(sin(100*x/1 [m]))", "1 - cos(100*x/1 [m])"] {
+        let count = if condition.contains("cos") { 159 } else { 318 };
+        for action in [";", "{ set n = n + 1; }"] {
+            let declaration = mass("0 [N]", "x = 0; dot(x) = 1;", &format!("c: {condition} = 0 {action}"));
+            for (method, equal) in [(Method::Dop853, None), (Method::Rk4, Some(20))] {
+                let found = run_of(&declaration, method, equal, 10.0);
+                assert_eq!(found.events.len(), count, "{condition} {action} {method:?} {equal:?}");
+            }
+        }
+    }
+}
+
 /// What stays at zero happens where it comes there, and not where it leaves.
 #[test]
 fn what_stays_at_zero_happens_once() {

@@ -17,7 +17,7 @@ const TOUCH: f64 = 1e-9;
 
 /// How far beyond zero, relative to its terms there, a condition is through it.
 const THROUGH: f64 = 1e-10;
-/// Touches within this part of a step, or of a second, are the same.
+/// Touches within this part of an interval in which a condition touches zero once, or of a second, are the same.
 const SAME_TOUCH: f64 = 1e-3;
 const SAME_TIME: f64 = 1e-7;
 
@@ -50,7 +50,7 @@ impl<M: Mechanism> EventSearch<M> {
         match () {
             _ if touches_at_end(event, from, to) => {
                 let state = step.at(to.time)?;
-                self.push_touch(step, event, state);
+                self.push_touch(step, event, state, h);
                 Ok(())
             }
             _ if crosses(values) => self.locate(step, event, [from.time, to.time], values),
@@ -77,7 +77,7 @@ impl<M: Mechanism> EventSearch<M> {
         }
         if least.abs() <= TOUCH * self.largest[event] {
             let state = step.at(turn)?;
-            self.push_touch(step, event, state);
+            self.push_touch(step, event, state, to - from);
         }
         Ok(())
     }
@@ -89,9 +89,9 @@ impl<M: Mechanism> EventSearch<M> {
         Ok(least < -THROUGH * sizes(step.motion, &sample, self.span)?[event])
     }
 
-    /// Enters a touch, unless it is the same as the last, which is known to the root of rounding.
-    fn push_touch(&mut self, step: &Step<M>, event: usize, state: State<M>) {
-        let same = (SAME_TOUCH * step.length()).max(SAME_TIME * self.span.min(1.0));
+    /// Enters a touch within a part of such a length, unless it is the same as the last, which is known to the root of rounding.
+    fn push_touch(&mut self, step: &Step<M>, event: usize, state: State<M>, part: f64) {
+        let same = (SAME_TOUCH * part).max(SAME_TIME * self.span.min(1.0));
         let last = self.found.iter().rev().find(|found| found.event == event);
         let is_same =
             |last: &Occurrence<M>| last.crossing == Crossing::Touching && state.time - last.state.time <= same;
