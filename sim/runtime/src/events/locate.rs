@@ -91,7 +91,8 @@ impl<M: Mechanism> EventSearch<M> {
 
     /// Enters a touch within a part of such a length, unless it is the same as the last, which is known to the root of rounding.
     fn push_touch(&mut self, step: &Step<M>, event: usize, state: State<M>, part: f64) {
-        let same = (SAME_TOUCH * part).max(SAME_TIME * self.span.min(1.0));
+        // Those of a wave are several parts apart.
+        let same = (SAME_TOUCH * part).max((SAME_TIME * self.span.min(1.0)).min(part / 2.0));
         let last = self.found.iter().rev().find(|found| found.event == event);
         let is_same =
             |last: &Occurrence<M>| last.crossing == Crossing::Touching && state.time - last.state.time <= same;

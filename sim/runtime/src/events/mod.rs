@@ -303,13 +303,15 @@ impl<M: Mechanism> EventSearch<M> {
         if !(ends <= at_start) {
             return Ok(false);
         }
-        let largest = ends.max(value(step, (from.time + to.time) / 2.0, event)?.abs());
-        if !(largest <= at_start) || largest <= f64::MIN_POSITIVE {
-            return Ok(largest <= at_start);
+        match ends.max(value(step, (from.time + to.time) / 2.0, event)?.abs()) {
+            largest if largest <= f64::MIN_POSITIVE => Ok(true),
+            largest if largest <= at_start => {
+                // Where the phase has begun, the terms may have been much larger than here.
+                let end = step.sample(to.time)?;
+                Ok(largest <= OFFSET * sizes(step.motion, &end, self.span)?[event])
+            }
+            _ => Ok(false),
         }
-        // Where the phase has begun, the terms may have been much larger than here.
-        let end = step.sample(to.time)?;
-        Ok(largest <= OFFSET * sizes(step.motion, &end, self.span)?[event])
     }
 }
 
