@@ -55,7 +55,7 @@ pub(crate) fn of_constraints(mechanism: &dyn AnyMechanism, time: f64, q: &[f64],
 
 /// For each coordinate the change that counts as 1, in SI units: the mechanism's own length for lengths, 1 for angles and
 /// numbers.
-fn of_coordinates(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Vec<f64> {
+pub(crate) fn of_coordinates(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> Vec<f64> {
     let coordinates = mechanism.description().coordinates;
     let length = own_length(mechanism, time, q);
     coordinates.iter().map(|coordinate| if coordinate.position.is_length { length } else { 1.0 }).collect()

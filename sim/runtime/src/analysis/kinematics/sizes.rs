@@ -3,7 +3,7 @@
 
 use super::driven::{Driven, is_angle};
 use super::system::{Law, System};
-use crate::motion::lengths::{measure, of_constraints, own_length};
+use crate::motion::lengths::{of_constraints, of_coordinates, own_length};
 
 /// No length is smaller than this part of the range through which a length is driven: a start near the origin, where nothing else
 /// has a length, is none.
@@ -25,17 +25,14 @@ impl Sizes {
     /// Those of a system at a position, at the start, for p from 0 to `end`.
     pub(super) fn new(system: &System, q: &[f64], end: f64) -> Sizes {
         let (mechanism, time) = (system.mechanism, system.time(0.0));
-        let (mut coordinates, mut constraints) = measure(mechanism, time, q);
+        let mut coordinates = of_coordinates(mechanism, time, q);
         let description = mechanism.description();
         let lengths = system.laws.iter().filter(|law| law.driven.quantity(description).is_length);
         let least = PART * lengths.map(|law| (law.rate * end).abs()).fold(0.0, f64::max);
-        let is_small = |j: usize, size: f64| description.coordinates[j].position.is_length && size < least;
-        if (0..coordinates.len()).any(|j| is_small(j, coordinates[j])) {
-            for (j, size) in coordinates.iter_mut().enumerate() {
-                *size = if is_small(j, *size) { least } else { *size };
-            }
-            constraints = of_constraints(mechanism, time, q, &coordinates);
+        for (coordinate, size) in description.coordinates.iter().zip(&mut coordinates) {
+            *size = if coordinate.position.is_length { size.max(least) } else { *size };
         }
+        let constraints = of_constraints(mechanism, time, q, &coordinates);
         let jacobian = system.linear(q, 0.0).jacobian;
         let change = |row: usize| {
             let changes = coordinates.iter().enumerate().map(|(j, size)| (jacobian[(row, j)] * size).powi(2));
