@@ -9,6 +9,7 @@ mod cams;
 mod cart_pole;
 mod chains;
 mod constraints;
+mod corners;
 mod elements;
 mod events;
 mod failure;

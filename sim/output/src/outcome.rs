@@ -78,6 +78,14 @@ impl Outcome {
         others.into_iter().flatten().collect()
     }
 
+    /// Where speeds have jumped, since what time drives has a corner.
+    pub fn corners(&self) -> Option<String> {
+        let SuddenChanges { steps, first, .. } = self.steps.corners?;
+        let times = if steps == 1 { String::new() } else { format!(", the first of {steps} times") };
+        let at = format!("speeds jump at {first:.9} s{times}, where what time drives has a corner");
+        Some(format!("{at}: by an impulse, which reactions do not show"))
+    }
+
     /// What tolerances mean where no length is declared, if the motion is small.
     fn without_a_length(&self) -> Option<String> {
         let (Some(farthest), Stepping::Adaptive(tolerance)) = (self.farthest_unmeasured, self.settings.stepping) else {

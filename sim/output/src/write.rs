@@ -5,7 +5,7 @@ use crate::outcome::{Happening, Outcome, Recorded, Row, Until};
 use crate::whole::{whole, whole_bytes};
 use serde_json::{Map, Value, json};
 use sim_kernel::{Description, Mechanism};
-use sim_runtime::{Run, Stepping, Table};
+use sim_runtime::{Run, Stepping, SuddenChanges, Table};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -87,7 +87,7 @@ pub fn summary_of(run: &Outcome, table: &Table) -> Value {
         .iter()
         .map(|passed| json!({ "constraint": passed.constraint, "time": passed.time, "sine": passed.sine }))
         .collect();
-    let sudden_changes = run.steps.sudden_changes.map(|all| json!({ "steps": all.steps, "first": all.first }));
+    let counted = |all: SuddenChanges| json!({ "steps": all.steps, "first": all.first });
     let dead_points: Vec<Value> = run.dead_points.iter().map(|(of, time)| json!({ "of": of, "time": time })).collect();
     let undefined =
         table.undefined_outputs().into_iter().map(|(name, time)| (name.to_owned(), json!({ "from": time })));
@@ -105,7 +105,8 @@ pub fn summary_of(run: &Outcome, table: &Table) -> Value {
         "redundant_constraints": run.mobility.dependent,
         "undetermined_reactions": (!run.mobility.dependent.is_empty()).then_some("least norm in SI units"),
         "singularities": singularities,
-        "sudden_changes_within_equal_steps": sudden_changes,
+        "sudden_changes_within_equal_steps": run.steps.sudden_changes.map(counted),
+        "corners": run.steps.corners.map(counted),
         "undefined_outputs": undefined.collect::<Map<String, Value>>(),
         "period": run.period,
         "events": events,

@@ -249,6 +249,7 @@ fn happened(run: &Outcome) -> Vec<Line> {
         rows.push(("singular", format!("`{}` at {} s, {crossed}", passed.constraint, decimals(passed.time, 9))));
     }
     rows.extend(more("singular", run.steps.singularities.len()));
+    rows.extend(run.corners().map(|line| ("corner", line)));
     rows
 }
 

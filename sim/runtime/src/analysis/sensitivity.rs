@@ -106,7 +106,7 @@ impl<M: Mechanism> ForwardSensitivity<M> {
     ///
     /// # Errors
     /// As [`Simulation::advance_to`]; [`What::NotFinite`] where the state has no derivative; [`What::NotDifferentiable`] where
-    /// the motion passes a singular position, or an event changes it, and where an equal step leads over a jump whose time
+    /// the motion passes a singular position, or an event or the corner of a drive changes it, and where an equal step leads over a jump whose time
     /// moves.
     pub fn advance_to(&mut self, time: f64) -> Result<(), Failure> {
         while self.simulation.aim(time)?.is_some() {
@@ -196,10 +196,11 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         let are_equal = |duals: &[Dual], values: &[f64]| duals.iter().map(|dual| dual.value).eq(values.iter().copied());
         let is_here = are_equal(here.positions.as_ref(), state.positions.as_ref())
             && are_equal(here.speeds.as_ref(), state.speeds.as_ref());
-        if is_here && self.simulation.changes() == 0 && self.simulation.steps().singularities.is_empty() {
+        let steps = self.simulation.steps();
+        if is_here && self.simulation.changes() == 0 && steps.singularities.is_empty() && steps.corners.is_none() {
             return Ok(());
         }
-        Err(self.not_differentiable("it passes a singular position, or an event changes it"))
+        Err(self.not_differentiable("it passes a singular position, or an event or the corner of a drive changes it"))
     }
 }
 

@@ -172,7 +172,7 @@ impl<M: Mechanism> Change<M> {
         let linear = mechanism.constraint_linearization(time, q);
         let open = rates(mechanism, &linear, &self.state.speeds);
         let fall = M::L::with_len(mechanism.m(), |row| fall(row, open[row]));
-        let (speeds, impulses) = impulse(mechanism, time, q, &linear.jacobian, &fall)?;
+        let (speeds, impulses) = impulse(mechanism, time, q, &linear.jacobian, (&q.like(|_| 0.0), &fall))?;
         self.state.speeds = self.state.speeds.like(|j| self.state.speeds[j] - speeds[j]);
         self.impulses = self.impulses.like(|row| self.impulses[row] - impulses[row]);
         Ok(())

@@ -230,7 +230,7 @@ impl<M: Mechanism> Crossing<M> {
     pub(super) fn step<'s>(&'s mut self, motion: &'s Motion<M>, [from, to]: [&'s Sample<M>; 2]) -> Step<'s, M> {
         let end_sine = self.end_sine(motion);
         let (begun, reached) = self.over.as_ref().map_or((from, to), |over| (&over.begun, &over.reached));
-        Step { motion, method: &mut self.method, from, to, begun, reached, end_sine }
+        Step { motion, method: &mut self.method, from, to, begun, reached, end_sine, is_jump: false }
     }
 }
 

@@ -5,6 +5,7 @@ mod beside;
 mod changes_in_time;
 mod changes_of_loads;
 mod control;
+mod corners;
 mod crossing;
 mod dense;
 mod dop853;
@@ -63,6 +64,8 @@ pub struct Steps {
     pub singularities: Vec<Singularity>,
     /// Equal ones that led over sudden changes of what acts on the mechanism, if any did.
     pub sudden_changes: Option<SuddenChanges>,
+    /// Those over corners of what time drives, where speeds jump, if any did.
+    pub corners: Option<SuddenChanges>,
 }
 
 impl Steps {
@@ -71,6 +74,7 @@ impl Steps {
         bytes.tally(&mut self.accepted)?;
         bytes.tally(&mut self.rejected)?;
         SuddenChanges::transfer(&mut self.sudden_changes, bytes)?;
+        SuddenChanges::transfer(&mut self.corners, bytes)?;
         transfer_singularities(mechanism, &mut self.singularities, bytes)
     }
 }

@@ -5,10 +5,11 @@
 use super::attempt::{explained, keeps_its_speeds, taken_back, too_small};
 use super::changes_in_time::{ASIDE, tick};
 use super::control::{Controller, initial_step};
+use super::corners::{behind_corner, check_equal_step, corner};
 use super::crossing::{Crossing, Way};
 use super::headway::Headway;
 use super::method::Advance;
-use super::switching::{Stop, next_stop, note_change};
+use super::switching::{Stop, SuddenChanges, next_stop, note_change};
 use super::{Course, Steps};
 use crate::motion::Motion;
 use crate::state::failure::{Failure, What};
@@ -220,6 +221,7 @@ fn aim_equally<M: Mechanism>(
         Way::On => goal,
     };
     note_change(motion, [from.state.time, time], &mut steps.sudden_changes);
+    check_equal_step(motion, &from.state, [from.state.time, time])?;
     *target = Target { time, wanted: goal, tolerance: None, notes: is_near };
     Ok(Aim::Attempt)
 }
@@ -275,6 +277,12 @@ impl Adaptive {
             true => Some(Stop::Across(now + ASIDE * tick(now, course.end))),
             false => next_stop(motion, now, course.end.min(now + 1.01 * h), self.rows_jump),
         };
+        if let Some(Stop::Across(time)) = stop
+            && self.leads_over_corner(motion, [&mut *from, &mut *to], time, steps)?
+        {
+            crossing.ended(motion.least_sine());
+            return Ok(Aim::Made);
+        }
         if let (Some(Stop::Across(time)), true) = (stop, self.rows_jump)
             && !keeps_its_speeds(motion, from, [time - now, self.headway.longest()])
         {
@@ -303,6 +311,23 @@ impl Adaptive {
         let is_across = matches!(stop, Some(Stop::Across(_))) && time == wanted;
         *target = Target { time, wanted, tolerance: (!is_across).then_some(tolerance), notes: true };
         Ok(Aim::Attempt)
+    }
+
+    /// Makes the step to a time behind a change of form, if that is a corner; gives whether it is.
+    #[cold]
+    fn leads_over_corner<M: Mechanism>(
+        &mut self,
+        motion: &Motion<M>,
+        [from, to]: [&mut Sample<M>; 2],
+        time: f64,
+        steps: &mut Steps,
+    ) -> Result<bool, Failure> {
+        let now = from.state.time;
+        let Some(change) = corner(motion, &from.state, [now, time], self.headway.longest())? else { return Ok(false) };
+        *to = behind_corner(motion, from, time, &change)?;
+        (self.is_across, steps.accepted) = (false, steps.accepted + 1);
+        SuddenChanges::count(&mut steps.corners, time, time);
+        Ok(true)
     }
 
     /// As [`Pace::judge`].

@@ -32,6 +32,8 @@ pub struct Step<'s, M: Mechanism> {
     /// The smallest sine between a constraint and those before it at `to`.
     pub(super) end_sine: f64,
     pub(super) method: &'s mut dyn Advance<M>,
+    /// Whether it leads over a corner, where speeds jump: all of it but its start is as its end.
+    pub(super) is_jump: bool,
 }
 
 impl<M: Mechanism> Step<'_, M> {
@@ -122,6 +124,11 @@ impl<M: Mechanism> Step<'_, M> {
         if time == self.to.state.time {
             let end = self.to.state.clone();
             return Ok(Inside { kept: end.clone(), interpolated: end, sine: self.end_sine });
+        }
+        if self.is_jump {
+            let side = if time > self.from.state.time { self.to } else { self.from };
+            let state = State { time, ..side.state.clone() };
+            return Ok(Inside { kept: state.clone(), interpolated: state, sine: self.end_sine });
         }
         let mut kept = self.method.inside(self.motion, self.begun, self.reached, self.fraction(time))?;
         kept.time = time;

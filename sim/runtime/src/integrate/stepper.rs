@@ -50,7 +50,7 @@ fn better_end<M: Mechanism>(
         return Ok(Some(from.state.time + (to.state.time - from.state.time) / 2.0));
     }
     let end_sine = motion.relative(motion.least_sine());
-    let mut step = Step { motion, method, from, to, begun: from, reached: to, end_sine };
+    let mut step = Step { motion, method, from, to, begun: from, reached: to, end_sine, is_jump: false };
     match before_change(&mut step, tolerance)? {
         None => before_wrong_work(&mut step, course, error, tolerance),
         change => Ok(change),
@@ -64,6 +64,8 @@ enum Made {
     Normally,
     /// Over a singular position.
     Across,
+    /// Over a corner, where speeds jump.
+    Corner,
 }
 
 impl<M: Mechanism> Stepper<M> {
@@ -171,7 +173,7 @@ impl<M: Mechanism> Stepper<M> {
         }
         let aim = self.pace.aim(motion, course, [from, to], (crossing, &mut self.target), steps)?;
         if let Aim::Made = aim {
-            self.last = Some(Made::Across);
+            self.last = Some(if crossing.is_over() { Made::Across } else { Made::Corner });
         }
         Ok(aim)
     }
@@ -228,7 +230,7 @@ impl<M: Mechanism> Stepper<M> {
             }
             if self.pace.is_equal() {
                 let end_sine = motion.relative(least_sine);
-                let mut step = Step { motion, method, from, to, begun: from, reached: to, end_sine };
+                let mut step = Step { motion, method, from, to, begun: from, reached: to, end_sine, is_jump: false };
                 note_jump(&mut step, &mut steps.sudden_changes);
             }
             self.last = Some(Made::Normally);
@@ -269,9 +271,9 @@ impl<M: Mechanism> Stepper<M> {
         let ends @ [from, to] = [&self.ends[self.from], &self.ends[1 - self.from]];
         Some(match self.last? {
             Made::Across => self.crossing.step(motion, ends),
-            Made::Normally => {
-                let end_sine = self.crossing.end_sine(motion);
-                Step { motion, method, from, to, begun: from, reached: to, end_sine }
+            made => {
+                let (end_sine, is_jump) = (self.crossing.end_sine(motion), made == Made::Corner);
+                Step { motion, method, from, to, begun: from, reached: to, end_sine, is_jump }
             }
         })
     }

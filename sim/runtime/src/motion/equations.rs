@@ -21,21 +21,21 @@ pub(crate) fn by_inertia<M: Mechanism>(
     jacobian: &M::LQ,
     residual: &M::L,
 ) -> Result<M::Q, Failure> {
-    Ok(impulse(mechanism, time, q, jacobian, residual)?.0)
+    Ok(impulse(mechanism, time, q, jacobian, (&q.like(|_| 0.0), residual))?.0)
 }
 
-/// That change, and its impulse: x and y with [M C_q'; C_q 0] [x; y] = [0; r]. If constraints depend on each other y is that of
-/// least norm, in SI units.
+/// That change, and its impulse, of a momentum too: x and y with [M C_q'; C_q 0] [x; y] = [p; r]. If constraints depend on each
+/// other y is that of least norm, in SI units.
 pub(crate) fn impulse<M: Mechanism>(
     mechanism: &M,
     time: f64,
     q: &M::Q,
     jacobian: &M::LQ,
-    residual: &M::L,
+    (momentum, residual): (&M::Q, &M::L),
 ) -> Result<(M::Q, M::L), Failure> {
     let matrix = saddle(mechanism, &mechanism.mass_matrix(time, q), jacobian);
     let n = mechanism.n();
-    let rhs = M::Z::with_len(mechanism.n() + mechanism.m(), |i| if i < n { 0.0 } else { residual[i - n] });
+    let rhs = M::Z::with_len(mechanism.n() + mechanism.m(), |i| if i < n { momentum[i] } else { residual[i - n] });
     let solution = solve_motion(mechanism, matrix, rhs, time, q)?;
     let found = residual.like(|i| solution.solution[n + i]);
     let impulses = match solution.undetermined().count() {

@@ -35,6 +35,8 @@ impl What {
             What::NoErrorEstimate => "E-NO-ERROR-ESTIMATE",
             What::StepTooSmall { .. } => "E-STEP-TOO-SMALL",
             What::Driven { .. } => "E-DRIVEN",
+            What::Jump { .. } => "E-JUMP",
+            What::CornerInEqualStep { .. } => "E-CORNER",
             What::Kink { .. } => "E-KINK",
             What::NoConvergence => "E-NO-CONVERGENCE",
             What::Chattering { .. } => "E-CHATTERING",

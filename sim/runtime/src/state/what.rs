@@ -246,6 +246,26 @@ pub enum What {
         /// Its name.
         constraint: &'static str,
     },
+    /// Time moves a constraint by a jump.
+    #[error(
+        "constraint `{constraint}` jumps by {by:.3e} here, in SI units, since what it says of time does: nothing moves so far in no \
+             time. Let it change within some time, as by a table or `tanh`, or let an event set positions"
+    )]
+    Jump {
+        /// Its name.
+        constraint: &'static str,
+        /// By how much.
+        by: f64,
+    },
+    /// An equal step leads over a jump of speeds.
+    #[error(
+        "speeds jump at {time:.9} s, where what time drives has a corner, and equal steps do not see where: choose a tolerance \
+             (`--rtol`), or a drive without corners"
+    )]
+    CornerInEqualStep {
+        /// The time of the corner, in seconds.
+        time: f64,
+    },
     /// A step is taken back by the projection onto the constraints, however short it is.
     #[error(
         "constraint `{constraint}` has a kink here, as `abs`, `min` and `max` have: speeds would jump, and no law says to what. \

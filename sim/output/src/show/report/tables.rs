@@ -132,6 +132,9 @@ fn accuracy(run: &Outcome, summary: &Value) -> String {
             number(first, 9)
         ));
     }
+    if let Some(line) = run.corners() {
+        rows.push(format!("<tr><th>corner</th><td colspan=\"2\">{line}</td></tr>"));
+    }
     let undefined = summary["undefined_outputs"].as_object().into_iter().flatten();
     for (name, from) in undefined {
         let from = from["from"].as_f64().map_or(String::new(), |time| number(time, 6));

@@ -1,0 +1,117 @@
+//! Corners of what time drives, as of a drive that starts at full speed: speeds jump there.
+//!
+//! The jump follows from the impulsive equations (Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter
+//! 8), at one position q, from t- to t+ on both sides of the corner:
+//!
+//! ```text
+//! p(t+) - p(t-) + C_q' L = 0        C_q q'(t+) + C_t(t+) = C_q q'(t-) + C_t(t-)
+//! ```
+//!
+//! with the generalised momentum p = M q' + b, of which b belongs to bodies that time moves. What drives does work: the change of
+//! kinetic energy. Positions do not jump; a constraint that asks for it is refused.
+
+use super::changes_in_time::{ASIDE, First, What, tick};
+use super::switching::first_known_change;
+use crate::motion::Motion;
+use crate::motion::equations::impulse;
+use crate::motion::residuals::rates;
+use crate::state::failure::{Failure, What as Why, constraint_name};
+use crate::state::trajectory::{Sample, State};
+use sim_kernel::{Array, Mechanism};
+
+/// The part of a scale, or of the terms of a constraint, by which a jump of positions counts, and one of speeds in the longest step.
+const LEAST_JUMP: f64 = 1e-9;
+
+/// The change of speeds between two times on both sides of a corner, if it is one, in a motion whose longest step was so long.
+///
+/// # Errors
+/// [`Why::Jump`], and as the equations of an impact.
+pub(super) fn corner<M: Mechanism>(
+    motion: &Motion<M>,
+    state: &State<M>,
+    [before, after]: [f64; 2],
+    longest: f64,
+) -> Result<Option<M::Q>, Failure> {
+    let (mechanism, q) = (motion.mechanism(), &state.positions);
+    let momentum = jump_of_momentum(mechanism, q, [before, after]);
+    let opened = opened(motion, state, [before, after])?;
+    if momentum.iter().all(|part| *part == 0.0) && opened.iter().all(|part| *part == 0.0) {
+        return Ok(None);
+    }
+    let jacobian = mechanism.constraint_linearization(after, q).jacobian;
+    let (change, _) = impulse(mechanism, after, q, &jacobian, (&momentum, &opened))?;
+    let change = change.like(|j| -change[j]);
+    Ok((motion.size(&change) * longest > LEAST_JUMP).then_some(change))
+}
+
+/// Checks that an equal step between two times leads over no corner; one at which constraints say all speeds does no harm.
+///
+/// # Errors
+/// [`Why::CornerInEqualStep`], and as [`corner`].
+pub(super) fn check_equal_step<M: Mechanism>(
+    motion: &Motion<M>,
+    state: &State<M>,
+    [now, until]: [f64; 2],
+) -> Result<(), Failure> {
+    let mechanism = motion.mechanism();
+    let functions = mechanism.description().switching;
+    if functions.iter().all(|function| function.is_smooth) {
+        return Ok(());
+    }
+    let (mut from, aside) = (now, ASIDE * tick(now, until));
+    while let Some(First { time, what }) = first_known_change(mechanism, functions, from, until) {
+        let found = if what == What::Zero { corner(motion, state, [time - aside, time + aside], until - now)? } else { None };
+        if found.is_some() && motion.measures().rank() < mechanism.n() {
+            return Err(Failure::at(mechanism, Why::CornerInEqualStep { time }, now, &state.positions));
+        }
+        from = time;
+    }
+    Ok(())
+}
+
+/// The jump of the momentum of bodies that time moves: b(t+) - b(t-), each b_i by half the difference of the kinetic energies at the
+/// speeds 1 and -1 of its coordinate.
+fn jump_of_momentum<M: Mechanism>(mechanism: &M, q: &M::Q, times: [f64; 2]) -> M::Q {
+    let energy = |time: f64, i: usize, speed: f64| {
+        mechanism.kinetic_energy(time, q, &q.like(|j| if i == j { speed } else { 0.0 }))
+    };
+    if times.iter().all(|time| energy(*time, 0, 0.0) == 0.0) {
+        return q.like(|_| 0.0);
+    }
+    let [before, after] = times.map(|time| q.like(|i| (energy(time, i, 1.0) - energy(time, i, -1.0)) / 2.0));
+    q.like(|i| after[i] - before[i])
+}
+
+/// The jump of the rates of the constraints.
+fn opened<M: Mechanism>(motion: &Motion<M>, state: &State<M>, times: [f64; 2]) -> Result<M::L, Failure> {
+    let (mechanism, q) = (motion.mechanism(), &state.positions);
+    let [before, after] = times.map(|time| mechanism.constraint_linearization(time, q));
+    let (sizes, terms) = (motion.measures().constraints(), mechanism.constraint_magnitudes(times[1], q));
+    let jump = |row: usize| after.values[row] - before.values[row];
+    let jumped = (0..mechanism.m()).find(|row| jump(*row).abs() > LEAST_JUMP * sizes[*row].max(terms[*row]));
+    if let Some(row) = jumped {
+        let what = Why::Jump { constraint: constraint_name(mechanism, row), by: jump(row) };
+        return Err(Failure::at(mechanism, what, times[1], q));
+    }
+    let [before, after] = [before, after].map(|linear| rates(mechanism, &linear, &state.speeds));
+    Ok(after.like(|row| after[row] - before[row]))
+}
+
+/// The sample at a time behind a corner, where speeds have changed by so much.
+///
+/// # Errors
+/// As the projection and the right-hand side.
+pub(super) fn behind_corner<M: Mechanism>(
+    motion: &Motion<M>,
+    from: &Sample<M>,
+    time: f64,
+    change: &M::Q,
+) -> Result<Sample<M>, Failure> {
+    motion.prepare(from, time);
+    let mut state = from.state.changed(time, time - from.state.time, &from.rates());
+    state.speeds = state.speeds.like(|j| from.state.speeds[j] + change[j]);
+    motion.keep(&mut state)?;
+    let energy = |state: &State<M>| motion.mechanism().kinetic_energy(state.time, &state.positions, &state.speeds);
+    state.work += energy(&state) - energy(&from.state);
+    motion.sample_in_place(state)
+}

@@ -1,0 +1,117 @@
+//! Drives with corners in time: speeds jump there by an impulse, in every form of a mechanism.
+
+use sim::{Direction, ForwardSensitivity, Method, Rows, Settings, Stepping, declared_start};
+use tests::any_model::interpreted;
+use tests::run_with;
+
+/// When the drive starts, in seconds.
+const START: f64 = 0.7;
+
+/// A pendulum whose pivot starts at full speed: placed by time, or held to it by a constraint.
+fn pendulum(length: f64, is_placed: bool, drive: &str) -> String {
+    let (x, held, start) = match is_placed {
+        true => ("s", "", ""),
+        false => ("x", "constraints { drive: x = s; }", "x = 0;"),
+    };
+    let coordinates = if is_placed { "phi [rad];" } else { "phi [rad]; x [m];" };
+    format!(
+        "pub Moved; coordinates {{ {coordinates} }}
+         parameters {{ m [kg] = 2; l [m] = {length:e}; g [m/s^2] = {:e}; v [m/s] = {length:e}; w [s] = 1e-7; t0 [s] = {START}; }}
+         let s = {drive};
+         let p = [{x} + l*sin(phi), -l*cos(phi)];
+         bodies {{ bob: mass m at p; trolley: mass 3 [kg] at [{x}, 0]; }}
+         loads {{ gravity [0, -g]; }} {held} initial {{ phi = 0.5; {start} }}",
+        9.81 * length
+    )
+}
+
+const CORNER: &str = "if t < t0 then 0 else v*(t - t0)";
+/// The same within 1e-7 s, whatever its unit: a logarithm of a large exponential is not finite.
+const ROUNDED: &str = "v*w*(max(t - t0, 0)/w + ln(1 + exp(-abs(t - t0)/w)))";
+
+/// Angle, its speed and the work at a time.
+fn end(declaration: &str, settings: &Settings) -> [f64; 3] {
+    let run = run_with(interpreted(declaration).unwrap(), settings).unwrap();
+    assert_eq!(run.trajectory.failure, None, "{declaration}");
+    let state = &run.trajectory.samples.last().unwrap().state;
+    [state.positions[0], state.speeds[0], state.work]
+}
+
+/// The bob keeps its speed along the way that is free to it: phi' falls by v cos(phi)/l.
+#[test]
+fn a_pivot_that_starts_at_full_speed_strikes_its_pendulum() {
+    for length in [1e-3, 1.0, 100.0] {
+        for is_placed in [true, false] {
+            for method in [Method::Dop853, Method::Dopri5, Method::Radau5] {
+                let text = pendulum(length, is_placed, CORNER);
+                let at = |end_time| end(&text, &Settings::adaptive(method, end_time, 1e-11));
+                let ([angle, before, work], [_, after, done]) = (at(START - 1e-9), at(START + 1e-9));
+                let jump = after - before;
+                assert!((jump + angle.cos()).abs() < 1e-7, "{length} {is_placed} {method:?}: {jump}, not {}", angle.cos());
+                // The bob goes at v sin(phi) across its way, the trolley at v; along its way the bob keeps what it has.
+                let across = angle.sin() * length;
+                let exact = (2.0 * across * across + 3.0 * length * length) / 2.0;
+                assert!((done - work - exact).abs() < 1e-7 * exact, "{length} {is_placed} {method:?}: {}", done - work);
+            }
+        }
+    }
+}
+
+/// Beside a drive that starts within 1e-7 s, over the whole motion, and with rows at the corner itself.
+#[test]
+fn a_corner_is_what_fast_starts_tend_to() {
+    for rows in [Rows::Even(1), Rows::Even(20), Rows::Even(1000), Rows::Steps] {
+        let settings = Settings { rows, ..Settings::adaptive(Method::Dop853, 2.0, 1e-11) };
+        let exact = end(&pendulum(1.0, true, ROUNDED), &settings);
+        for is_placed in [true, false] {
+            let found = end(&pendulum(1.0, is_placed, CORNER), &settings);
+            let off = found.iter().zip(exact).map(|(found, exact)| (found - exact).abs());
+            // In proportion to the time of the start.
+            assert!(off.fold(0.0, f64::max) < 1e-5, "{is_placed} {rows:?}: {found:?}, not {exact:?}");
+        }
+    }
+}
+
+/// An equal step does not end at a corner; where constraints say all speeds it need not.
+#[test]
+fn equal_steps_over_corners_are_refused() {
+    let settings = Settings { stepping: Stepping::Equal(1000), ..Settings::adaptive(Method::Rk4, 2.0, 1e-9) };
+    for is_placed in [true, false] {
+        let model = interpreted(&pendulum(1.0, is_placed, CORNER)).unwrap();
+        let failure = run_with(model, &settings).unwrap().trajectory.failure.unwrap();
+        assert_eq!(failure.what.code(), "E-CORNER", "{failure}");
+    }
+    let driven = "pub Driven; coordinates { x [m]; } bodies { b: mass 1 [kg] at [x, 0]; }
+                  constraints { drive: x = (if t < 0.7123 [s] then 0 else 2 [m/s]*(t - 0.7123 [s])); } initial { x = 0; }";
+    let [x, speed, _] = end(driven, &settings);
+    assert!((x - 2.0 * (2.0 - 0.7123)).abs() < 1e-12 && (speed - 2.0).abs() < 1e-12);
+}
+
+#[test]
+fn a_constraint_that_jumps_is_refused() {
+    for (far, code) in [("0.1 [m]", Some("E-JUMP")), ("0 [m]", None)] {
+        let text = format!(
+            "pub Jumps; coordinates {{ x [m]; }} bodies {{ b: mass 1 [kg] at [x, 0]; }}
+             constraints {{ drive: x = (if t < 1.3 [s] then 0 [m] else {far}); }} initial {{ x = 0; }}"
+        );
+        let run = run_with(interpreted(&text).unwrap(), &Settings::new(3.0)).unwrap();
+        assert_eq!(run.trajectory.failure.map(|failure| failure.what.code()), code);
+        assert!(run.trajectory.samples.last().unwrap().state.time >= 1.2);
+    }
+}
+
+/// A corner whose time depends on parameters has a derivative that steps held in time do not show.
+#[test]
+fn sensitivities_end_at_corners() {
+    let model = interpreted(&pendulum(1.0, true, CORNER)).unwrap();
+    let (start, settings) = (declared_start(&model), Settings::new(2.0));
+    let parameters = sim::Mechanism::parameters(&model);
+    let direction = Direction {
+        parameters: sim::Array::like(&parameters, |_| 1.0),
+        positions: sim::Array::like(&start.positions, |_| 0.0),
+        speeds: sim::Array::like(&start.speeds, |_| 0.0),
+    };
+    let mut motion = ForwardSensitivity::new(model, &start, &settings, &direction).unwrap();
+    motion.advance_to(0.6).unwrap();
+    assert_eq!(motion.advance_to(2.0).unwrap_err().what.code(), "E-NOT-DIFFERENTIABLE");
+}
