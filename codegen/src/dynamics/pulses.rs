@@ -6,7 +6,7 @@
 //! smooth friction would end a step at each of its turns.
 
 use super::rows::LoadRow;
-use super::switching::{Switching, is_affine, is_affine_in_state, is_new, is_of_time, nodes_of_loads, with_inputs};
+use super::switching::{Switching, is_affine, is_affine_in_state, is_new, is_of_time, searched, with_inputs};
 use crate::model::{Dependence, Dependences, Model};
 use crate::symbolic::{Differential, Expr, Function, Graph, Node, Symbol};
 
@@ -70,7 +70,7 @@ pub(super) fn middles_of_loads(
 ) -> Vec<Switching> {
     let mut dependences = with_inputs(graph, model);
     let of_node = |node| of_node(graph, &mut dependences, node, Course::Positions);
-    let middles: Vec<Middle> = nodes_of_loads(graph, rows).flat_map(of_node).collect();
+    let middles: Vec<Middle> = searched(graph, model, rows).flat_map(of_node).collect();
     let mut rates = rates_in_time(graph, model);
     rates.extend(model.coordinates.iter().map(|c| (c.position, graph.variable(c.speed))));
     switchings(graph, model, dependences, (middles, Differential::along(rates)), known)

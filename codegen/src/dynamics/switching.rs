@@ -57,7 +57,7 @@ pub(super) fn of_time(graph: &Graph, model: &Model) -> Vec<Switching> {
 pub(super) fn of_loads(graph: &Graph, model: &Model, rows: &[LoadRow]) -> Vec<Switching> {
     let mut dependences = with_inputs(graph, model);
     let mut found: Vec<Switching> = Vec::new();
-    for node in nodes_of_loads(graph, rows) {
+    for node in searched(graph, model, rows) {
         if let Some((value, table)) = switched_by(node)
             && is_new(&found, value, table)
             && dependences.of(graph, value).meets(Dependence::COORDINATE.or(Dependence::SPEED))
@@ -81,9 +81,14 @@ pub(super) fn is_affine_in_state(graph: &Graph, model: &Model, dependences: &mut
     graph.symbols_of(&[value]).into_iter().all(is_known) && is_affine(graph, dependences, value, of_state)
 }
 
-/// All that forces, and what they act along, are made of: a potential is one of -1 along itself.
-pub(super) fn nodes_of_loads<'g>(graph: &'g Graph, rows: &[LoadRow]) -> impl Iterator<Item = &'g Node> + use<'g> {
-    let made_of: Vec<Expr> = rows.iter().flat_map(|row| row.forces.iter().copied().chain([row.quantity()])).collect();
+/// All that forces and what they act along are made of, since a potential is one of -1 along itself, and constraints.
+pub(super) fn searched<'g>(
+    graph: &'g Graph,
+    model: &Model,
+    rows: &[LoadRow],
+) -> impl Iterator<Item = &'g Node> + use<'g> {
+    let loads = rows.iter().flat_map(|row| row.forces.iter().copied().chain([row.quantity()]));
+    let made_of: Vec<Expr> = loads.chain(model.constraints.iter().map(|constraint| constraint.value)).collect();
     graph.reachable(&made_of).into_iter().map(|expr| graph.node(expr))
 }
 

@@ -1,9 +1,9 @@
 //! Where the slopes of tables may jump.
 
-use super::Level;
+use super::{Dependence, Level};
 use super::interpreter::Interpreter;
 use crate::dsl::Region;
-use crate::symbolic::{Expr, Graph};
+use crate::symbolic::{Expr, Function, Graph, Node};
 
 impl Interpreter {
     /// Refuses tables with jumping derivatives where speeds would jump with them.
@@ -18,6 +18,20 @@ impl Interpreter {
             None => Some(()),
         }
     }
+}
+
+/// Whether values may jump while the motion goes on: by `sign`, or by an `if` that is no `min` or `max`.
+pub(super) fn may_jump(interpreter: &mut Interpreter, values: &[Expr]) -> bool {
+    let moving = Dependence::TIME.or(Dependence::COORDINATE).or(Dependence::SPEED);
+    let Interpreter { graph, dependences, .. } = interpreter;
+    graph.reachable(values).into_iter().any(|expr| match *graph.node(expr) {
+        Node::Call(Function::Sign, by) => dependences.of(graph, by).meets(moving),
+        Node::Choice(by, above, otherwise) if dependences.of(graph, by).meets(moving) => {
+            let apart = graph.sub(above, otherwise);
+            by != apart && graph.neg(by) != apart
+        }
+        _ => false,
+    })
 }
 
 /// A table with a jumping derivative that enters a speed.

@@ -9,6 +9,7 @@ use super::level::no_input;
 use super::quantities::resolve_unit;
 use super::rates::first_power;
 use super::scope::plain;
+use super::smooth::may_jump;
 use super::value::Shape;
 use super::{Constraint, Coordinate, Dependence, GeneralizedSpeed, Level, Model};
 use crate::dsl::{self, Declaration, Region};
@@ -89,6 +90,12 @@ fn resolve_speed(
     let rule = "a generalised speed is linear in the rates of coordinates, `a*dot(x) + b*dot(y) + c`";
     first_power(place, &[scalar], rule, interpreter)?;
     interpreter.smooth(place, &[scalar], Level::Speeds, WHAT)?;
+    if may_jump(interpreter, &[scalar]) {
+        let message = format!(
+            "generalised speed `{name}` may jump by an `if` or `sign` in it, while no coordinate does: write it without"
+        );
+        return interpreter.refuse(place, message);
+    }
     let symbol = interpreter.graph.symbol(&name);
     Some(GeneralizedSpeed { name, docs: speed.docs.clone(), unit, value: scalar, symbol })
 }

@@ -57,6 +57,11 @@ fn what_is_no_generalised_speed() {
         &["7:59 a generalised speed is made of the rates of coordinates; `ddot()` cannot stand in it"],
     );
     speed(
+        "w [rad/s] = dot(phi)*(if t > 0.7 [s] then -1 else 1);",
+        &["7:59 generalised speed `w` may jump by an `if` or `sign` in it, while no coordinate does: write it without"],
+    );
+    speed("w [rad/s] = dot(phi)*max(1, 2*cos(phi))*(if a > 1 [m] then 2 else 1);", &[]);
+    speed(
         "w [m/s] = dot(phi);",
         &["7:57 generalised speed `w` is declared in [m/s], and `dot(phi)` is in [rad/s] (phi [rad])"],
     );

@@ -15,3 +15,9 @@ pub(super) fn only_in_runs(description: &Description) -> Option<String> {
     (!events.is_empty())
         .then(|| format!("only a run takes the actions of {}: here all is as declared", events.join(", ")))
 }
+
+/// The same after a run up to a state: what its events have done holds.
+pub(super) fn only_until_then(description: &Description) -> Option<String> {
+    let events = idle_events(description);
+    (!events.is_empty()).then(|| format!("all is as {} left it; what they do later is not in it", events.join(", ")))
+}

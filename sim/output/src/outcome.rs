@@ -1,9 +1,9 @@
 //! The results of a run without the type of its mechanism, so that all code for text, tables and pictures is compiled
 //! once.
 
-use sim_kernel::{Array, Description, Mechanism};
+use sim_kernel::{Array, Description, Mechanism, Quantity};
 use sim_runtime::{
-    Crossing, DOUBTFUL_BALANCE, Erased, Failure, Kinematics, Mobility, Occurrence, OnHeap, Run, Sample, Settings,
+    Apart, Crossing, DOUBTFUL_BALANCE, Erased, Failure, Kinematics, Mobility, Occurrence, OnHeap, Run, Sample, Settings,
     Small, Stepping, Steps, SuddenChanges, known_length,
 };
 
@@ -43,8 +43,12 @@ pub struct Outcome {
     pub velocity_residual: f64,
     /// As [`Run::energy_balance`].
     pub energy_balance: f64,
+    /// As [`Run::energy_balance_of_changes`].
+    pub energy_balance_of_changes: f64,
     /// As [`Run::energy_taken`].
     pub energy_taken: f64,
+    /// As [`Run::apart`].
+    pub apart: Option<Apart>,
     /// As [`Run::integration_time`], in seconds.
     pub integration_seconds: f64,
     /// Where nothing tells the mechanism's own length, the farthest that a length comes from 0, in metres.
@@ -72,10 +76,42 @@ impl Outcome {
 
     /// Why its numbers may be wrong.
     pub fn warnings(&self) -> Vec<String> {
-        let doubtful = !(self.energy_balance < DOUBTFUL_BALANCE);
-        let energy = || "energy does not balance: take smaller steps before you trust these numbers".to_owned();
-        let others = [self.over_sudden_changes(), self.without_a_length(), doubtful.then(energy)];
+        let others = [self.over_sudden_changes(), self.without_a_length(), self.off(), self.stiff(), self.out_of_balance()];
         others.into_iter().flatten().collect()
+    }
+
+    /// Whether energy is lost or won by nothing.
+    pub fn is_out_of_balance(&self) -> bool {
+        !(self.energy_balance < DOUBTFUL_BALANCE && self.energy_balance_of_changes < DOUBTFUL_BALANCE)
+    }
+
+    fn out_of_balance(&self) -> Option<String> {
+        let off = match self.energy_balance < DOUBTFUL_BALANCE {
+            true => format!(": it is off by {:.1e} of what changes", self.energy_balance_of_changes),
+            false => String::new(),
+        };
+        let advice = "take smaller steps before you trust these numbers";
+        self.is_out_of_balance().then(|| format!("energy does not balance{off}; {advice}"))
+    }
+
+    /// What is wrong where stability limits adaptive steps.
+    fn stiff(&self) -> Option<String> {
+        let is_stiff = self.steps.stability.is_stiff() && matches!(self.settings.stepping, Stepping::Adaptive(_));
+        is_stiff.then(|| {
+            "the mechanism is stiff for this method: stability limits its steps, and accelerations and forces may go to and fro \
+             about the right ones; take `--method radau5`"
+                .to_owned()
+        })
+    }
+
+    /// By how much equal steps are off.
+    fn off(&self) -> Option<String> {
+        let Apart { coordinate, by, extent, time } = self.apart?;
+        let Quantity { name, unit, factor, .. } = &self.description.coordinates[coordinate].position;
+        let [by, extent] = [by, extent].map(|value| value / factor);
+        let unit = if *unit == "1" { String::new() } else { format!(" {unit}") };
+        let off = format!("`{name}` is off by {by:.1e}{unit} at {time:.6} s, on a way of {extent:.1e}{unit}");
+        Some(format!("{off}, beside a run with a tolerance of 1e-9: take more steps, or a tolerance (`--rtol`)"))
     }
 
     /// Where speeds have jumped, since what time drives has a corner.
@@ -182,7 +218,9 @@ impl<M: Mechanism> Recorded for Run<M> {
             position_residual: self.position_residual,
             velocity_residual: self.velocity_residual,
             energy_balance: self.energy_balance,
+            energy_balance_of_changes: self.energy_balance_of_changes,
             energy_taken: self.energy_taken,
+            apart: self.apart,
             integration_seconds: self.integration_time.as_secs_f64(),
             farthest_unmeasured: farthest_unmeasured(self),
         }

@@ -5,7 +5,7 @@ use crate::outcome::{Happening, Outcome, Recorded, Row, Until};
 use crate::whole::{whole, whole_bytes};
 use serde_json::{Map, Value, json};
 use sim_kernel::{Description, Mechanism};
-use sim_runtime::{Run, Stepping, SuddenChanges, Table};
+use sim_runtime::{Apart, Run, Stepping, SuddenChanges, Table};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -106,6 +106,7 @@ pub fn summary_of(run: &Outcome, table: &Table) -> Value {
         "undetermined_reactions": (!run.mobility.dependent.is_empty()).then_some("least norm in SI units"),
         "singularities": singularities,
         "sudden_changes_within_equal_steps": run.steps.sudden_changes.map(counted),
+        "off_from_tolerance": run.apart.map(|apart| off(description, apart)),
         "corners": run.steps.corners.map(counted),
         "undefined_outputs": undefined.collect::<Map<String, Value>>(),
         "period": run.period,
@@ -113,6 +114,7 @@ pub fn summary_of(run: &Outcome, table: &Table) -> Value {
         "dead_points": dead_points,
         "residuals": { "position": run.position_residual, "velocity": run.velocity_residual },
         "energy_balance": run.energy_balance,
+        "energy_balance_of_changes": run.energy_balance_of_changes,
         "energy_taken_by_events": run.energy_taken,
         "warnings": run.warnings(),
         "provenance": table.provenance.to_json(),
@@ -136,6 +138,12 @@ fn event_object(event: &Happening, description: &Description) -> Value {
         object.insert("energy_taken".into(), change.energy_taken.into());
     }
     object
+}
+
+/// Where equal steps are off beside a run with a tolerance, in the units of the declaration.
+fn off(description: &Description, Apart { coordinate, by, extent, time }: Apart) -> Value {
+    let of = &description.coordinates[coordinate].position;
+    json!({ "coordinate": of.name, "by": by / of.factor, "extent": extent / of.factor, "unit": of.unit, "time": time })
 }
 
 /// The request, and its cost.

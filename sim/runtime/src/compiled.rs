@@ -11,7 +11,7 @@ use crate::model::erased::{Erased, OnHeap, Small};
 use crate::motion::measured::{check_masses, known_length, mobility};
 use crate::motion::residuals::residuals;
 use crate::record::table::Table;
-use crate::run::{Simulation, run_while};
+use crate::run::{Simulation, run_compared, run_while};
 use crate::start::assemble::{assemble, branches, declared_start};
 use sim_kernel::Mechanism;
 use std::hint::black_box;
@@ -26,6 +26,7 @@ macro_rules! used {
 
 fn runs<M: Mechanism>() {
     used! {
+        run_compared::<M>,
         run_while::<M>,
         poincare_while::<M>,
         Table::of::<M>,

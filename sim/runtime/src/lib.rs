@@ -36,7 +36,7 @@ pub use batch::{accelerate_each, accelerate_each_with, advance_each, solve_each}
 pub use events::{Change, Crossing, EventSearch, Located, Occurrence, act};
 pub use integrate::{
     Advance, Attempt, Course, DOP853, DOPRI5, Dop853, EULER, ErrorEstimate, ExplicitRungeKutta, HEUN, RK3, RK4, Radau5,
-    Step, Steps, SuddenChanges, Tableau, Weight, integrate,
+    Stability, Step, Steps, SuddenChanges, Tableau, Weight, integrate,
 };
 #[cfg(feature = "analysis")]
 pub use interpreted::{DeclarationFile, LoadError, interpret, load};
@@ -59,7 +59,8 @@ pub use numerics::eigen::{Eigen, NoEigenvalues, eigen};
 pub use record::DeadPoint;
 pub use record::table::{Column, Table};
 pub use run::{
-    Controller, DOUBTFUL_BALANCE, NotRestored, Run, Simulation, dead_points, run, run_controlled, run_while,
+    Apart, Controller, DOUBTFUL_BALANCE, NotRestored, Run, Simulation, dead_points, run, run_compared, run_controlled,
+    run_while,
 };
 /// Other formats to declarations.
 #[cfg(feature = "analysis")]

@@ -1,8 +1,8 @@
 //! `sim linearize`.
 
 use crate::arguments::{LinearizeArguments, Voice};
-use crate::commands::steady::advice;
-use crate::events::{idle_events, only_in_runs};
+use crate::commands::steady::{CORNER, advice};
+use crate::events::{idle_events, only_in_runs, only_until_then};
 use crate::files::asked;
 use crate::given::as_given;
 use crate::numbers::in_units;
@@ -49,15 +49,17 @@ fn linearized<M: Mechanism, T>(
     let inputs = controls(description, &arguments.input)?;
     let (mechanism, state) = state_at(mechanism, &start, &arguments.at, interrupted)?;
     let State { time, positions, speeds, .. } = &state;
-    let Linearization { independent, independent_speeds, unsteady, is_steady, a, b, c, d, eigenvalues, modes, .. } =
+    let Linearization { independent, independent_speeds, unsteady, is_steady, has_corner, a, b, c, d, eigenvalues, modes, .. } =
         linearize(&mechanism, &state, &inputs)?;
     let found = Found {
         description,
         time: *time,
+        is_of_run: !PLACES.contains(&arguments.at.as_str()),
         positions: positions.as_ref(),
         speeds: speeds.as_ref(),
         states: states(description, &independent, &independent_speeds),
         is_steady,
+        has_corner,
         unsteady: names(description, &unsteady),
         advice: advice(&mechanism, &state, &unsteady),
         inputs: inputs.iter().map(|input| input.name_in(description)).collect(),
@@ -73,12 +75,15 @@ fn linearized<M: Mechanism, T>(
 struct Found<'a> {
     description: &'static Description,
     time: f64,
+    /// Whether a run has led there.
+    is_of_run: bool,
     positions: &'a [f64],
     speeds: &'a [f64],
     /// The names of the entries of x.
     states: Vec<&'static str>,
     /// Whether A is constant.
     is_steady: bool,
+    has_corner: bool,
     /// The coordinates in which the motion is not steady, and those in which it may be.
     unsteady: Vec<&'static str>,
     advice: Option<String>,
@@ -128,6 +133,9 @@ fn controls(description: &'static Description, named: &[String]) -> Result<Vec<C
     };
     named.iter().map(control).collect()
 }
+
+/// The states that are no times of a run.
+const PLACES: [&str; 2] = ["equilibrium", "initial"];
 
 /// The state in question, and the mechanism as events have left it there.
 fn state_at<M: Mechanism>(
@@ -185,6 +193,7 @@ fn summary(found: &Found, place: &str) -> Value {
         "states": found.states,
         "steady": found.is_steady,
         "unsteady": found.unsteady,
+        "corner": found.has_corner,
         "advice": found.advice,
         "inputs": found.inputs,
         "outputs": found.description.outputs.iter().map(|o| o.name).collect::<Vec<_>>(),
@@ -231,11 +240,15 @@ fn report(found: &Found) -> String {
     } else if found.speeds.iter().any(|speed| *speed != 0.0) {
         text += &format!("{:<12} yes: A is constant along the motion\n", "steady");
     }
+    if found.has_corner {
+        text += &format!("{:<12} {CORNER}\n", "warning");
+    }
     if !found.undefined.is_empty() {
         let outputs = found.undefined.join(", ");
         text += &format!("{:<12} {outputs}: no derivative here, so rows of C and D are not numbers\n", "warning");
     }
-    if let Some(line) = only_in_runs(found.description) {
+    let said = if found.is_of_run { only_until_then } else { only_in_runs };
+    if let Some(line) = said(found.description) {
         text += &format!("{:<12} {line}\n", "events");
     }
     let largest = found.modes.iter().map(|mode| mode.eigenvalue.norm()).fold(0.0, f64::max);

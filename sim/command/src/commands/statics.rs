@@ -2,6 +2,7 @@
 
 use crate::Stop;
 use crate::arguments::{AssembleArguments, StartArguments, Voice};
+use crate::commands::steady::CORNER;
 use crate::events::{idle_events, only_in_runs};
 use crate::given::as_given;
 use crate::numbers::{beside, in_units};
@@ -99,7 +100,7 @@ fn of_branches(description: &Description, loops: &[Loop], open: &[&str], branche
         writeln!(out, "loop         {name} is not found in closed form; its guess decides")?;
     }
     if branches.is_empty() {
-        writeln!(out, "branches     none: the links do not reach each other")?;
+        writeln!(out, "branches     none was found from here: the links may not reach each other")?;
     }
     for (k, q) in branches.iter().enumerate() {
         let numbers = in_units(positions(), q, 12);
@@ -125,14 +126,14 @@ pub(crate) fn balanced<M: Mechanism>(mechanism: M, arguments: &StartArguments) -
     let found = equilibrium(&mechanism, &start)?;
     let redundant = mobility(&mechanism, found.state.time, &found.state.positions);
     let numbers = (found.state.positions.as_ref(), found.multipliers.as_ref());
-    of_equilibrium(description, &redundant, numbers, (&found.eigenvalues, found.is_steady))
+    of_equilibrium(description, &redundant, numbers, (&found.eigenvalues, found.is_steady, found.has_corner))
 }
 
 fn of_equilibrium(
     description: &Description,
     mobility: &Mobility,
     (positions, multipliers): (&[f64], &[f64]),
-    (eigenvalues, is_steady): (&[Complex<f64>], bool),
+    (eigenvalues, is_steady, has_corner): (&[Complex<f64>], bool, bool),
 ) -> Result<Said, Stop> {
     let values = eigenvalues.iter().map(|value| json!([value.re, value.im]));
     let json = json!({
@@ -142,6 +143,7 @@ fn of_equilibrium(
         "redundant_constraints": mobility.dependent,
         "eigenvalues": values.collect::<Vec<_>>(),
         "steady": is_steady,
+        "corner": has_corner,
         "events_without_effect": idle_events(description),
     });
     let mut out = String::new();
@@ -164,6 +166,9 @@ fn of_equilibrium(
     }
     if !is_steady {
         writeln!(out, "{:<20} what acts changes with time: this holds at t = 0 alone", "warning")?;
+    }
+    if has_corner {
+        writeln!(out, "{:<20} {CORNER}", "warning")?;
     }
     if let Some(line) = only_in_runs(description) {
         writeln!(out, "{:<20} {line}", "events")?;

@@ -3,6 +3,10 @@
 use sim_kernel::{Description, Mechanism};
 use sim_runtime::{State, quaternions};
 
+/// What is said of a state at a corner.
+pub(crate) const CORNER: &str =
+    "what acts has a corner or a jump here: small motions differ to either side, and these are those of one side";
+
 /// The advice if these coordinates make A change; none if none do.
 pub(crate) fn advice<M: Mechanism>(mechanism: &M, state: &State<M>, unsteady: &[usize]) -> Option<String> {
     if unsteady.is_empty() {

@@ -1,6 +1,6 @@
 //! Static equilibrium, and small motions about it.
 
-use crate::analysis::linearize::{Statics, linearize};
+use crate::analysis::linearize::{Linearization, Statics, linearize};
 use crate::model::{At, Differentiable};
 use crate::motion::lengths::measure;
 use crate::motion::typed::Any;
@@ -23,6 +23,8 @@ pub struct Equilibrium<M: Mechanism> {
     pub eigenvalues: Vec<Complex<f64>>,
     /// Whether nothing that acts on it, or that small motions depend on, changes with time. Otherwise it holds at time 0 alone.
     pub is_steady: bool,
+    /// Whether what acts has a corner or a jump there: small motions differ to either side, and the eigenvalues are those of one.
+    pub has_corner: bool,
 }
 
 /// The largest rate of a constraint that moves nothing, in its terms per second.
@@ -73,9 +75,9 @@ pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equi
     let multipliers = any.accelerate(At::moving(0.0, &found.q, &[]))?;
     let state =
         State { positions: array(mechanism.n(), &found.q), speeds: M::Q::repeat(mechanism.n(), 0.0), ..assembled };
-    let small = linearize(mechanism, &state, &[])?;
     let multipliers = array(mechanism.m(), &multipliers.as_slice()[mechanism.n()..]);
-    Ok(Equilibrium { state, multipliers, eigenvalues: small.eigenvalues, is_steady: small.is_steady })
+    let Linearization { eigenvalues, is_steady, has_corner, .. } = linearize(mechanism, &state, &[])?;
+    Ok(Equilibrium { state, multipliers, eigenvalues, is_steady, has_corner })
 }
 
 /// Refuses constraints that time moves: nothing is at rest on them.

@@ -164,11 +164,20 @@ fn period(
             }
         })
     };
-    let repeats = |k: &usize| states.iter().zip(&states[*k..]).all(|(a, b)| is_same(a, b));
+    // What drifts is the same as the last time, but not as the first.
+    let repeats = |k: &usize| (*k..states.len()).all(|i| is_same(&states[i % k], &states[i])) && lasts(states, *k);
     let crossings = (1..states.len().div_ceil(2)).find(repeats)?;
     let returns = (states.len() - 1) / crossings;
     let seconds = (states[returns * crossings].time - states[0].time) / returns as f64;
     Some(Period { seconds, crossings })
+}
+
+/// Whether it takes the same time, within the tolerance, from each state to the one so many crossings later: what a load does
+/// that changes with time is no part of the states.
+fn lasts(states: &[At<f64>], crossings: usize) -> bool {
+    let mut taken = states.iter().zip(&states[crossings..]).map(|(from, to)| to.time - from.time);
+    let first = taken.next().unwrap_or_default();
+    taken.all(|time| (time - first).abs() <= SAME * first)
 }
 
 /// What a coordinate is.

@@ -42,6 +42,8 @@ pub(crate) struct EventHandler<M: Mechanism> {
     energy_taken: f64,
     /// The first occurrence whose actions are due.
     acting: Option<usize>,
+    /// Whether the motion ends there.
+    is_last: bool,
     /// The start of the next phase.
     next_phase: Option<(M, State<M>)>,
     /// Whether an event has ended the motion.
@@ -63,6 +65,7 @@ impl<M: Mechanism> EventHandler<M> {
             acted: VecDeque::new(),
             energy_taken: 0.0,
             acting: None,
+            is_last: false,
             next_phase: None,
             has_ended: false,
         }
@@ -180,7 +183,9 @@ impl<M: Mechanism> EventHandler<M> {
         self.acting = self.first_acting(step.motion.mechanism(), first);
         let stop = self.stopping();
         let ending = stop.or(self.acting);
-        self.acting = self.acting.filter(|_| stop.is_none());
+        // The event that ends the motion acts as well.
+        self.acting = self.acting.filter(|first| stop.is_none_or(|at| *first <= at));
+        self.is_last = stop.is_some();
         Ok(ending.map(|at| &self.search.found[at].state))
     }
 
@@ -189,6 +194,7 @@ impl<M: Mechanism> EventHandler<M> {
     /// # Errors
     /// As what events do.
     pub(crate) fn act(&mut self, motion: &Motion<M>) -> Result<(), Failure> {
+        self.has_ended |= self.is_last;
         match self.acting.take() {
             Some(at) => self.act_from(motion, at)?,
             None => self.has_ended = true,

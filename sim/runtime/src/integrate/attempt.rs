@@ -115,6 +115,23 @@ pub(super) fn keeps_its_speeds<M: Mechanism>(motion: &Motion<M>, at: &Sample<M>,
     (0..open.len()).all(|row| open[row].abs() * longest <= LEAST_JUMP * sizes[row].max(terms[row]))
 }
 
+/// The part of a time after which speeds that a jump of accelerations turns away from the constraints are so much nearer to them.
+const SOONER: f64 = 0.25;
+const NEARER: f64 = 0.5;
+
+/// Whether speeds open the constraints the less, the shorter the time from a sample on: so they do where accelerations alone jump, as
+/// at the rows of a table, but not beyond a kink.
+pub(super) fn slows<M: Mechanism>(motion: &Motion<M>, at: &Sample<M>, ahead: f64) -> bool {
+    let mechanism = motion.mechanism();
+    let open = |later: f64| {
+        let (time, there) = (at.state.time + later, at.state.changed(at.state.time + later, later, &at.rates()));
+        rates(mechanism, &mechanism.constraint_linearization(time, &there.positions), &there.speeds)
+    };
+    let ([far, near], sizes) = ([ahead, SOONER * ahead].map(open), motion.measures().constraints());
+    let largest = |open: &M::L| (0..open.len()).fold(0.0, |most: f64, row| most.max(open[row].abs() / sizes[row]));
+    largest(&near) <= NEARER * largest(&far)
+}
+
 /// Why the constraints take steps back from a state on.
 pub(super) fn taken_back<M: Mechanism>(motion: &Motion<M>, at: &Sample<M>, step: f64) -> Failure {
     let ahead = at.state.changed(at.state.time + step, step, &at.rates());

@@ -82,6 +82,10 @@ impl<M: Mechanism> Advance<M> for Dop853<M> {
         self.method.gap()
     }
 
+    fn stiffness(&self, motion: &Motion<M>, from: &Sample<M>, to: &Sample<M>) -> Option<f64> {
+        self.method.stiffness(motion, from, to)
+    }
+
     fn control_order(&self) -> Option<f64> {
         self.method.control_order()
     }

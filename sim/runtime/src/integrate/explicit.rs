@@ -15,6 +15,9 @@ use crate::state::settings::Tolerance;
 use crate::state::trajectory::{Rates, Sample, State};
 use sim_kernel::{Array, Mechanism, Scalar};
 
+/// What changes positions by no more than this in a step, beside what counts as 1, is rounding.
+const LEAST_CHANGE: f64 = 1e-15;
+
 /// The method of a tableau, with the stages of its last step.
 #[derive(Clone, Debug)]
 pub struct ExplicitRungeKutta<M: Mechanism<S>, S: Scalar = f64> {
@@ -160,6 +163,17 @@ impl<S: Scalar, M: Mechanism<S>> ExplicitRungeKutta<M, S> {
 impl<M: Mechanism> Advance<M> for ExplicitRungeKutta<M> {
     fn gap(&self) -> f64 {
         self.tableau.gap()
+    }
+
+    /// By the change of accelerations over that of speeds between the end and the stage before it, which is at the same time (Hairer
+    /// and Wanner, Solving Ordinary Differential Equations II, section IV.2, who take all of the state).
+    fn stiffness(&self, motion: &Motion<M>, from: &Sample<M>, to: &Sample<M>) -> Option<f64> {
+        let (last, most) = self.tableau.stability()?;
+        let (h, rates) = (to.state.time - from.state.time, motion.rates(to));
+        let [of_stage, of_end] = [self.tableau.a[last], self.tableau.b].map(|weights| self.combined(weights).speeds);
+        let apart = motion.size(&of_end.like(|i| h * (of_end[i] - of_stage[i])));
+        let faster = motion.size(&rates.speeds.like(|i| h * (rates.speeds[i] - self.stages[last].speeds[i])));
+        (h * faster > LEAST_CHANGE && apart > 0.0).then(|| faster / apart / most)
     }
 
     fn control_order(&self) -> Option<f64> {

@@ -29,6 +29,13 @@ pub trait Advance<M: Mechanism> {
         true
     }
 
+    /// h |lambda| of the last step over what keeps the method stable, roughly: steps that stability limits are about 1. None if the
+    /// method does not know.
+    fn stiffness(&self, motion: &Motion<M>, from: &Sample<M>, to: &Sample<M>) -> Option<f64> {
+        let _ = (motion, from, to);
+        None
+    }
+
     /// Advances from a sample to `time`.
     ///
     /// # Errors

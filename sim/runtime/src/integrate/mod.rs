@@ -22,6 +22,7 @@ mod pace;
 mod plain;
 mod radau;
 mod short_pulses;
+mod stability;
 mod step;
 mod stepper;
 mod switching;
@@ -38,6 +39,7 @@ pub use method::{Advance, Attempt};
 pub(crate) use pace::{Aim, Target};
 pub(crate) use plain::{Reached, attempt_plainly};
 pub use radau::Radau5;
+pub use stability::Stability;
 pub(crate) use step::MOST_PARTS;
 pub use step::Step;
 pub(crate) use stepper::Stepper;
@@ -66,6 +68,8 @@ pub struct Steps {
     pub sudden_changes: Option<SuddenChanges>,
     /// Those over corners of what time drives, where speeds jump, if any did.
     pub corners: Option<SuddenChanges>,
+    /// What limits their length.
+    pub stability: Stability,
 }
 
 impl Steps {
@@ -75,6 +79,7 @@ impl Steps {
         bytes.tally(&mut self.rejected)?;
         SuddenChanges::transfer(&mut self.sudden_changes, bytes)?;
         SuddenChanges::transfer(&mut self.corners, bytes)?;
+        self.stability.transfer(bytes)?;
         transfer_singularities(mechanism, &mut self.singularities, bytes)
     }
 }

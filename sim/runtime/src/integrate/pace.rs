@@ -2,7 +2,7 @@
 //!
 //! Times of equal steps are computed from the start each time, so that they do not accumulate rounding.
 
-use super::attempt::{explained, keeps_its_speeds, taken_back, too_small};
+use super::attempt::{explained, keeps_its_speeds, slows, taken_back, too_small};
 use super::changes_in_time::{ASIDE, tick};
 use super::control::{Controller, initial_step};
 use super::corners::{behind_corner, check_equal_step, corner};
@@ -354,10 +354,18 @@ impl Adaptive {
                 if refused.is_ok() && self.headway.is_short(self.h) && self.is_beside_jump(motion, from, [time, end]) {
                     return Ok(false);
                 }
-                if refused.as_ref().is_ok_and(|error| *error == f64::INFINITY) && self.headway.is_short(self.h) {
-                    return Err(explained(motion, &from.state, taken_back(motion, from, self.h)));
+                let is_taken_back = refused.as_ref().is_ok_and(|error| *error == f64::INFINITY);
+                let is_shortest = self.h < f64::EPSILON * (16.0 * now.abs()).max(self.first);
+                if is_taken_back && self.headway.is_short(self.h) {
+                    let ahead = time - now;
+                    if !slows(motion, from, ahead) {
+                        return Err(explained(motion, &from.state, taken_back(motion, from, self.h)));
+                    }
+                    // Accelerations alone jump, and no shorter step would be better.
+                    self.is_across |= is_shortest;
+                    return Ok(false);
                 }
-                if self.h < f64::EPSILON * (16.0 * now.abs()).max(self.first) {
+                if is_shortest {
                     return Err(too_small(motion, &from.state, self.h, refused.err()));
                 }
                 Ok(false)

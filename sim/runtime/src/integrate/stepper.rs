@@ -11,11 +11,14 @@ use super::pace::{Aim, Pace, Target};
 use super::unseen_work::before_wrong_work;
 use super::{Course, Step, Steps};
 use crate::motion::Motion;
-use crate::state::failure::Failure;
+use crate::state::failure::{Failure, What};
 use crate::state::saved::{Bytes, Damaged, blank_sample};
 use crate::state::settings::Tolerance;
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::Mechanism;
+
+/// One of so many steps is looked at for whether stability limits it.
+const BETWEEN_LOOKS: u64 = 16;
 
 /// The progress of a motion, and the length of its next step.
 #[derive(Clone, Debug)]
@@ -51,9 +54,11 @@ fn better_end<M: Mechanism>(
     }
     let end_sine = motion.relative(motion.least_sine());
     let mut step = Step { motion, method, from, to, begun: from, reached: to, end_sine, is_jump: false };
-    match before_change(&mut step, tolerance)? {
-        None => before_wrong_work(&mut step, course, error, tolerance),
-        change => Ok(change),
+    match before_change(&mut step, tolerance) {
+        Ok(None) => before_wrong_work(&mut step, course, error, tolerance),
+        // What it leads through cannot be followed from so far.
+        Err(Failure { what: What::NotProjected { .. }, .. }) => Ok(Some(from.state.time + step.length() / 2.0)),
+        change => change,
     }
 }
 
@@ -227,6 +232,9 @@ impl<M: Mechanism> Stepper<M> {
             steps.accepted += 1;
             if target.notes {
                 steps.note(motion, method, [&*from, &*to], 1)?;
+            }
+            if steps.accepted.is_multiple_of(BETWEEN_LOOKS) {
+                steps.stability.look(method.stiffness(motion, from, to));
             }
             if self.pace.is_equal() {
                 let end_sine = motion.relative(least_sine);

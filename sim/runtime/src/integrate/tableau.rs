@@ -34,6 +34,16 @@ impl Tableau {
         stages
     }
 
+    /// The stage at the end of the step before that of its error, and how large h |lambda| may be; of methods that choose their steps.
+    /// From the programs `dop853.f` and `dopri5.f` of Hairer and Wanner.
+    pub(super) fn stability(&self) -> Option<(usize, f64)> {
+        match self.error {
+            ErrorEstimate::None => None,
+            ErrorEstimate::Embedded(_) => (self.order == 5).then_some((5, 3.25)),
+            ErrorEstimate::Embedded53(..) => (self.order == 8).then_some((11, 6.1)),
+        }
+    }
+
     /// The middle of the widest gap between nodes, the last of several.
     pub(super) fn gap(&self) -> f64 {
         let mut widest = (0.0, 0.5);

@@ -48,6 +48,8 @@ pub(crate) trait AnyMechanism {
     fn output_rates(&self, at: At<f64>) -> Vec<f64>;
     fn events(&self, at: At<f64>) -> Vec<f64>;
     fn event_values(&self, at: At<f64>) -> Vec<f64>;
+    fn switching_functions(&self, time: f64) -> Vec<f64>;
+    fn load_conditions(&self, at: At<f64>) -> Vec<f64>;
     /// Whether the constraints are met, as after a projection.
     fn is_met(&self, time: f64, q: &[f64]) -> bool;
     /// As [`project_positions`].

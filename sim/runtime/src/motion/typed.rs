@@ -80,6 +80,13 @@ impl<M: Mechanism> AnyMechanism for Any<'_, M> {
             .as_ref()
             .to_vec()
     }
+    fn switching_functions(&self, time: f64) -> Vec<f64> {
+        self.0.switching_functions(time).as_ref().to_vec()
+    }
+    fn load_conditions(&self, at: At<f64>) -> Vec<f64> {
+        let (q, qd) = (array(self.0.n(), at.positions), array(self.0.n(), at.speeds));
+        self.0.load_conditions(at.time, &q, &qd).as_ref().to_vec()
+    }
     fn event_values(&self, at: At<f64>) -> Vec<f64> {
         self.0.event_values(at.time, &array(self.0.n(), at.positions), &array(self.0.n(), at.speeds)).as_ref().to_vec()
     }

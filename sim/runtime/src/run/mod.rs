@@ -1,11 +1,13 @@
 //! A whole run: a simulation that is recorded, and its balance.
 
+mod apart;
 mod attempt;
 mod change;
 mod control;
 mod save;
 mod simulation;
 
+pub use apart::{Apart, run_compared};
 pub(crate) use attempt::Attempted;
 pub use control::Controller;
 pub use save::NotRestored;
@@ -31,6 +33,9 @@ pub const DOUBTFUL_BALANCE: f64 = 1e-3;
 /// A mechanism is at rest with speeds of this part of its scales in a second, and with moves of this part: what energy rounding
 /// gives it is not compared with itself.
 const AT_REST: f64 = 1e-7;
+
+/// Changes of energy are compared with this part of the kinetic energy at least: a tolerance is relative to the speeds that are there.
+const STEADY: f64 = 1e-6;
 
 /// The results of a run.
 #[derive(Clone, Debug)]
@@ -58,8 +63,13 @@ pub struct Run<M: Mechanism> {
     /// The largest change of kinetic energy minus work, apart from losses at events, relative to the largest kinetic
     /// energy of any sample or work of any step.
     pub energy_balance: f64,
+    /// The same relative to what changes: the largest change of kinetic energy or work, or a millionth of the kinetic energy. A
+    /// wheel that turns steadily does not hide what is wrong beside it.
+    pub energy_balance_of_changes: f64,
     /// The kinetic energy that events have taken, in joules.
     pub energy_taken: f64,
+    /// Where a run of equal steps is off, if [`run_compared`] has found that.
+    pub apart: Option<Apart>,
     /// The time of the integration, with events and records.
     pub integration_time: Duration,
 }
@@ -139,7 +149,8 @@ fn run_with<M: Mechanism>(
     let trajectory = Trajectory { samples: recorder.samples, phases: recorder.phases, failure: ended.err() };
     let (position_residual, velocity_residual) = largest_residuals(&mechanism, &trajectory);
     let rounding = energy_at_rest(&mechanism, &first, simulation.measures());
-    let energy_balance = energy_balance(&mechanism, &trajectory, recorder.largest_work.max(rounding));
+    let [energy_balance, energy_balance_of_changes] =
+        energy_balances(&mechanism, &trajectory, recorder.largest_work.max(rounding));
     let (energy_taken, evaluations) = (simulation.energy_taken(), simulation.evaluations());
     let (events, steps) = simulation.conclude();
     Ok(Run {
@@ -154,7 +165,9 @@ fn run_with<M: Mechanism>(
         position_residual,
         velocity_residual,
         energy_balance,
+        energy_balance_of_changes,
         energy_taken,
+        apart: None,
         integration_time,
     })
 }
@@ -197,18 +210,21 @@ fn energy_at_rest<M: Mechanism>(mechanism: &M, start: &State<M>, measures: &Meas
     kinetic + AT_REST * work
 }
 
-/// `largest` is the largest work between samples, as a mechanism may be at rest in all of them, or what kinetic energy is rounding.
-fn energy_balance<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>, mut largest: f64) -> f64 {
-    let (mut change, mut start) = (0.0f64, None);
+/// Both balances of energy. `least` is the largest work between samples, as a mechanism may be at rest in all of them, or what
+/// kinetic energy is rounding.
+fn energy_balances<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>, least: f64) -> [f64; 2] {
+    let (mut change, mut largest, mut moved, mut start) = (0.0f64, least, least, None);
     for (index, (mechanism, sample)) in trajectory.with_mechanisms(mechanism).enumerate() {
         let state = &sample.state;
         let kinetic = mechanism.kinetic_energy(state.time, &state.positions, &state.speeds);
         let taken = trajectory.phase_of(index).map_or(0.0, |phase| phase.energy_taken);
         let balance = kinetic - state.work + taken;
+        let (begun, at_first) = *start.get_or_insert((balance, kinetic));
         largest = larger(larger(largest, kinetic), state.work.abs());
-        change = larger(change, (balance - *start.get_or_insert(balance)).abs());
+        moved = larger(larger(moved, (kinetic - at_first).abs()), state.work.abs());
+        change = larger(change, (balance - begun).abs());
     }
-    if largest == 0.0 { 0.0 } else { change / largest }
+    [largest, moved.max(STEADY * largest)].map(|size| if size == 0.0 { 0.0 } else { change / size })
 }
 
 /// The larger of two numbers; NaN, which `f64::max` would drop, stays.

@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 use sim_kernel::Mechanism;
 use sim_output::show::{About, Live, live_report, waiting_page};
 use sim_output::{Recorded, summary_of};
-use sim_runtime::{DeclarationFile, LoadError, Table, What, run_while};
+use sim_runtime::{DeclarationFile, LoadError, Table, What, run_compared};
 use std::path::Path;
 
 /// Whether a run is still wanted.
@@ -96,7 +96,7 @@ fn made(
 /// Runs a mechanism as `run` does, and draws its report.
 fn ran<M: Mechanism>(mechanism: M, arguments: &RunArguments, live: &Live, goes_on: &GoesOn<'_>) -> Result<Drawn, Stop> {
     let Asked { mechanism, start, settings, mut reproduction } = asked(&mechanism, arguments)?;
-    let found = run_while(mechanism, &start, &settings, &mut |_| goes_on())?;
+    let found = run_compared(mechanism, &start, &settings, &mut |_| goes_on())?;
     let table = Table::of(&found.mechanism, &found.trajectory);
     reported(&found, table, &mut reproduction, live)
 }

@@ -118,7 +118,7 @@ fn facts(run: &Outcome, about: &About) -> Vec<Fact> {
     if let Some(name) = about.summary["method"]["name"].as_str() {
         facts.push(("Method", name.to_owned(), false));
     }
-    let doubtful = !(run.energy_balance < sim_runtime::DOUBTFUL_BALANCE);
+    let doubtful = run.is_out_of_balance();
     facts.push(("Energy balance off by", number(run.energy_balance, 2), doubtful));
     facts
 }

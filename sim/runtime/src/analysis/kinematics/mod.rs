@@ -3,6 +3,7 @@
 mod algebra;
 mod at_rest;
 mod beside;
+mod breaks;
 mod crossing;
 mod driven;
 mod extremes;

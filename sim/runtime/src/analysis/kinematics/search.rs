@@ -177,8 +177,9 @@ impl<'s> Search<'s> {
         }
         if within[0] < within[1] {
             let all = (0..self.tracked.len()).filter(|k| !self.tracked[*k].has_no_bound);
-            let all = all.map(|k| (k, f64::INFINITY)).collect();
-            return self.halves(piece, within, within, all, 0);
+            let all: Pending = all.map(|k| (k, f64::INFINITY)).collect();
+            let parts = self.between_breaks(piece, within);
+            return parts.into_iter().try_for_each(|part| self.halves(piece, within, part, all.clone(), 0));
         }
         if self.tracked.iter().all(|tracked| tracked.least.is_none()) {
             let values = self.values_at(piece, within[0])?;

@@ -1,5 +1,6 @@
 //! Linearisation about a state: small motions of the independent coordinates, their modes, and the matrices of a controller.
 
+mod corner;
 mod derivatives;
 mod modes;
 mod reduce;
@@ -41,6 +42,8 @@ pub struct Linearization<M: Mechanism> {
     pub unsteady: Vec<usize>,
     /// Whether A is constant along the motion.
     pub is_steady: bool,
+    /// Whether what acts has a corner or a jump at the state: the matrices are those of one side of it.
+    pub has_corner: bool,
     /// The quantities that u changes.
     pub inputs: Vec<Control>,
     /// A, h + f square with h independent coordinates and f independent speeds.
@@ -76,7 +79,7 @@ pub fn linearize<M: Mechanism>(
     inputs: &[Control],
 ) -> Result<Linearization<M>, Failure> {
     let found = linearize_any(&Any(mechanism), At::state(state), inputs)?;
-    let AnyLinearization { a, b, c, d, eigenvalues, modes, reduction, unsteady } = found;
+    let AnyLinearization { a, b, c, d, eigenvalues, modes, reduction, unsteady, has_corner } = found;
     let is_steady = unsteady.is_none();
     Ok(Linearization {
         state: state.clone(),
@@ -84,6 +87,7 @@ pub fn linearize<M: Mechanism>(
         independent_speeds: reduction.independent_speeds().to_vec(),
         unsteady: unsteady.unwrap_or_default(),
         is_steady,
+        has_corner,
         inputs: inputs.to_vec(),
         a,
         b,
@@ -105,6 +109,7 @@ struct AnyLinearization {
     reduction: Reduction,
     /// Nothing where A is constant.
     unsteady: Option<Vec<usize>>,
+    has_corner: bool,
 }
 
 fn linearize_any(mechanism: &dyn Differentiable, at: At<f64>, inputs: &[Control]) -> Result<AnyLinearization, Failure> {
@@ -115,7 +120,8 @@ fn linearize_any(mechanism: &dyn Differentiable, at: At<f64>, inputs: &[Control]
     }
     let derivatives = Derivatives::at(mechanism, at, inputs)?;
     let reduction = Reduction::at(mechanism, at)?;
-    check_inertia(mechanism, at, &reduction, &measure(mechanism, at.time, at.positions).0)?;
+    let sizes = measure(mechanism, at.time, at.positions).0;
+    check_inertia(mechanism, at, &reduction, &sizes)?;
     let columns = columns(&derivatives, &reduction)?;
     let forced = (0..inputs.len()).map(|k| derivatives.forced(k)).collect::<Result<Vec<Change>, Failure>>()?;
     let slopes = |change: &Change, input: Option<Control>| output_slopes(&derivatives, change, input);
@@ -127,6 +133,7 @@ fn linearize_any(mechanism: &dyn Differentiable, at: At<f64>, inputs: &[Control]
     let (eigenvalues, modes) = modes::modes(&a, reduction.independent().len(), |x| reduction.positions(x))
         .map_err(|why| mechanism.failure(What::NoEigenvalues { why }, at.time, at.positions))?;
     Ok(AnyLinearization {
+        has_corner: corner::has_corner(mechanism, at, &sizes),
         unsteady: steady::unsteady(&derivatives, &reduction, &a, &eigenvalues)?,
         b: matrix(&reduction, &forced),
         c: DMatrix::from_fn(outputs, a.ncols(), |i, k| by_state[k][i]),

@@ -18,6 +18,9 @@ const STEADY: f64 = 1e-6;
 const STEP: f64 = 1e-2;
 /// Later times at which what rests is asked for once more, likewise and in seconds.
 const LATER: [f64; 3] = [0.37, 1.3, 11.7];
+/// The change of an entry of A beside the largest of its row, by a motion of a hundredth of its own time or by time alone, up to which
+/// it counts as constant.
+const CONSTANT: f64 = 1e-5;
 /// Changes of accelerations up to this do not count, in radians and in the mechanism's own length per s^2, nor those up to this
 /// times the square of the rate.
 const AT_REST: f64 = 1e-8;
@@ -41,7 +44,9 @@ pub(super) fn unsteady(
     let modes = eigenvalues.iter().map(|value| value.norm());
     let rate = modes.chain(speeds.iter().copied()).chain(accelerations.iter().map(|a| a.sqrt())).fold(0.0, f64::max);
     let is_still = |parts: &[f64], least: f64| parts.iter().all(|part| *part <= least);
-    let is_at_rest = is_still(&speeds, STEADY * rate) && is_still(&accelerations, STEADY * rate * rate);
+    let beside = Beside { derivatives, reduction, a, sizes: &sizes };
+    let is_at_rest =
+        is_still(&speeds, STEADY * rate) && is_still(&accelerations, STEADY * rate * rate) && beside.rests(&accelerations);
     if is_at_rest && !stays_at_rest(derivatives, &sizes, rate) {
         return Ok(Some(vec![]));
     }
@@ -61,11 +66,14 @@ pub(super) fn unsteady(
         let bend = (after[(i, k)] + before[(i, k)] - 2.0 * a[(i, k)]) / (STEP * STEP);
         (slope * size).abs() <= STEADY && (bend * size).abs() <= STEADY
     };
-    if (0..a.nrows()).all(|i| (0..a.ncols()).all(|k| is_steady(i, k))) {
-        return Ok(None);
+    let own = speeds.iter().copied().chain(accelerations.iter().map(|a| a.sqrt())).fold(0.0, f64::max);
+    let step = if is_at_rest { f64::INFINITY } else { STEP / own };
+    if (0..a.nrows()).all(|i| (0..a.ncols()).all(|k| is_steady(i, k))) && !beside.changes_along(step)? {
+        return Ok(beside.changes_in_time()?.then(Vec::new));
     }
     let beyond = |parts: &[f64], least: f64| (0..parts.len()).filter(|j| parts[*j] > least).collect::<Vec<usize>>();
-    let (bent, moving) = (beyond(&accelerations, STEADY * rate * rate), beyond(&speeds, STEADY * rate));
+    let least = if is_at_rest { rate } else { own };
+    let (bent, moving) = (beyond(&accelerations, STEADY * least * least), beyond(&speeds, STEADY * least));
     if bent.is_empty() {
         return Ok(Some(moving));
     }
@@ -73,6 +81,70 @@ pub(super) fn unsteady(
     let quaternions = quaternions_of(mechanism);
     let turns = |j: &usize| quaternions.iter().any(|four| four.contains(j) && four.iter().any(|k| bent.contains(k)));
     Ok(Some((0..sizes.len()).filter(|j| bent.contains(j) || moving.contains(j) && turns(j)).collect()))
+}
+
+/// A beside what it is elsewhere.
+struct Beside<'a> {
+    derivatives: &'a Derivatives<'a>,
+    reduction: &'a Reduction,
+    a: &'a DMatrix<f64>,
+    sizes: &'a [f64],
+}
+
+impl Beside<'_> {
+    /// Whether accelerations of independent speeds are small beside what a change that counts as 1 makes of them.
+    fn rests(&self, accelerations: &[f64]) -> bool {
+        let h = self.reduction.independent().len();
+        let independent = self.reduction.independent_speeds().iter().enumerate();
+        independent.map(|(k, j)| (h + k, *j)).all(|(i, j)| {
+            let stiffness: f64 = (0..h).map(|k| (self.a[(i, k)] * self.unit(k)).abs()).sum();
+            accelerations[j] <= AT_REST + STEADY * stiffness / self.sizes[j]
+        })
+    }
+
+    /// Whether A differs at some later times, to which the motion goes on at constant speeds.
+    fn changes_in_time(&self) -> Result<bool, Failure> {
+        let (mechanism, at) = (self.derivatives.mechanism(), self.derivatives.state());
+        let mut differs = false;
+        for time in LATER {
+            let positions: Vec<f64> = at.positions.iter().zip(at.speeds).map(|(q, speed)| q + time * speed).collect();
+            let later = At { time: at.time + time, positions: &positions, ..at };
+            if mechanism.is_met(later.time, &positions) {
+                let reduction = self.reduction.moved(mechanism, later);
+                differs |= self.differs(&matrix(&reduction, &columns(&Derivatives::at(mechanism, later, &[])?, &reduction)?));
+            }
+        }
+        Ok(differs)
+    }
+
+    /// The change of an independent coordinate, or speed, that counts as 1.
+    fn unit(&self, k: usize) -> f64 {
+        let h = self.reduction.independent().len();
+        match k < h {
+            true => self.sizes[self.reduction.independent()[k]],
+            false => self.sizes[self.reduction.independent_speeds()[k - h]],
+        }
+    }
+
+    /// Whether A differs so much later along the motion from what it was as much earlier.
+    fn changes_along(&self, step: f64) -> Result<bool, Failure> {
+        if !step.is_finite() {
+            return Ok(false);
+        }
+        let along = |step: f64| later(self.derivatives.mechanism(), self.derivatives, self.reduction, step);
+        Ok(self.differs(&along(step)?) || self.differs(&along(-step)?))
+    }
+
+    /// Whether an entry differs beside the largest in its row, by changes that count as 1: rows of fast motions say nothing of slow
+    /// ones.
+    fn differs(&self, other: &DMatrix<f64>) -> bool {
+        let h = self.reduction.independent().len();
+        (h..self.a.nrows()).any(|i| {
+            let row = |matrix: &DMatrix<f64>, k: usize| matrix[(i, k)] * self.unit(k);
+            let largest = (0..h).fold(0.0, |most: f64, k| most.max(row(self.a, k).abs()).max(row(other, k).abs()));
+            (0..h).any(|k| (row(other, k) - row(self.a, k)).abs() > CONSTANT * largest)
+        })
+    }
 }
 
 /// Whether what rests now does so at other times too, as it does not under a load that comes and goes.
