@@ -47,7 +47,11 @@ fn a_pivot_that_starts_at_full_speed_strikes_its_pendulum() {
                 let at = |end_time| end(&text, &Settings::adaptive(method, end_time, 1e-11));
                 let ([angle, before, work], [_, after, done]) = (at(START - 1e-9), at(START + 1e-9));
                 let jump = after - before;
-                assert!((jump + angle.cos()).abs() < 1e-7, "{length} {is_placed} {method:?}: {jump}, not {}", angle.cos());
+                assert!(
+                    (jump + angle.cos()).abs() < 1e-7,
+                    "{length} {is_placed} {method:?}: {jump}, not {}",
+                    angle.cos()
+                );
                 // The bob goes at v sin(phi) across its way, the trolley at v; along its way the bob keeps what it has.
                 let across = angle.sin() * length;
                 let exact = (2.0 * across * across + 3.0 * length * length) / 2.0;

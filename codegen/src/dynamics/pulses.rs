@@ -18,8 +18,8 @@ enum Middle {
     At(Expr),
     /// Where this is largest or smallest.
     AtExtremum(Expr),
-    /// Where this is 1/2 or -1/2: about the steepest places of a pulse, beside its middle. Some are zero in the middle, as the force
-    /// of the potential `exp(-(x/w)^2)`.
+    /// Where this is 1 or -1: on the sides of a pulse, beside its middle. Some are zero in the middle, as the force of the potential
+    /// `exp(-(x/w)^2)`; on its steepest places, where this is 1/2, a path of this form is straight.
     Flank(Expr),
 }
 
@@ -114,16 +114,15 @@ fn with_flanks(of: Expr) -> Vec<Middle> {
     vec![Middle::AtExtremum(of), Middle::Flank(of)]
 }
 
-/// What is zero where a function is 1/2, or -1/2 if it is written with a sign.
+/// What is zero where a function is 1, or -1 if it is written with a sign.
 fn flank(graph: &mut Graph, of: Expr) -> Expr {
     let is_negative = match graph.node(of) {
         Node::Product { coefficient, .. } => coefficient.is_negative(),
         Node::Sum { terms, .. } => terms.iter().all(|(_, coefficient)| coefficient.is_negative()),
         _ => false,
     };
-    let (two, one) = (graph.integer(2), graph.integer(if is_negative { 1 } else { -1 }));
-    let twice = graph.mul(two, of);
-    graph.add(twice, one)
+    let one = graph.integer(if is_negative { 1 } else { -1 });
+    graph.add(of, one)
 }
 
 /// The middles by which a node is a pulse or a step. A logistic function has its own where its exponent is 0.

@@ -1,7 +1,7 @@
 //! Where the slopes of tables may jump.
 
-use super::{Dependence, Level};
 use super::interpreter::Interpreter;
+use super::{Dependence, Level};
 use crate::dsl::Region;
 use crate::symbolic::{Expr, Function, Graph, Node};
 

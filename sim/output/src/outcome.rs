@@ -3,8 +3,8 @@
 
 use sim_kernel::{Array, Description, Mechanism, Quantity};
 use sim_runtime::{
-    Apart, Crossing, DOUBTFUL_BALANCE, Erased, Failure, Kinematics, Mobility, Occurrence, OnHeap, Run, Sample, Settings,
-    Small, Stepping, Steps, SuddenChanges, known_length,
+    Apart, Crossing, DOUBTFUL_BALANCE, Erased, Failure, Kinematics, Mobility, Occurrence, OnHeap, Run, Sample,
+    Settings, Small, Stepping, Steps, SuddenChanges, known_length,
 };
 
 /// A run without its samples; all in SI units.
@@ -76,7 +76,8 @@ impl Outcome {
 
     /// Why its numbers may be wrong.
     pub fn warnings(&self) -> Vec<String> {
-        let others = [self.over_sudden_changes(), self.without_a_length(), self.off(), self.stiff(), self.out_of_balance()];
+        let others =
+            [self.over_sudden_changes(), self.without_a_length(), self.off(), self.stiff(), self.out_of_balance()];
         others.into_iter().flatten().collect()
     }
 

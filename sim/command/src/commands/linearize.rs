@@ -49,8 +49,20 @@ fn linearized<M: Mechanism, T>(
     let inputs = controls(description, &arguments.input)?;
     let (mechanism, state) = state_at(mechanism, &start, &arguments.at, interrupted)?;
     let State { time, positions, speeds, .. } = &state;
-    let Linearization { independent, independent_speeds, unsteady, is_steady, has_corner, a, b, c, d, eigenvalues, modes, .. } =
-        linearize(&mechanism, &state, &inputs)?;
+    let Linearization {
+        independent,
+        independent_speeds,
+        unsteady,
+        is_steady,
+        has_corner,
+        a,
+        b,
+        c,
+        d,
+        eigenvalues,
+        modes,
+        ..
+    } = linearize(&mechanism, &state, &inputs)?;
     let found = Found {
         description,
         time: *time,

@@ -57,7 +57,8 @@ pub(super) fn attempt<M: Mechanism>(
         return Ok(error);
     }
     let before = tolerance.map(|tolerance| (tolerance, end.clone()));
-    motion.keep(end)?;
+    let longest = motion.longest();
+    motion.keep(end).inspect_err(|_| motion.forget(&longest))?;
     let moves = before.map(|(tolerance, before)| {
         let moved = distance(tolerance, motion.measures(), &before, end);
         // Seldom needed.
@@ -65,7 +66,11 @@ pub(super) fn attempt<M: Mechanism>(
         [moved, gained]
     });
     *to = motion.sample_in_place(end.clone())?;
-    Ok(moves.map_or(error, |moves| with_move(error, moves, motion.relative_sine())))
+    let error = moves.map_or(error, |moves| with_move(error, moves, motion.relative_sine()));
+    if !(error <= 1.0) {
+        motion.forget(&longest);
+    }
+    Ok(error)
 }
 
 /// How far two states are apart, in units of the tolerance.

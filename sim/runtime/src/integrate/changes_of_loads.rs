@@ -19,7 +19,7 @@ use crate::numerics::signs::{crosses, is_foretold, may_reach_zero, turns_back};
 use crate::state::failure::Failure;
 use crate::state::settings::Tolerance;
 use crate::state::trajectory::Sample;
-use sim_kernel::{Array, Mechanism, Switching};
+use sim_kernel::{Array, Mechanism, Switching, Table};
 
 /// Rates are differences over this part of the interval that is searched.
 const BESIDE: f64 = 1e-4;
@@ -59,6 +59,8 @@ pub(super) struct Change {
     pub(super) time: f64,
     /// Whether it is a row of a table: there the load is continuous.
     pub(super) is_row: bool,
+    /// Whether second derivatives are continuous too: what a step over one such row leads through, its ends have seen.
+    is_gentle: bool,
     /// Whether it is the middle of a smooth pulse or a flank of one, where the load keeps its form.
     pub(super) is_smooth: bool,
     pub(super) is_flank: bool,
@@ -302,6 +304,9 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
         let is_long = length > SHORTEST * f64::EPSILON * begin.abs();
         let middle = changes.iter().find(|change| change.is_smooth && is_long).map(|change| change.time);
         changes.retain(|change| !change.is_smooth);
+        if matches!(changes.as_slice(), [only] if only.is_gentle) {
+            return Ok(middle);
+        }
         match changes.first().copied() {
             Some(first) if middle.is_none_or(|middle| first.time < middle) => {
                 Ok(self.end_before(first, &changes, tolerance)?.or(middle))
@@ -350,7 +355,8 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
 
     fn change(&mut self, between: &Between) -> Result<Change, Failure> {
         let Switching { table, is_smooth, is_flank, .. } = self.conditions[between.condition];
-        Ok(Change { time: self.locate(between)?, is_row: table.is_some(), is_smooth, is_flank })
+        let is_gentle = table.is_some_and(|table| is_gentle(table, between.level));
+        Ok(Change { time: self.locate(between)?, is_row: table.is_some(), is_gentle, is_smooth, is_flank })
     }
 
     /// The time of a change, to a small part of the step.
@@ -360,6 +366,17 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
         let fraction = find_root(values[0], values[1], tolerance, &mut |fraction| self.value(between, fraction))?;
         Ok(from + fraction * (to - from))
     }
+}
+
+/// A difference of second derivatives that is rounding, as a part of them and of the slopes over the distance of rows.
+const ROUNDING: f64 = 1e-9;
+
+/// Whether the second derivative of a table is the same on both sides of a row.
+fn is_gentle(table: &Table, row: f64) -> bool {
+    let [before, after] = [row.next_down(), row].map(|x| table.at::<f64, 3>(x));
+    let apart = (table.next_row(row) - row).min(row - table.last_row(row)).max(f64::MIN_POSITIVE);
+    let size = (before[2].abs() + after[2].abs()).max(after[1].abs() / apart);
+    (after[2] - before[2]).abs() <= ROUNDING * size
 }
 
 /// The values of a condition, on the way from one to another, at which its load changes its form: of a table the row behind, and

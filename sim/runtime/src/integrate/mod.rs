@@ -10,6 +10,7 @@ mod crossing;
 mod dense;
 mod dop853;
 mod dop853_tableau;
+mod equal;
 mod explicit;
 mod headway;
 mod integrator;

@@ -1,15 +1,14 @@
 //! The length of steps: equal, or as long as a tolerance allows.
-//!
-//! Times of equal steps are computed from the start each time, so that they do not accumulate rounding.
 
 use super::attempt::{explained, keeps_its_speeds, slows, taken_back, too_small};
 use super::changes_in_time::{ASIDE, tick};
 use super::control::{Controller, initial_step};
-use super::corners::{behind_corner, check_equal_step, corner};
+use super::corners::{behind_corner, corner};
 use super::crossing::{Crossing, Way};
+use super::equal::{aim_equally, first_step};
 use super::headway::Headway;
 use super::method::Advance;
-use super::switching::{Stop, SuddenChanges, next_stop, note_change};
+use super::switching::{Stop, SuddenChanges, next_stop};
 use super::{Course, Steps};
 use crate::motion::Motion;
 use crate::state::failure::{Failure, What};
@@ -17,9 +16,6 @@ use crate::state::saved::{Bytes, Damaged};
 use crate::state::settings::{Stepping, Tolerance};
 use crate::state::trajectory::Sample;
 use sim_kernel::Mechanism;
-
-/// The tolerance of steps over singular positions between equal steps.
-const EXACT: Tolerance = Tolerance::new(1e-12);
 
 /// What a stepper does next.
 #[derive(Clone, Copy, Debug)]
@@ -195,63 +191,9 @@ impl Pace {
     }
 }
 
-/// Aims at the end of the next of so many equal steps.
-#[inline]
-fn aim_equally<M: Mechanism>(
-    motion: &Motion<M>,
-    course: &Course,
-    (count, step): (usize, &mut usize),
-    [from, to]: [&mut Sample<M>; 2],
-    (crossing, target): (&mut Crossing<M>, &mut Target),
-    steps: &mut Steps,
-) -> Result<Aim, Failure> {
-    let Some(goal) = next_goal(course, count, step, from.state.time) else { return Ok(Aim::End) };
-    let length = (course.end - course.begin) / count as f64;
-    let is_near = crossing.may_be_ahead(motion);
-    let way = match is_near {
-        true => crossing.lead(motion, [from, to], [length, course.end], &EXACT, steps)?,
-        false => Way::On,
-    };
-    let time = match way {
-        Way::Crossed => {
-            crossing.ended(motion.least_sine());
-            return Ok(Aim::Made);
-        }
-        Way::UpTo(time) => goal.min(time),
-        Way::On => goal,
-    };
-    note_change(motion, [from.state.time, time], &mut steps.sudden_changes);
-    check_equal_step(motion, &from.state, [from.state.time, time])?;
-    *target = Target { time, wanted: goal, tolerance: None, notes: is_near };
-    Ok(Aim::Attempt)
-}
-
-/// The first of so many equal steps that may end later than now, or the one before it.
-fn first_step(course: &Course, count: usize, now: f64) -> usize {
-    let passed = count as f64 * (now - course.begin) / (course.end - course.begin);
-    (passed as usize).max(1)
-}
-
 /// A step that still changes a time.
 fn shortest(now: f64) -> f64 {
     16.0 * f64::EPSILON * now.abs()
-}
-
-/// The end of the next of so many equal steps.
-fn next_goal(course: &Course, count: usize, step: &mut usize, now: f64) -> Option<f64> {
-    let Course { begin, end, .. } = *course;
-    let length = (end - begin) / count as f64;
-    while *step <= count {
-        // From the start each time, so that times do not accumulate rounding.
-        let goal = if *step == count { end } else { begin + (end - begin) * (*step as f64 / count as f64) };
-        // A step over a singular position may end near one of these times or beyond it; that time is then skipped.
-        let rest = if *step < count { 0.1 * length } else { 4.0 * f64::EPSILON * goal.abs() };
-        if goal - now > rest {
-            return Some(goal);
-        }
-        *step += 1;
-    }
-    None
 }
 
 impl Adaptive {

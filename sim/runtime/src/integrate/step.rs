@@ -7,6 +7,7 @@
 use super::beside::better_accelerations;
 use super::method::Advance;
 use crate::motion::Motion;
+use crate::motion::residuals::residuals;
 use crate::motion::singular::{AT, BESIDE, IN};
 use crate::state::failure::{Failure, What};
 use crate::state::trajectory::{Sample, State};
@@ -120,14 +121,23 @@ impl<M: Mechanism> Step<'_, M> {
         (time - self.begun.state.time) / self.made()
     }
 
+    /// The side of a corner on which speeds meet the constraints at a time, which may be that of the corner itself; as they are behind
+    /// it, if both do.
+    fn side(&self, time: f64) -> State<M> {
+        let mechanism = self.motion.mechanism();
+        let sides = [self.to, self.from].map(|side| State { time, ..side.state.clone() });
+        let open = sides.each_ref().map(|state| residuals(mechanism, state).1);
+        let [behind, before] = sides;
+        if time > self.from.state.time && open[0] <= open[1] { behind } else { before }
+    }
+
     fn find(&mut self, time: f64) -> Result<Inside<M>, Failure> {
         if time == self.to.state.time {
             let end = self.to.state.clone();
             return Ok(Inside { kept: end.clone(), interpolated: end, sine: self.end_sine });
         }
         if self.is_jump {
-            let side = if time > self.from.state.time { self.to } else { self.from };
-            let state = State { time, ..side.state.clone() };
+            let state = self.side(time);
             return Ok(Inside { kept: state.clone(), interpolated: state, sine: self.end_sine });
         }
         let mut kept = self.method.inside(self.motion, self.begun, self.reached, self.fraction(time))?;

@@ -107,7 +107,12 @@ fn sudden_change<M: Mechanism>(motion: &Motion<M>, functions: &[Switching], now:
 }
 
 /// The first change of form, however long the search for it is.
-pub(super) fn first_known_change<M: Mechanism>(mechanism: &M, functions: &[Switching], now: f64, until: f64) -> Option<First> {
+pub(super) fn first_known_change<M: Mechanism>(
+    mechanism: &M,
+    functions: &[Switching],
+    now: f64,
+    until: f64,
+) -> Option<First> {
     let mut from = now;
     loop {
         match first_change(mechanism, functions, from, until)? {

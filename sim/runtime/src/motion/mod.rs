@@ -279,6 +279,11 @@ impl<M: Mechanism> Motion<M> {
         found
     }
 
+    /// Goes back to these squares of the longest rows: where a refused step has led says nothing of those on the way.
+    pub(crate) fn forget(&self, longest: &M::L) {
+        self.longest.set(longest.clone());
+    }
+
     /// Records the squares of the lengths of rows.
     pub(crate) fn lengthen(&self, square: impl Fn(usize) -> f64) {
         let mut longest = self.longest.take();

@@ -21,7 +21,7 @@ use crate::motion::residuals::residuals;
 use crate::record::{DeadPoint, Recorder};
 use crate::start::assemble::Start;
 use crate::state::failure::{Failure, What};
-use crate::state::settings::Settings;
+use crate::state::settings::{Settings, Stepping};
 use crate::state::trajectory::{State, Trajectory};
 use control::Control;
 use sim_kernel::{Array, Mechanism};
@@ -34,8 +34,10 @@ pub const DOUBTFUL_BALANCE: f64 = 1e-3;
 /// gives it is not compared with itself.
 const AT_REST: f64 = 1e-7;
 
-/// Changes of energy are compared with this part of the kinetic energy at least: a tolerance is relative to the speeds that are there.
+/// Changes of energy are compared with this part of the kinetic energy at least, and with so many times that of the tolerance, which is
+/// relative to the speeds that are there.
 const STEADY: f64 = 1e-6;
+const TOLERANCES: f64 = 1e5;
 
 /// The results of a run.
 #[derive(Clone, Debug)]
@@ -63,7 +65,7 @@ pub struct Run<M: Mechanism> {
     /// The largest change of kinetic energy minus work, apart from losses at events, relative to the largest kinetic
     /// energy of any sample or work of any step.
     pub energy_balance: f64,
-    /// The same relative to what changes: the largest change of kinetic energy or work, or a millionth of the kinetic energy. A
+    /// The same relative to what changes: the largest change of kinetic energy or work, or a small part of the kinetic energy. A
     /// wheel that turns steadily does not hide what is wrong beside it.
     pub energy_balance_of_changes: f64,
     /// The kinetic energy that events have taken, in joules.
@@ -150,7 +152,7 @@ fn run_with<M: Mechanism>(
     let (position_residual, velocity_residual) = largest_residuals(&mechanism, &trajectory);
     let rounding = energy_at_rest(&mechanism, &first, simulation.measures());
     let [energy_balance, energy_balance_of_changes] =
-        energy_balances(&mechanism, &trajectory, recorder.largest_work.max(rounding));
+        energy_balances(&mechanism, &trajectory, [recorder.largest_work.max(rounding), steady_part(settings)]);
     let (energy_taken, evaluations) = (simulation.energy_taken(), simulation.evaluations());
     let (events, steps) = simulation.conclude();
     Ok(Run {
@@ -210,9 +212,17 @@ fn energy_at_rest<M: Mechanism>(mechanism: &M, start: &State<M>, measures: &Meas
     kinetic + AT_REST * work
 }
 
+/// The part of the kinetic energy that counts as a change.
+fn steady_part(settings: &Settings) -> f64 {
+    match settings.stepping {
+        Stepping::Equal(_) => STEADY,
+        Stepping::Adaptive(tolerance) => STEADY.max(TOLERANCES * tolerance.relative),
+    }
+}
+
 /// Both balances of energy. `least` is the largest work between samples, as a mechanism may be at rest in all of them, or what
 /// kinetic energy is rounding.
-fn energy_balances<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>, least: f64) -> [f64; 2] {
+fn energy_balances<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>, [least, steady]: [f64; 2]) -> [f64; 2] {
     let (mut change, mut largest, mut moved, mut start) = (0.0f64, least, least, None);
     for (index, (mechanism, sample)) in trajectory.with_mechanisms(mechanism).enumerate() {
         let state = &sample.state;
@@ -224,7 +234,7 @@ fn energy_balances<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>, leas
         moved = larger(larger(moved, (kinetic - at_first).abs()), state.work.abs());
         change = larger(change, (balance - begun).abs());
     }
-    [largest, moved.max(STEADY * largest)].map(|size| if size == 0.0 { 0.0 } else { change / size })
+    [largest, moved.max(steady * largest)].map(|size| if size == 0.0 { 0.0 } else { change / size })
 }
 
 /// The larger of two numbers; NaN, which `f64::max` would drop, stays.

@@ -44,9 +44,11 @@ pub(super) fn unsteady(
     let modes = eigenvalues.iter().map(|value| value.norm());
     let rate = modes.chain(speeds.iter().copied()).chain(accelerations.iter().map(|a| a.sqrt())).fold(0.0, f64::max);
     let is_still = |parts: &[f64], least: f64| parts.iter().all(|part| *part <= least);
-    let beside = Beside { derivatives, reduction, a, sizes: &sizes };
-    let is_at_rest =
-        is_still(&speeds, STEADY * rate) && is_still(&accelerations, STEADY * rate * rate) && beside.rests(&accelerations);
+    let own = speeds.iter().copied().chain(accelerations.iter().map(|a| a.sqrt())).fold(0.0, f64::max);
+    let beside = Beside { derivatives, reduction, a, sizes: &sizes, rate: own };
+    let is_at_rest = is_still(&speeds, STEADY * rate)
+        && is_still(&accelerations, STEADY * rate * rate)
+        && beside.rests(&accelerations);
     if is_at_rest && !stays_at_rest(derivatives, &sizes, rate) {
         return Ok(Some(vec![]));
     }
@@ -66,7 +68,6 @@ pub(super) fn unsteady(
         let bend = (after[(i, k)] + before[(i, k)] - 2.0 * a[(i, k)]) / (STEP * STEP);
         (slope * size).abs() <= STEADY && (bend * size).abs() <= STEADY
     };
-    let own = speeds.iter().copied().chain(accelerations.iter().map(|a| a.sqrt())).fold(0.0, f64::max);
     let step = if is_at_rest { f64::INFINITY } else { STEP / own };
     if (0..a.nrows()).all(|i| (0..a.ncols()).all(|k| is_steady(i, k))) && !beside.changes_along(step)? {
         return Ok(beside.changes_in_time()?.then(Vec::new));
@@ -89,6 +90,8 @@ struct Beside<'a> {
     reduction: &'a Reduction,
     a: &'a DMatrix<f64>,
     sizes: &'a [f64],
+    /// The rate of the motion, in 1/s.
+    rate: f64,
 }
 
 impl Beside<'_> {
@@ -111,7 +114,8 @@ impl Beside<'_> {
             let later = At { time: at.time + time, positions: &positions, ..at };
             if mechanism.is_met(later.time, &positions) {
                 let reduction = self.reduction.moved(mechanism, later);
-                differs |= self.differs(&matrix(&reduction, &columns(&Derivatives::at(mechanism, later, &[])?, &reduction)?));
+                differs |=
+                    self.differs(&matrix(&reduction, &columns(&Derivatives::at(mechanism, later, &[])?, &reduction)?));
             }
         }
         Ok(differs)
@@ -140,9 +144,11 @@ impl Beside<'_> {
     fn differs(&self, other: &DMatrix<f64>) -> bool {
         let h = self.reduction.independent().len();
         (h..self.a.nrows()).any(|i| {
-            let row = |matrix: &DMatrix<f64>, k: usize| matrix[(i, k)] * self.unit(k);
-            let largest = (0..h).fold(0.0, |most: f64, k| most.max(row(self.a, k).abs()).max(row(other, k).abs()));
-            (0..h).any(|k| (row(other, k) - row(self.a, k)).abs() > CONSTANT * largest)
+            let rate = |k: usize| if k < h { 1.0 } else { self.rate };
+            let row = |matrix: &DMatrix<f64>, k: usize| matrix[(i, k)] * self.unit(k) * rate(k);
+            let all = 0..self.a.ncols();
+            let largest = all.clone().fold(0.0, |most: f64, k| most.max(row(self.a, k).abs()).max(row(other, k).abs()));
+            all.into_iter().any(|k| (row(other, k) - row(self.a, k)).abs() > CONSTANT * largest)
         })
     }
 }
