@@ -2,8 +2,9 @@
 
 use crate::sweeps::sweep;
 use models::FourBar;
-use sim::{Start, declared_start, kinematics, mechanism};
+use sim::{Driven, Start, Sweep, declared_start, kinematics, mechanism};
 use std::f64::consts::{PI, TAU};
+use tests::any_model::interpreted;
 
 mechanism! {
     /// A rotor with a steep pulse beside a wave that is small.
@@ -117,5 +118,36 @@ fn poles_have_no_bound() {
         );
         assert_eq!(found.time_ratios[2], None);
         assert!((peaks.greatest.value / 1e6 - 1.0).abs() < 1e-9 && peaks.least.value < 1.0, "{k}: {peaks:?}");
+    }
+}
+
+/// A load within a degree of a turn, by position, by a table and by time, whatever is recorded of the sweep: the drive holds it.
+#[test]
+fn loads_between_recorded_positions_are_seen() {
+    let cases = [
+        ("torque (if abs(a - 2) < w then -T else 0) on i;", 3.0),
+        ("torque (if a > 2 then (if a < 2 + w then -T else 0) else 0) on i;", 3.0),
+        ("torque -T*exp(-((a - 2)/w)^2) on i;", 3.0),
+        ("torque -T*f((a - 2)/w) on i;", 3.0),
+        ("torque (if t < 1.7 [s] then 0 else if t < 1.7 [s] + w*(1 [s]) then -T else 0) on i;", 3.0),
+    ];
+    for (load, exact) in cases {
+        for width in ["1e-2", "1e-3", "1e-5"] {
+            let text = format!(
+                "pub Held; coordinates {{ a [rad]; }} parameters {{ w = {width}; T [N*m] = 3; }}
+                 tables {{ f over [1] = linear {{ -9, 0; -1, 0; 0, 1; 1, 0; 9, 0; }} }}
+                 bodies {{ i: inertia 0.01 [kg*m^2], angle a; }} loads {{ {load} }} initial {{ a = 0.1; dot(a) = 1; }}"
+            );
+            for steps in [1, 100, 720] {
+                let model = interpreted(&text).unwrap();
+                let start = declared_start(&model);
+                let sweep =
+                    Sweep { driven: Driven::Coordinate(0), from: 0.1, to: 6.0, speed: 1.0, steps, held: vec![] };
+                let found = kinematics(model, &start, &sweep).unwrap();
+                let range = found.extremes.forces[0].unwrap_or_else(|| panic!("{load} {width} {steps}"));
+                assert!((range.greatest.value - exact).abs() < 1e-6, "{load} {width} {steps}: {range:?}");
+                assert!(range.least.value.abs() < 1e-6, "{load} {width} {steps}: {range:?}");
+            }
+        }
     }
 }

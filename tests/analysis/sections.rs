@@ -2,6 +2,8 @@
 
 use models::{DoublePendulum, Pendulum};
 use sim::{Compiled, Crossing, Method, Section, Sectioning, Settings, Start, declared_start, mechanism, poincare};
+use std::f64::consts::TAU;
+use tests::any_model::interpreted;
 
 fn section<M: Compiled>(
     mechanism: M,
@@ -279,4 +281,41 @@ fn turns_of_joints_are_in_radians_and_shifts_in_the_units_of_the_user() {
         ("l_turn", "rad"),
     ];
     assert_eq!(units.collect::<Vec<_>>(), expected);
+}
+
+/// x = 0.8 sin 2t - sin t crosses zero twice falling in its period of 2 pi, at intervals that differ: what the load does with time is
+/// no part of the state.
+#[test]
+fn a_period_takes_the_same_time_each_time() {
+    let text = "pub Odd; coordinates { x [m]; } bodies { p: mass 1 [kg] at [x, 0]; }
+        loads { force 1 [N]*sin(1 [rad/s]*t) - 3.2 [N]*sin(2 [rad/s]*t) on x; }
+        initial { x = 0; dot(x) = 0.6; } events { z: x = 0; }";
+    for count in [5, 9, 20] {
+        let period = period_of(text, Some(Crossing::Falling), count).unwrap();
+        assert_eq!(period.crossings, 2, "{count}");
+        assert!((period.seconds - TAU).abs() < 1e-7, "{count}: {}", period.seconds);
+    }
+}
+
+/// Two oscillators whose frequencies differ by a millionth: each state is nearly the last one, and far from the first.
+#[test]
+fn what_drifts_has_no_period() {
+    let text = |k: f64| {
+        format!(
+            "pub Two; coordinates {{ x [m]; y [m]; }} parameters {{ k [N/m] = {k:?}; }}
+         bodies {{ a: mass 1 [kg] at [x, 0]; b: mass 1 [kg] at [0, y]; }}
+         loads {{ force -1 [N/m]*x on x; force -k*y on y; }} initial {{ x = 1; y = 1; }} events {{ e: x = 0; }}"
+        )
+    };
+    for (k, crossings) in [(1.0, Some(1)), (1.000002, None), (1.000001, None), (4.0, Some(1)), (2.25, Some(2))] {
+        let found = period_of(&text(k), Some(Crossing::Rising), 150);
+        assert_eq!(found.map(|period| period.crossings), crossings, "{k}");
+    }
+}
+
+fn period_of(text: &str, crossing: Option<Crossing>, count: usize) -> Option<sim::Period> {
+    let model = interpreted(text).unwrap();
+    let start = declared_start(&model);
+    let section = Sectioning { event: 0, crossing, count };
+    poincare(model, &start, &section, &Settings::new(1e4)).unwrap().period
 }

@@ -2,6 +2,7 @@
 
 use models::{Pendulum, Top};
 use sim::{Compiled, Control, Linearization, assemble, declared_start, linearize, mechanism};
+use tests::any_model::interpreted;
 
 mechanism! {
     /// A top that stands upright and spins, in angles of which the last is its spin.
@@ -189,4 +190,66 @@ fn a_driven_mechanism_has_no_equilibrium() {
     let hoop: Hoop = Hoop::default();
     let failure = sim::equilibrium(&hoop, &declared_start(&hoop)).unwrap_err();
     assert_eq!(failure.what, sim::What::Driven { constraint: "drive" });
+}
+
+/// What is steady does not depend on what moves fast beside it, nor on when loads change.
+#[test]
+fn a_fast_mode_hides_no_change() {
+    let beside = |k: f64, start: &str| {
+        format!(
+            "pub Beside; coordinates {{ x [m]; phi [rad]; }} parameters {{ l [m] = 1; k [N/m] = {k:e}; }}
+         bodies {{ mass: mass 1 [kg] at [x, 0]; bob: mass 1 [kg] at l*[sin(phi), -cos(phi)]; }}
+         loads {{ gravity [0, -9.81 [m/s^2]]; force -k*x on x; }} initial {{ {start} }}"
+        )
+    };
+    for k in [1.0, 1e4, 1e6, 1e8, 1e10] {
+        for (start, is_steady) in [("phi = 0.5; dot(phi) = 4;", false), ("phi = 1;", false), ("phi = 0;", true)] {
+            let found = about_interpreted(&beside(k, start));
+            assert_eq!(found.is_steady, is_steady, "{k:e} {start}");
+        }
+    }
+    let later = |stiffness: &str, start: &str| {
+        format!(
+            "pub Later; coordinates {{ x [m]; }} parameters {{ k [N/m] = 10; }}
+         tables {{ f over [s] = linear {{ 0, 1; 1, 1; 2, 3; }} }}
+         bodies {{ mass: mass 1 [kg] at [x, 0]; }} loads {{ force -{stiffness}*x on x; }} initial {{ {start} }}"
+        )
+    };
+    for start in ["x = 0;", "x = 0; dot(x) = 1;"] {
+        for (stiffness, is_steady) in [("k", true), ("k*(if t > 1 [s] then 10 else 1)", false), ("k*f(t)", false)] {
+            let found = about_interpreted(&later(stiffness, start));
+            assert_eq!(found.is_steady, is_steady, "{stiffness} {start}");
+        }
+    }
+}
+
+/// At a corner small motions have the stiffness of either side, and the matrices that of one.
+#[test]
+fn corners_are_told() {
+    let cases = [
+        ("force -k*x - (if x < 0 then 9*k*x else 0) on x;", true),
+        ("force -k*f(x) on x;", true),
+        ("force -k*x - 1 [N*s/m]*(if dot(x) > 0 then dot(x) else 2*dot(x)) on x;", true),
+        ("force -k*x - 1 [N]*sign(dot(x)) on x;", true),
+        ("force -k*x - (if x < 0.1 [m] then 0 else 9*k*(x - 0.1 [m])) on x;", false),
+        ("force -k*x - k*max(x, 0)^2/(1 [m]) on x;", false),
+        ("force -k*x on x;", false),
+    ];
+    for (load, has_corner) in cases {
+        let text = format!(
+            "pub Corner; coordinates {{ x [m]; }} parameters {{ k [N/m] = 100; }}
+             tables {{ f [m] over [m] = linear, continued {{ -1, -1; 0, 0; 1, 4; }} }}
+             bodies {{ mass: mass 1 [kg] at [x, 0]; }} loads {{ {load} }} initial {{ x = 0; }}"
+        );
+        assert_eq!(about_interpreted(&text).has_corner, has_corner, "{load}");
+        let model = interpreted(&text).unwrap();
+        let start = declared_start(&model);
+        assert_eq!(sim::equilibrium(&model, &start).unwrap().has_corner, has_corner, "{load}");
+    }
+}
+
+fn about_interpreted(text: &str) -> Linearization<tests::any_model::AnyModel> {
+    let model = interpreted(text).unwrap();
+    let start = assemble(&model, &declared_start(&model)).unwrap();
+    linearize(&model, &start, &[]).unwrap()
 }

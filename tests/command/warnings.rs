@@ -39,3 +39,67 @@ fn a_small_motion_without_any_length_is_told() {
         assert_eq!(said(&format!("length-{name}"), &declared, options), [""; 0], "{name}");
     }
 }
+
+/// A declaration's warnings with these options.
+fn warnings(name: &str, text: &str, options: &[&str]) -> Vec<String> {
+    let folder = fresh(name);
+    fs::create_dir_all(&folder).unwrap();
+    let file = folder.join("declared.mech");
+    fs::write(&file, text).unwrap();
+    let out = folder.join("out");
+    let first = ["run", file.to_str().unwrap(), "--no-figures", "--no-report", "--quiet"];
+    let output = sim(&[&first, options, &["--out", out.to_str().unwrap()]].concat());
+    assert!(output.status.success(), "{}", stderr(&output));
+    let summary: Value = serde_json::from_str(&fs::read_to_string(out.join("summary.json")).unwrap()).unwrap();
+    summary["warnings"].as_array().unwrap().iter().map(|warning| warning.as_str().unwrap().to_owned()).collect()
+}
+
+/// A bob whirls on a car in place of swinging, and the energy of the car hides it; a load comes to the same at each step; a free body
+/// turns over at other times than it should.
+#[test]
+fn equal_steps_that_are_off_are_told() {
+    let car = "pub Car; coordinates { X [m]; p [rad]; } bodies { car: mass 1500 [kg] at [X, 0];
+        bob: mass 1 [kg] at [X, 0] + 0.01 [m]*[sin(p), -cos(p)]; } loads { gravity [0, -9.81 [m/s^2]]; }
+        initial { p = 1; dot(X) = 30; }";
+    let alias = "pub Alias; coordinates { x [m]; } bodies { b: mass 1 [kg] at [x, 0]; }
+        loads { force 1 [N]*sin(2*pi*100 [1/s]*t) on x; }";
+    let swing =
+        "pub Swing; coordinates { x [m]; } bodies { b: mass 1 [kg] at [x, 0]; } loads { force -1 [N/m]*x on x; }
+        initial { x = 1; }";
+    let cases: [(&str, &str, &[&str], &[&str]); 6] = [
+        ("heun", car, &["--t-end", "60", "--method", "heun"], &["`p` is off", "of what changes"]),
+        ("rk4", car, &["--t-end", "60", "--method", "rk4"], &["`p` is off"]),
+        ("fine", car, &["--t-end", "1", "--method", "rk4"], &[]),
+        ("alias", alias, &["--t-end", "10", "--method", "rk4", "--steps", "1000"], &["`x` is off by 1.6e-2 m"]),
+        ("phase", swing, &["--t-end", "210", "--method", "heun"], &["`x` is off"]),
+        ("right", swing, &["--t-end", "210", "--method", "rk4"], &[]),
+    ];
+    for (name, text, options, expected) in cases {
+        let found = warnings(&format!("off-{name}"), text, options);
+        assert_eq!(found.len(), expected.len(), "{name}: {found:?}");
+        assert!(found.iter().zip(expected).all(|(found, expected)| found.contains(expected)), "{name}: {found:?}");
+    }
+}
+
+/// The force of a stiff contact goes to and fro where stability limits the steps.
+#[test]
+fn stiff_mechanisms_are_told() {
+    let text = "pub Drop; coordinates { y [m]; } parameters { k [N/m] = 1e6; c [N*s/m] = 1e4; } bodies { b: mass 1 [kg] at [0, y]; }
+        loads { gravity [0, -9.81 [m/s^2]]; force [0, max(0, -k*y - c*dot(y))*(if y < 0 then 1 else 0)] at [0, y]; }
+        initial { y = 1; }";
+    for (name, options, is_stiff) in [
+        ("loose", ["--rtol", "1e-4"], true),
+        ("default", ["--rtol", "1e-10"], true),
+        ("dopri5", ["--method", "dopri5"], true),
+        ("radau5", ["--method", "radau5"], false),
+        ("soft", ["--set", "k=100"], false),
+    ] {
+        let options = [&options[..], &["--t-end", "2", "--set", if name == "soft" { "c=1" } else { "c=1e4" }]].concat();
+        let found = warnings(&format!("stiff-{name}"), text, &options);
+        assert_eq!(
+            found.iter().any(|warning| warning.contains("the mechanism is stiff")),
+            is_stiff,
+            "{name}: {found:?}"
+        );
+    }
+}

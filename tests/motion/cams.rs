@@ -150,3 +150,81 @@ fn a_drive_that_ends_with_a_speed_stops_what_it_drives() {
         assert!((last.work + begun).abs() < 1e-9, "{method:?}: {} {begun}", last.work);
     }
 }
+
+/// Constant kinetic energy: the time to a place is the integral of sqrt(1 + f'^2) over a path y = f(x), which is straight but for a
+/// bump between 7.2 and 7.4.
+#[test]
+fn a_bump_of_a_constraint_is_not_passed_over() {
+    let u = "((x - 7.3 [m])/w)";
+    // Heights over widths as they are, slopes in u.
+    type Slope = fn(f64) -> f64;
+    let quartic: Slope = |u| if u.abs() < 1.0 { -8.0 * u * (1.0 - u * u).powi(3) } else { 0.0 };
+    let gaussian: Slope = |u| -2.0 * u * (-u * u).exp();
+    let cases = [
+        (format!("if abs(x - 7.3 [m]) < w then h*(1 - {u}^2)^4 else 0"), 2.0, 0.05, quartic),
+        (format!("h*exp(-{u}^2)"), 2.0, 0.05, gaussian),
+        (format!("h*exp(-{u}^2)"), 6.0, 0.05, gaussian),
+    ];
+    for (law, steep, width, slope) in cases {
+        let longer = |u: f64| (1.0 + (steep * slope(u)).powi(2)).sqrt() - 1.0;
+        // The trapezoidal rule, exact to rounding for what vanishes smoothly at both ends.
+        let lost: f64 = width * (-8000..8000).map(|k| longer(f64::from(k) * 1e-3) * 1e-3).sum::<f64>();
+        for placed in [true, false] {
+            let (coordinates, y, constraint) = match placed {
+                true => ("x [m];", law.as_str(), String::new()),
+                false => ("x [m]; y [m];", "y", format!("constraints {{ k: y = {law}; }}")),
+            };
+            let text = format!(
+                "pub Path; coordinates {{ {coordinates} }} parameters {{ h [m] = {}; w [m] = {width}; }}
+                 bodies {{ bead: mass 1 [kg] at [x, {y}]; }} {constraint} initial {{ dot(x) = 1; x = 0; }}",
+                steep * width
+            );
+            for method in [Method::Dop853, Method::Dopri5, Method::Radau5] {
+                let settings = Settings { rows: sim::Rows::Even(1), ..Settings::adaptive(method, 10.0, 1e-10) };
+                let run = run_with(interpreted(&text).unwrap(), &settings).unwrap();
+                assert_eq!(run.trajectory.failure, None, "{text} {method:?}");
+                let x = run.trajectory.samples.last().unwrap().state.positions[0];
+                assert!((x - (10.0 - lost)).abs() < 1e-7, "{text} {method:?}: {x}, not {}", 10.0 - lost);
+            }
+        }
+    }
+}
+
+/// The slopes of a `monotone` table are continuous, its second derivatives are not: a cam goes on over its rows. By the integral of
+/// energy, J w^2 + m (lift' w)^2 + 2 m g lift = const + 2 T a.
+#[test]
+fn a_cam_of_a_monotone_table_turns() {
+    let text = "pub Cam; coordinates { a [deg]; y [mm]; } parameters { r [mm] = 20; }
+        tables { lift [mm] over [deg] = monotone, periodic {
+            0,0; 90,0; 100,4; 130,10; 140,10; 180,10; 240,0; 300,0; 360,0; } }
+        bodies { w: inertia 0.01 [kg*m^2], angle a; f: mass 0.5 [kg] at [0, y]; }
+        joints { c: cam [0, y] through [0, 0] along pi/2 on w radius r by lift; }
+        loads { gravity [0, -9.81 [m/s^2]]; torque 0.05 [N*m] on w; }
+        initial { a = 0; dot(a) = 300 [rpm]; guess y = 20; }";
+    for method in [Method::Dop853, Method::Dopri5] {
+        let run = run_with(interpreted(text).unwrap(), &Settings::adaptive(method, 0.5, 1e-10)).unwrap();
+        assert_eq!(run.trajectory.failure, None, "{method:?}");
+        let last = &run.trajectory.samples.last().unwrap().state;
+        let (a, w, y, rise) = (last.positions[0], last.speeds[0], last.positions[1], last.speeds[1]);
+        let energy = 0.005 * w * w + 0.25 * rise * rise + 0.5 * 9.81 * (y - 0.02) - 0.05 * a;
+        let begun = 0.005 * (10.0 * PI).powi(2);
+        // A thousand tolerances.
+        assert!((energy - begun).abs() < 1e-7 * begun, "{method:?}: {energy}, not {begun}");
+        // By SciPy, with its own monotone table and the integral of energy: 933.0715 deg.
+        assert!((a.to_degrees() - 933.0715).abs() < 1e-4, "{method:?}: {}", a.to_degrees());
+    }
+}
+
+/// A kink is found where it is, however steep it is, and not far before.
+#[test]
+fn a_kink_ends_the_run_where_it_is() {
+    for slope in ["1", "2", "3", "5"] {
+        let text = format!(
+            "pub Kinked; coordinates {{ x [m]; y [m]; }} bodies {{ a: mass 1 [kg] at [x, 0]; b: mass 1 [kg] at [0, y]; }}
+             constraints {{ k: y = if x < 0.5 [m] then 0 else {slope}*(x - 0.5 [m]); }} initial {{ dot(x) = 1; guess y = 0; }}"
+        );
+        let run = run_with(interpreted(&text).unwrap(), &Settings::new(1.5)).unwrap();
+        let failure = run.trajectory.failure.unwrap();
+        assert!(failure.what.code() == "E-KINK" && (failure.time - 0.5).abs() < 1e-6, "{slope}: {failure}");
+    }
+}

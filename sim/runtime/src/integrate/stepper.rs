@@ -54,7 +54,7 @@ fn better_end<M: Mechanism>(
     }
     let end_sine = motion.relative(motion.least_sine());
     let mut step = Step { motion, method, from, to, begun: from, reached: to, end_sine, is_jump: false };
-    match before_change(&mut step, tolerance) {
+    match motion.aside(|| before_change(&mut step, tolerance)) {
         Ok(None) => before_wrong_work(&mut step, course, error, tolerance),
         // What it leads through cannot be followed from so far.
         Err(Failure { what: What::NotProjected { .. }, .. }) => Ok(Some(from.state.time + step.length() / 2.0)),

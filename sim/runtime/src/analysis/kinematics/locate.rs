@@ -11,7 +11,7 @@ use crate::state::failure::Failure;
 const CORNER: f64 = 1e-12;
 /// Distances from a pole, in parts of the interval around it, and the factor by which a quantity grows from the first to the
 /// place that is found by comparison, which is as close as comparison comes.
-const TOWARDS: [f64; 3] = [1e-1, 1e-2, 1e-3];
+const TOWARDS: [f64; 5] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5];
 const UNBOUNDED: f64 = 1e6;
 
 impl Search<'_> {
@@ -40,11 +40,13 @@ impl Search<'_> {
     fn is_pole(&self, k: usize, candidate: &Candidate, (x, value): (f64, f64)) -> bool {
         let values = |distance: f64| self.values_at(&candidate.piece, x + distance * candidate.reach).ok();
         let is_pole = |side: f64| {
-            let [far, nearer, near] = TOWARDS.map(|distance| values(side * distance));
-            let rows = [far?, nearer?, near?];
-            let sizes @ [far, ..] = [0, 1, 2].map(|row| rows[row][k].abs());
-            let is_known = far > self.noise(k, &candidate.piece, &rows[..1]);
-            Some(is_known && grows(sizes) && value.abs() > UNBOUNDED * far)
+            let rows: Vec<Vec<f64>> =
+                TOWARDS.into_iter().map(|distance| values(side * distance)).collect::<Option<_>>()?;
+            let size = |row: usize| rows[row][k].abs();
+            let is_known = size(0) > self.noise(k, &candidate.piece, &rows[..1]);
+            // What rises steeply may be smooth where it is highest.
+            let grows = [0, 2].into_iter().all(|first| grows([size(first), size(first + 1), size(first + 2)]));
+            Some(is_known && grows && value.abs() > UNBOUNDED * size(0))
         };
         [-1.0, 1.0].into_iter().filter_map(is_pole).any(|is_pole| is_pole)
     }

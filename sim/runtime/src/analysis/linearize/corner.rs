@@ -56,10 +56,9 @@ fn lies_at_zero(mechanism: &dyn Differentiable, conditions: &dyn Fn(usize, f64) 
         (conditions(0, 0.0), (0..changes).map(|k| conditions(k, BESIDE)).collect());
     (0..functions.len()).filter(sudden).any(|i| {
         let change: f64 = around.iter().map(|values| (values[i] - here[i]).abs()).sum();
-        let distance = match functions[i].table {
-            Some(table) => (table.next_row(here[i]) - here[i]).abs().min((here[i] - table.last_row(here[i])).abs()),
-            None => here[i].abs(),
-        };
-        distance <= change
+        match functions[i].table {
+            Some(table) => table.next_row(here[i] - change) <= here[i] + change,
+            None => here[i].abs() <= change,
+        }
     })
 }
