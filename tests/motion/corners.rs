@@ -93,7 +93,7 @@ fn equal_steps_over_corners_are_refused() {
 
 #[test]
 fn a_constraint_that_jumps_is_refused() {
-    for (far, code) in [("0.1 [m]", Some("E-JUMP")), ("0 [m]", None)] {
+    for (far, code) in [("0.1 [m/s]*t", Some("E-JUMP")), ("0.1 [m/s]*(t - 1.3 [s])", None)] {
         let text = format!(
             "pub Jumps; coordinates {{ x [m]; }} bodies {{ b: mass 1 [kg] at [x, 0]; }}
              constraints {{ drive: x = (if t < 1.3 [s] then 0 [m] else {far}); }} initial {{ x = 0; }}"

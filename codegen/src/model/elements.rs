@@ -20,6 +20,8 @@ pub(super) fn potential(energy: &Expression, interpreter: &mut Interpreter) -> O
         return interpreter
             .refuse(energy.region, "this potential energy depends on no coordinate, so it exerts no force");
     }
+    let why = "this potential energy jumps where a position does not, so that no force is its slope: let it change within some way";
+    interpreter.no_jump(energy.region, &[along], Dependence::COORDINATE, why)?;
     Some(Effort { force: interpreter.graph.integer(-1), along })
 }
 

@@ -1,13 +1,18 @@
-//! Where the slopes of tables may jump.
+//! Where values, or the slopes of tables, jump while the motion goes on.
 
 use super::interpreter::Interpreter;
-use super::{Dependence, Level};
+use super::{Dependence, Dependences, Level};
 use crate::dsl::Region;
 use crate::symbolic::{Expr, Function, Graph, Node};
 
 impl Interpreter {
-    /// Refuses tables with jumping derivatives where speeds would jump with them.
+    /// Refuses tables with jumping derivatives where speeds would jump with them, and positions that jump.
     pub(super) fn smooth(&mut self, place: Region, values: &[Expr], level: Level, what: &str) -> Option<()> {
+        if level == Level::Positions {
+            let moving = Dependence::TIME.or(Dependence::COORDINATE).or(Dependence::INPUT);
+            let why = "nothing moves so far in no time: let it change within some time";
+            self.no_jump(place, values, moving, &format!("{what} jumps here, and {why}"))?;
+        }
         match rough(&self.graph, values, level) {
             Some(name) => {
                 let message = format!(
@@ -17,6 +22,37 @@ impl Interpreter {
             }
             None => Some(()),
         }
+    }
+}
+
+impl Interpreter {
+    /// Refuses values that jump with what is moving.
+    pub(super) fn no_jump(&mut self, place: Region, values: &[Expr], moving: Dependence, why: &str) -> Option<()> {
+        let jumps = values.iter().any(|value| jumps(&mut self.graph, &mut self.dependences, *value, moving));
+        if jumps { self.refuse(place, why.to_owned()) } else { Some(()) }
+    }
+}
+
+/// Whether a value certainly jumps: by `sign`, or by an `if` between values that differ by a constant, where nothing that moves
+/// multiplies them.
+fn jumps(graph: &mut Graph, dependences: &mut Dependences, expr: Expr, moving: Dependence) -> bool {
+    match graph.node(expr).clone() {
+        Node::Sum { terms, .. } => terms.into_iter().any(|(term, _)| jumps(graph, dependences, term, moving)),
+        Node::Product { factors, .. } => {
+            let mut moved = factors.into_iter().filter(|(base, _)| dependences.of(graph, *base).meets(moving));
+            match (moved.next(), moved.next()) {
+                (Some((base, 1)), None) => jumps(graph, dependences, base, moving),
+                _ => false,
+            }
+        }
+        Node::Call(Function::Sign, by) => dependences.of(graph, by).meets(moving),
+        Node::Choice(by, above, otherwise) => {
+            let apart = graph.sub(above, otherwise);
+            let differs = apart != graph.integer(0) && !dependences.of(graph, apart).meets(moving);
+            dependences.of(graph, by).meets(moving) && differs
+                || [above, otherwise].into_iter().any(|value| jumps(graph, dependences, value, moving))
+        }
+        _ => false,
     }
 }
 

@@ -33,6 +33,8 @@ pub struct Outcome {
     pub period: Option<f64>,
     /// As [`Run::mobility`].
     pub mobility: Mobility,
+    /// As [`Run::redundant_later`].
+    pub redundant_later: Vec<(f64, Mobility)>,
     /// As [`Run::steps`].
     pub steps: Steps,
     /// As [`Run::evaluations`].
@@ -214,6 +216,7 @@ impl<M: Mechanism> Recorded for Run<M> {
             dead_points: self.dead_points.iter().map(|point| (point.of.clone(), point.state.time)).collect(),
             period: self.period(),
             mobility: self.mobility.clone(),
+            redundant_later: self.redundant_later.clone(),
             steps: self.steps.clone(),
             evaluations: self.evaluations,
             position_residual: self.position_residual,

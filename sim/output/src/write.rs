@@ -88,6 +88,8 @@ pub fn summary_of(run: &Outcome, table: &Table) -> Value {
         .map(|passed| json!({ "constraint": passed.constraint, "time": passed.time, "sine": passed.sine }))
         .collect();
     let counted = |all: SuddenChanges| json!({ "steps": all.steps, "first": all.first });
+    let later = run.redundant_later.iter().map(|(time, found)| json!({ "from": time, "constraints": found.dependent }));
+    let is_undetermined = !run.mobility.dependent.is_empty() || !run.redundant_later.is_empty();
     let dead_points: Vec<Value> = run.dead_points.iter().map(|(of, time)| json!({ "of": of, "time": time })).collect();
     let undefined =
         table.undefined_outputs().into_iter().map(|(name, time)| (name.to_owned(), json!({ "from": time })));
@@ -103,7 +105,8 @@ pub fn summary_of(run: &Outcome, table: &Table) -> Value {
         "degrees_of_freedom": run.mobility.degrees_of_freedom,
         "configuration_freedom": run.mobility.configuration_freedom,
         "redundant_constraints": run.mobility.dependent,
-        "undetermined_reactions": (!run.mobility.dependent.is_empty()).then_some("least norm in SI units"),
+        "redundant_constraints_later": later.collect::<Vec<Value>>(),
+        "undetermined_reactions": is_undetermined.then_some("least norm in SI units"),
         "singularities": singularities,
         "sudden_changes_within_equal_steps": run.steps.sudden_changes.map(counted),
         "off_from_tolerance": run.apart.map(|apart| off(description, apart)),

@@ -244,6 +244,10 @@ fn happened(run: &Outcome) -> Vec<Line> {
     }
     rows.extend(more("dead point", run.dead_points.len()));
     rows.extend(run.mobility.redundancies().into_iter().map(|line| ("redundant", line)));
+    for (time, mobility) in &run.redundant_later {
+        let from = decimals(*time, 9);
+        rows.extend(mobility.redundancies().into_iter().map(|line| ("redundant", format!("from {from} s: {line}"))));
+    }
     for passed in run.steps.singularities.iter().take(MOST_LINES) {
         let crossed = "passed straight through: another branch of the motion begins there, and reactions are unbounded";
         rows.push(("singular", format!("`{}` at {} s, {crossed}", passed.constraint, decimals(passed.time, 9))));

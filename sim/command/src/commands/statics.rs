@@ -100,7 +100,11 @@ fn of_branches(description: &Description, loops: &[Loop], open: &[&str], branche
         writeln!(out, "loop         {name} is not found in closed form; its guess decides")?;
     }
     if branches.is_empty() {
-        writeln!(out, "branches     none was found from here: the links may not reach each other")?;
+        let why = match open.is_empty() {
+            true => "none: the links do not reach each other",
+            false => "none was found from these guesses",
+        };
+        writeln!(out, "branches     {why}")?;
     }
     for (k, q) in branches.iter().enumerate() {
         let numbers = in_units(positions(), q, 12);

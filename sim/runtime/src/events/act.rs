@@ -69,6 +69,8 @@ pub fn act<M: Mechanism>(
         }
     }
     change.settle(located, event)?;
+    // The norm of a quaternion is no force's to keep.
+    mechanism.description().norm_constraints.iter().for_each(|row| change.impulses[*row] = 0.0);
     change.energy_taken = kinetic_energy(mechanism, before) - kinetic_energy(&change.mechanism, &change.state);
     Ok(change)
 }

@@ -38,10 +38,10 @@ pub(super) struct Grid {
 
 impl Grid {
     pub(super) fn new(begin: f64, end: f64, asked: usize, equal_steps: Option<usize>) -> Grid {
-        // If an even number of them makes an interval, steps end at finer places too, and rows there cost nothing.
-        let divided = equal_steps.filter(|steps| steps.is_multiple_of(asked));
-        let level = divided.map_or(0, |steps| (steps / asked).trailing_zeros());
-        let steps_a_row = if equal_steps.is_some() { 0 } else { STEPS_A_ROW };
+        // If a power of two of them makes an interval, steps end at all finer places, and rows there cost nothing.
+        let halved = equal_steps.filter(|steps| steps.is_multiple_of(asked) && (steps / asked).is_power_of_two());
+        let level = halved.map_or(0, |steps| (steps / asked).trailing_zeros());
+        let steps_a_row = if halved.is_some() { 0 } else { STEPS_A_ROW };
         Grid { begin, end, asked, level, next: 1, places: Vec::new(), held: 0, steps: 0, steps_a_row }
     }
 

@@ -15,6 +15,7 @@ pub use simulation::Simulation;
 
 use crate::events::Occurrence;
 use crate::integrate::Steps;
+use crate::motion::measured::mobility;
 use crate::motion::measures::Measures;
 use crate::motion::mobility::Mobility;
 use crate::motion::residuals::residuals;
@@ -54,6 +55,8 @@ pub struct Run<M: Mechanism> {
     pub dead_points: Vec<DeadPoint<M>>,
     /// Degrees of freedom and dependent constraints at the start.
     pub mobility: Mobility,
+    /// When events have made constraints redundant that were not at the start; each set of constraints once.
+    pub redundant_later: Vec<(f64, Mobility)>,
     /// The number of steps made.
     pub steps: Steps,
     /// The number of evaluations of the right-hand side, for steps, dense output and records.
@@ -161,6 +164,7 @@ fn run_with<M: Mechanism>(
         trajectory,
         events,
         dead_points,
+        redundant_later: redundant_later(&mechanism, &trajectory, &mobility),
         mobility,
         steps,
         evaluations,
@@ -193,6 +197,21 @@ fn record<M: Mechanism>(
             return Err(Failure::at(simulation.mechanism(), What::Interrupted, *time, positions));
         }
     }
+}
+
+/// As [`Run::redundant_later`].
+fn redundant_later<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>, first: &Mobility) -> Vec<(f64, Mobility)> {
+    let (mut seen, mut found) = (vec![mechanism.activities().as_ref().to_vec()], Vec::new());
+    for phase in &trajectory.phases {
+        let (active, sample) = (phase.mechanism.activities().as_ref().to_vec(), trajectory.samples.get(phase.first));
+        let Some(sample) = sample.filter(|_| !seen.contains(&active)) else { continue };
+        seen.push(active);
+        let here = mobility(&phase.mechanism, sample.state.time, &sample.state.positions);
+        if !here.dependent.is_empty() && here.dependent != first.dependent {
+            found.push((sample.state.time, here));
+        }
+    }
+    found
 }
 
 fn largest_residuals<M: Mechanism>(mechanism: &M, trajectory: &Trajectory<M>) -> (f64, f64) {

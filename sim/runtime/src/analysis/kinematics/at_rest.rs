@@ -40,9 +40,15 @@ fn first_doubtful(q: &[f64], values: impl Fn(At<f64>) -> Vec<f64>) -> Option<usi
         let moving = [0, 1, 2].map(|time| at(place, time, &rates));
         (resting, moving)
     });
-    let by_time = |k: usize| found.iter().any(|([first, others @ ..], _)| others.iter().any(|it| it[k] != first[k]));
+    let by_time =
+        |k: usize| found.iter().any(|([first, others @ ..], _)| others.iter().any(|it| differ(it[k], first[k])));
     let by_rates = |k: usize| {
-        found.iter().any(|(resting, moving)| resting.iter().zip(moving).any(|(rest, moved)| rest[k] != moved[k]))
+        found.iter().any(|(resting, moving)| resting.iter().zip(moving).any(|(rest, moved)| differ(rest[k], moved[k])))
     };
     (0..found[0].0[0].len()).find(|k| by_time(*k) && by_rates(*k))
+}
+
+/// Whether two values differ; where neither is a number they do not.
+fn differ(a: f64, b: f64) -> bool {
+    a != b && !(a.is_nan() && b.is_nan())
 }

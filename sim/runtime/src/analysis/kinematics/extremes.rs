@@ -31,6 +31,8 @@ pub struct Extremes {
     /// For each output that is a function of positions and that the drive moves by more than rounding, dy/ds with s what is
     /// driven, at fixed time: the least magnitude of the mechanical advantage ds/dy is where this is greatest.
     pub ratios: Vec<Option<Range>>,
+    /// Whether an output is such a function that the drive moves.
+    pub is_rated: Vec<bool>,
     /// For each output that is a function of positions, over a whole turn after which it is where it was, if it has its least
     /// and its greatest value once in it.
     pub time_ratios: Vec<Option<TimeRatio>>,
@@ -50,6 +52,11 @@ pub(super) fn extremes(swept: &Swept, sweep: &Sweep) -> Extremes {
         let ratio = ranges[layout.ratios.start + rated(i).filter(|_| positions[i])?];
         ratio.filter(|ratio| ratio.peak().value.abs() * drive > ROUNDING * sizes[i])
     };
+    // One without bounds moves.
+    let is_rated = |i: usize| {
+        let known = rated(i).filter(|_| positions[i]).map(|rated| ranges[layout.ratios.start + rated].is_none());
+        known.is_some_and(|has_no_bound| has_no_bound || ratio(i).is_some())
+    };
     let turn = sweep.is_turn(description) && swept.failure.is_none();
     let of_turn = |range: &Range, i: usize| {
         turn && positions[i] && range.stroke() > ROUNDING * sizes[i] && !is_repeated[i] && returns(swept, i, range)
@@ -63,6 +70,7 @@ pub(super) fn extremes(swept: &Swept, sweep: &Sweep) -> Extremes {
         forces: of(&layout.forces),
         transmission: ranges[layout.volume].map(transmission),
         ratios: (0..outputs.len()).map(ratio).collect(),
+        is_rated: (0..outputs.len()).map(is_rated).collect(),
         time_ratios: (0..outputs.len()).map(time_ratio).collect(),
         outputs,
     }

@@ -54,7 +54,7 @@ impl Columns<'_> {
     fn ratios(&self) -> impl Iterator<Item = Column> + '_ {
         let s = self.sweep.driven.quantity(self.description);
         let rated = self.description.rated_outputs.iter().enumerate();
-        let rated = rated.filter(|(_, output)| self.extremes.ratios[**output].is_some());
+        let rated = rated.filter(|(_, output)| self.extremes.is_rated[**output]);
         rated.flat_map(move |(place, output)| {
             let y = &self.description.outputs[*output];
             let values = self.ratios.iter().map(|ratios| ratios[place] * s.factor / y.factor);
