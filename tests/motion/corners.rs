@@ -119,3 +119,28 @@ fn sensitivities_end_at_corners() {
     motion.advance_to(0.6).unwrap();
     assert_eq!(motion.advance_to(2.0).unwrap_err().what.code(), "E-NOT-DIFFERENTIABLE");
 }
+
+/// A mass on a support that starts at full speed keeps its own speed, in each row: V = -w sin(w t) a, whatever the support does.
+#[test]
+fn a_support_with_a_corner_moves_no_mass() {
+    for support in ["max(0, t - 1 [s])*v", "abs(t - 1 [s])*v", "(if t < 1 [s] then 0 else 3*v*(t - 1 [s]))"] {
+        let text = format!(
+            "pub Support; coordinates {{ x [m]; }} parameters {{ v [m/s] = 1; }} let r = {support} - {support0};
+             bodies {{ b: mass 2 [kg] at [x + r, 0]; }} loads {{ spring 8 [N/m], rest 0 on x + r; }}
+             initial {{ x = 1; dot(x) = {start}; }} outputs {{ X [m] = x + r; V [m/s] = dot(x + r); }}",
+            support0 = if support.starts_with("abs") { "1 [m]" } else { "0" },
+            start = if support.starts_with("abs") { "v" } else { "0" }
+        );
+        for rows in [Rows::Even(2), Rows::Even(20), Rows::Steps] {
+            let settings = Settings { rows, ..Settings::adaptive(Method::Dop853, 2.0, 1e-11) };
+            let run = run_with(interpreted(&text).unwrap(), &settings).unwrap();
+            assert!(run.energy_balance < 1e-9, "{support} {rows:?}: {:e}", run.energy_balance);
+            let table = sim::Table::of(&run.mechanism, &run.trajectory);
+            let [x, v] = ["X", "V"].map(|name| table.column(name).unwrap().values.clone());
+            for (k, time) in table.times().iter().enumerate() {
+                let off = (x[k] - (2.0 * time).cos()).abs() + (v[k] + 2.0 * (2.0 * time).sin()).abs();
+                assert!(off < 1e-8, "{support} {rows:?} {time}: {} {}", x[k], v[k]);
+            }
+        }
+    }
+}

@@ -40,6 +40,7 @@ fn none() -> Extremes {
         transmission: None,
         time_ratios: vec![None; outputs],
         ratios: ranges.clone(),
+        is_rated: vec![false; outputs],
         outputs: ranges,
     }
 }

@@ -83,7 +83,7 @@ fn jump_of_momentum<M: Mechanism>(mechanism: &M, q: &M::Q, times: [f64; 2]) -> M
     q.like(|i| after[i] - before[i])
 }
 
-/// The jump of the rates of the constraints.
+/// The jump of the rates of the constraints, whose positions do not jump.
 fn opened<M: Mechanism>(motion: &Motion<M>, state: &State<M>, times: [f64; 2]) -> Result<M::L, Failure> {
     let (mechanism, q) = (motion.mechanism(), &state.positions);
     let [before, after] = times.map(|time| mechanism.constraint_linearization(time, q));
@@ -94,8 +94,21 @@ fn opened<M: Mechanism>(motion: &Motion<M>, state: &State<M>, times: [f64; 2]) -
         let what = Why::Jump { constraint: constraint_name(mechanism, row), by: jump(row) };
         return Err(Failure::at(mechanism, what, times[1], q));
     }
-    let [before, after] = [before, after].map(|linear| rates(mechanism, &linear, &state.speeds));
-    Ok(after.like(|row| after[row] - before[row]))
+    Ok(jump_of_rates(mechanism, state, times))
+}
+
+fn jump_of_rates<M: Mechanism>(mechanism: &M, state: &State<M>, times: [f64; 2]) -> M::L {
+    let linear = |time: f64| mechanism.constraint_linearization(time, &state.positions);
+    let [before, after] = times.map(|time| rates(mechanism, &linear(time), &state.speeds));
+    after.like(|row| after[row] - before[row])
+}
+
+/// How far what time drives is at another time from what it is at the time of a state: next to nothing on the same side of a corner.
+pub(super) fn apart<M: Mechanism>(motion: &Motion<M>, state: &State<M>, time: f64) -> f64 {
+    let (mechanism, times) = (motion.mechanism(), [state.time, time]);
+    let momentum = jump_of_momentum(mechanism, &state.positions, times);
+    let parts = momentum.iter().map(|part| part.abs()).sum::<f64>();
+    parts + jump_of_rates(mechanism, state, times).iter().map(|rate| rate.abs()).sum::<f64>()
 }
 
 /// The sample at a time behind a corner, where speeds have changed by so much.

@@ -5,9 +5,9 @@
 //! others use the quintic of both ends, with DOPRI5's own polynomial of order 4 for speeds and work.
 
 use super::beside::better_accelerations;
+use super::corners::apart;
 use super::method::Advance;
 use crate::motion::Motion;
-use crate::motion::residuals::residuals;
 use crate::motion::singular::{AT, BESIDE, IN};
 use crate::state::failure::{Failure, What};
 use crate::state::trajectory::{Sample, State};
@@ -16,6 +16,8 @@ use sim_kernel::Mechanism;
 /// The largest change of an angle in a part of a step that is searched as a whole: steps of a motion that is simple may go
 /// through many turns.
 const MOST_CHANGE: f64 = 1.0;
+/// What differs by this part of what the other side of a corner does has the same form.
+const SAME_FORM: f64 = 1e-6;
 /// The largest number of parts.
 pub(crate) const MOST_PARTS: f64 = 1e6;
 
@@ -121,14 +123,16 @@ impl<M: Mechanism> Step<'_, M> {
         (time - self.begun.state.time) / self.made()
     }
 
-    /// The side of a corner on which speeds meet the constraints at a time, which may be that of the corner itself; as they are behind
-    /// it, if both do.
+    /// The state at a time within a corner: that of the side with which it has its form in common. The corner itself may be like
+    /// neither, as of `abs`; then it is that behind it, at its own time.
     fn side(&self, time: f64) -> State<M> {
-        let mechanism = self.motion.mechanism();
-        let sides = [self.to, self.from].map(|side| State { time, ..side.state.clone() });
-        let open = sides.each_ref().map(|state| residuals(mechanism, state).1);
-        let [behind, before] = sides;
-        if time > self.from.state.time && open[0] <= open[1] { behind } else { before }
+        let [behind, before] = [self.to, self.from].map(|side| apart(self.motion, &side.state, time));
+        match behind.min(before) <= SAME_FORM * behind.max(before) {
+            _ if time <= self.from.state.time => self.from.state.clone(),
+            false => self.to.state.clone(),
+            true if behind <= before => State { time, ..self.to.state.clone() },
+            true => State { time, ..self.from.state.clone() },
+        }
     }
 
     fn find(&mut self, time: f64) -> Result<Inside<M>, Failure> {

@@ -158,13 +158,14 @@ fn run_with<M: Mechanism>(
         energy_balances(&mechanism, &trajectory, [recorder.largest_work.max(rounding), steady_part(settings)]);
     let (energy_taken, evaluations) = (simulation.energy_taken(), simulation.evaluations());
     let (events, steps) = simulation.conclude();
+    let redundant_later = redundant_later(&mechanism, &trajectory, &mobility);
     Ok(Run {
         mechanism,
         settings: *settings,
         trajectory,
         events,
         dead_points,
-        redundant_later: redundant_later(&mechanism, &trajectory, &mobility),
+        redundant_later,
         mobility,
         steps,
         evaluations,
