@@ -2,8 +2,8 @@
 
 use super::corners::check_equal_step;
 use super::crossing::{Crossing, Way};
-use super::pace::{Aim, Target};
 use super::switching::note_change;
+use super::target::{Aim, Target};
 use super::{Course, Steps};
 use crate::motion::Motion;
 use crate::state::failure::Failure;

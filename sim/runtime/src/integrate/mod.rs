@@ -28,6 +28,7 @@ mod step;
 mod stepper;
 mod switching;
 mod tableau;
+mod target;
 mod unseen_work;
 
 pub(crate) use beside::first_sample;
@@ -37,7 +38,6 @@ pub use explicit::ExplicitRungeKutta;
 pub(crate) use integrator::{Integrator, tableau};
 pub(crate) use jump::jump_by;
 pub use method::{Advance, Attempt};
-pub(crate) use pace::{Aim, Target};
 pub(crate) use plain::{Reached, attempt_plainly};
 pub use radau::Radau5;
 pub use stability::Stability;
@@ -46,6 +46,7 @@ pub use step::Step;
 pub(crate) use stepper::Stepper;
 pub use switching::SuddenChanges;
 pub use tableau::{DOPRI5, EULER, ErrorEstimate, HEUN, RK3, RK4, Tableau, Weight};
+pub(crate) use target::{Aim, Target};
 
 use crate::motion::Motion;
 use crate::motion::singular::Singularity;

@@ -9,6 +9,7 @@ use super::equal::{aim_equally, first_step};
 use super::headway::Headway;
 use super::method::Advance;
 use super::switching::{Stop, SuddenChanges, next_stop};
+use super::target::{Aim, Target};
 use super::{Course, Steps};
 use crate::motion::Motion;
 use crate::state::failure::{Failure, What};
@@ -16,37 +17,6 @@ use crate::state::saved::{Bytes, Damaged};
 use crate::state::settings::{Stepping, Tolerance};
 use crate::state::trajectory::Sample;
 use sim_kernel::Mechanism;
-
-/// What a stepper does next.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Aim {
-    /// Nothing: the end of its course is reached.
-    End,
-    /// The next step is made.
-    Made,
-    /// An attempt at the target.
-    Attempt,
-}
-
-/// The end of an attempted step.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Target {
-    /// Its time, in seconds.
-    pub(crate) time: f64,
-    /// The time that was wanted, unless a singular position is ahead.
-    pub(super) wanted: f64,
-    /// The bound of its error, if that is estimated.
-    pub(crate) tolerance: Option<Tolerance>,
-    /// Whether singular positions in it are looked for.
-    pub(super) notes: bool,
-}
-
-impl Target {
-    /// One to be set.
-    pub(super) fn blank() -> Target {
-        Target { time: 0.0, wanted: 0.0, tolerance: None, notes: false }
-    }
-}
 
 /// The length of steps.
 #[derive(Clone, Debug)]
