@@ -129,7 +129,7 @@ fn quaternions_need_their_norm() {
         sound.replacen("euler(zxz, psi, theta, phi)", "quaternion(a, b, c, d)*rotation(x, psi + theta + phi)", 1);
     assert_eq!(
         mistakes(&sound),
-        ["4:9 no constraint keeps the norm of this quaternion, so its four coordinates would move freely; add \
+        ["4:9 no constraint keeps the norm of this quaternion at 1; add \
           `constraints { a_norm: a^2 + b^2 + c^2 + d^2 = 1; }`"]
     );
     for (constraint, is_right) in [

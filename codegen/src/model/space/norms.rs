@@ -27,7 +27,7 @@ pub(in crate::model) fn check_norms(
         } else {
             let [a, b, c, d] = &quaternion.names;
             mistakes.add(quaternion.place.error(format!(
-                "no constraint keeps the norm of this quaternion, so its four coordinates would move freely; add \
+                "no constraint keeps the norm of this quaternion at 1; add \
                  `constraints {{ {a}_norm: {a}^2 + {b}^2 + {c}^2 + {d}^2 = 1; }}`"
             )));
         }

@@ -11,9 +11,10 @@ use crate::said::decimals;
 use crate::settings::positive;
 use crate::{Stop, unknown};
 use serde_json::{Value, json};
+use sim_kernel::event::Direction;
 use sim_kernel::{Description, Mechanism};
 use sim_output::show;
-use sim_runtime::{Failure, Method, Period, Sectioning, Settings, Start, Table, What, poincare_while};
+use sim_runtime::{Crossing, Failure, Method, Period, Sectioning, Settings, Start, Table, What, poincare_while};
 use std::path::Path;
 
 /// Takes a section of a motion, writes it and prints its period.
@@ -50,11 +51,22 @@ fn asked<M: Mechanism>(mechanism: &M, arguments: &PoincareArguments) -> Result<A
     let events = || description.events.iter().map(|event| event.name);
     let event = events().position(|name| name == arguments.event);
     let event = event.ok_or_else(|| unknown("event", &arguments.event, events()))?;
+    let crossing = arguments.direction.crossing();
+    let never = match (description.events[event].direction, crossing) {
+        (Direction::Rising, Some(Crossing::Falling)) => Some("rising"),
+        (Direction::Falling, Some(Crossing::Rising)) => Some("falling"),
+        _ => None,
+    };
+    if let Some(declared) = never {
+        let message =
+            format!("--direction: event `{}` is declared `{declared}`, and happens so alone", arguments.event);
+        return Err(Stop::Usage(message));
+    }
     if !(1e-14..=0.1).contains(&arguments.rtol) {
         return Err(Stop::Usage("--rtol from 1e-14 to 0.1 is possible; numbers here have 16 digits".into()));
     }
     arguments.written.chosen(&Table::headers(description)).map_err(Stop::Usage)?;
-    let section = Sectioning { event, crossing: arguments.direction.crossing(), count: arguments.count as usize };
+    let section = Sectioning { event, crossing, count: arguments.count as usize };
     let end = positive("--t-end", &arguments.t_end)?;
     let settings = Settings::adaptive(Method::Dop853, end, arguments.rtol);
     Ok(Asked { mechanism, start, section, settings })

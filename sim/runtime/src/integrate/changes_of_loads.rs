@@ -368,15 +368,15 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
     }
 }
 
-/// A difference of second derivatives that is rounding, as a part of them and of the slopes over the distance of rows.
+/// A difference of slopes or of second derivatives that is rounding, as a part of what they are over the distance of rows.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether the second derivative of a table is the same on both sides of a row.
+/// Whether slope and second derivative of a table are the same on both sides of a row.
 fn is_gentle(table: &Table, row: f64) -> bool {
-    let [before, after] = [row.next_down(), row].map(|x| table.at::<f64, 3>(x));
+    let [[_, slope, bend], [_, after, bent]] = [row.next_down(), row].map(|x| table.at::<f64, 3>(x));
     let apart = (table.next_row(row) - row).min(row - table.last_row(row)).max(f64::MIN_POSITIVE);
-    let size = (before[2].abs() + after[2].abs()).max(after[1].abs() / apart);
-    (after[2] - before[2]).abs() <= ROUNDING * size
+    let size = slope.abs() + after.abs() + apart * (bend.abs() + bent.abs());
+    (after - slope).abs() <= ROUNDING * size && apart * (bent - bend).abs() <= ROUNDING * size
 }
 
 /// The values of a condition, on the way from one to another, at which its load changes its form: of a table the row behind, and

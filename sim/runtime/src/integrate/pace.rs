@@ -269,8 +269,14 @@ impl Adaptive {
                 let is_taken_back = refused.as_ref().is_ok_and(|error| *error == f64::INFINITY);
                 let is_shortest = self.h < f64::EPSILON * (16.0 * now.abs()).max(self.first);
                 if is_taken_back && self.headway.is_short(self.h) {
-                    let ahead = time - now;
-                    if !slows(motion, from, ahead) {
+                    // Where no shorter step is left, the row or the kink is next.
+                    let beyond = [2.0 * ASIDE * tick(now, end), self.headway.longest()];
+                    let is_kink = if is_shortest {
+                        !keeps_its_speeds(motion, from, beyond)
+                    } else {
+                        !slows(motion, from, time - now)
+                    };
+                    if is_kink {
                         return Err(explained(motion, &from.state, taken_back(motion, from, self.h)));
                     }
                     // Accelerations alone jump, and no shorter step would be better.

@@ -8,6 +8,7 @@ use super::beside::better_accelerations;
 use super::corners::apart;
 use super::method::Advance;
 use crate::motion::Motion;
+use crate::motion::consistent::consistent;
 use crate::motion::singular::{AT, BESIDE, IN};
 use crate::state::failure::{Failure, What};
 use crate::state::trajectory::{Sample, State};
@@ -66,7 +67,7 @@ impl<M: Mechanism> Step<'_, M> {
     /// The sample at a time inside it. Beside a singular position the equations of motion determine it badly, and at
     /// the position not at all: there accelerations are fitted to regular positions on both sides, if that is more
     /// accurate. Reactions, which may have a pole, and power come from the equations; where they are lost in rounding,
-    /// from the nearer end.
+    /// from the nearer end; both as far as the accelerations do not say them.
     ///
     /// # Errors
     /// As the projection and the right-hand side.
@@ -108,10 +109,12 @@ impl<M: Mechanism> Step<'_, M> {
         let better =
             better_accelerations(self.motion, found.state(), known, nearer.accelerations.clone(), self.made() / 2.0);
         let Some(accelerations) = better else { return direct };
-        match direct {
-            Ok(direct) if found.sine >= IN => Ok(Sample { state: found.state(), accelerations, ..direct }),
-            _ => Ok(Sample { state: found.state(), accelerations, ..nearer.clone() }),
-        }
+        let (state, known) = match direct {
+            Ok(direct) if found.sine >= IN => (found.state(), direct),
+            _ => (found.state(), nearer.clone()),
+        };
+        let multipliers = consistent(self.motion, &state, &accelerations, &known.multipliers);
+        Ok(Sample { state, accelerations, multipliers, ..known })
     }
 
     /// The length of the method's own step, in seconds.

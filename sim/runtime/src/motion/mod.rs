@@ -1,6 +1,7 @@
 //! The equations of motion of one mechanism, and how its states are kept on the constraints.
 
 pub(crate) mod ahead;
+pub(crate) mod consistent;
 pub(crate) mod equations;
 pub(crate) mod field;
 pub(crate) mod generalized_speeds;

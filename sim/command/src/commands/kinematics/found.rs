@@ -1,7 +1,7 @@
 //! What a sweep has found, as JSON and to be read.
 
 use crate::events::{idle_events, only_in_runs};
-use crate::said::decimals;
+use crate::said::{counted, decimals};
 use serde_json::{Map, Value, json};
 use sim_kernel::{Description, Mechanism, Quantity};
 use sim_runtime::{Driven, Extreme, Extremes, Failure, Kinematics, Mobility, Range, SpecialPosition, Sweep, quotient};
@@ -134,7 +134,7 @@ pub(super) fn report(found: &Found) -> String {
     let value = |si: f64| format!("{} {}", decimals(si / driven.factor, 6), driven.unit);
     let mut text = format!("{:<12} {}\n", "model", description.name);
     text += &format!(
-        "{:<12} {} from {} to {} {}, {} positions\n",
+        "{:<12} {} from {} to {} {}, {}\n",
         "drive",
         driven.name,
         value(sweep.from),
@@ -144,7 +144,7 @@ pub(super) fn report(found: &Found) -> String {
         } else {
             speed(sweep.rate() / driven.factor, driven.unit)
         },
-        found.values.len()
+        counted(found.values.len(), "position")
     );
     found.mobility.redundancies().iter().for_each(|line| text += &format!("{:<12} {line}\n", "redundant"));
     text += &passed(found);

@@ -86,7 +86,8 @@ impl KinematicsArguments {
 const SECOND: Quantity = Quantity { name: "t", unit: "s", factor: 1.0, is_length: false, docs: "" };
 
 fn needed(option: &str, quantity: &Quantity) -> Stop {
-    Stop::Usage(format!("{option} is needed for `{}`, as in `{option} 0.1{}`", quantity.name, quantity.unit))
+    let unit = if quantity.unit == "1" { "" } else { quantity.unit };
+    Stop::Usage(format!("{option} is needed for `{}`, as in `{option} 0.1{unit}`", quantity.name))
 }
 
 fn find(description: &Description, name: &str) -> Result<Driven, Stop> {
