@@ -25,34 +25,29 @@ fn shared_target() -> &'static Path {
 
 /// The profile of the workspace for the packages of others, without which nothing could be shared. Its own packages are others
 /// to a crate beside it, and built anew: as fast as can be.
-const PROFILE: [&str; 21] = [
-    "profile.dev.debug='line-tables-only'",
+const PROFILE: [&str; 11] = [
     "profile.dev.package.'*'.opt-level=1",
     "profile.dev.package.'*'.debug=false",
     "profile.dev.build-override.opt-level=1",
-    "profile.dev.build-override.debug='line-tables-only'",
     "profile.dev.package.codegen.opt-level=0",
-    "profile.dev.package.codegen.debug='line-tables-only'",
     "profile.dev.package.sim.opt-level=0",
-    "profile.dev.package.sim.debug='line-tables-only'",
     "profile.dev.package.sim-import.opt-level=0",
-    "profile.dev.package.sim-import.debug='line-tables-only'",
     "profile.dev.package.sim-runtime.opt-level=0",
-    "profile.dev.package.sim-runtime.debug='line-tables-only'",
     "profile.dev.package.sim-output.opt-level=0",
-    "profile.dev.package.sim-output.debug='line-tables-only'",
     "profile.dev.package.sim-command.opt-level=0",
-    "profile.dev.package.sim-command.debug='line-tables-only'",
     "profile.dev.package.sim-kernel.opt-level=0",
-    "profile.dev.package.sim-kernel.debug='line-tables-only'",
     "profile.dev.package.mechanism-macros.opt-level=0",
-    "profile.dev.package.mechanism-macros.debug='line-tables-only'",
 ];
+/// What the gate sets for the workspace too, and what its manifest says otherwise.
+const DEBUG: [&str; 2] = ["CARGO_PROFILE_DEV_DEBUG", "CARGO_PROFILE_DEV_BUILD_OVERRIDE_DEBUG"];
 
 /// Cargo, in a folder, without network.
 fn cargo(folder: &Path, words: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO"));
     command.args(PROFILE.iter().flat_map(|setting| ["--config", setting]));
+    for setting in DEBUG {
+        command.env(setting, std::env::var(setting).unwrap_or_else(|_| "line-tables-only".to_owned()));
+    }
     command.args(words).current_dir(folder).env("CARGO_NET_OFFLINE", "true").env("CARGO_TARGET_DIR", shared_target());
     command.output().unwrap()
 }
