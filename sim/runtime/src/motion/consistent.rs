@@ -5,12 +5,12 @@ use crate::state::trajectory::State;
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::{Array, Mechanism};
 
-/// What constraints resist by less than this part of what they resist most is left to the equations of motion: beside a singular
-/// position reactions may have a pole.
-const WEAK: f64 = 1e-2;
+/// What constraints resist by less than this part of what they resist most they do not resist: at a singular position reactions may
+/// have a pole.
+const WEAK: f64 = 1e-9;
 
 /// The multipliers nearest to some with which these accelerations meet C_q' lambda = T_q' (F - M g) - T_q' M T_q q'', in all directions
-/// that the constraints resist well.
+/// that the constraints resist.
 pub(crate) fn consistent<M: Mechanism>(
     motion: &Motion<M>,
     state: &State<M>,

@@ -4,7 +4,7 @@ use super::{Run, run_while};
 use crate::motion::measures::Measures;
 use crate::start::assemble::Start;
 use crate::state::failure::Failure;
-use crate::state::settings::{Method, Settings, Stabilisation, Stepping, Tolerance};
+use crate::state::settings::{Method, Rows, Settings, Stabilisation, Stepping, Tolerance};
 use crate::state::trajectory::Sample;
 use sim_kernel::Mechanism;
 
@@ -13,6 +13,8 @@ const RELATIVE: f64 = 1e-9;
 const DOUBTFUL: f64 = 1e-3;
 /// The other run makes so many steps at most, or as many as this one if these are more.
 const STEPS: usize = 10_000;
+/// It is compared at so many rows at most.
+const MOST_ROWS: usize = 10_000;
 /// A motion within this part of what counts as 1 has no extent.
 const STILL: f64 = 1e-6;
 
@@ -45,7 +47,8 @@ pub fn run_compared<M: Mechanism>(
     let (Stepping::Equal(steps), None) = (settings.stepping, &run.trajectory.failure) else { return Ok(run) };
     let method = if settings.method == Method::Radau5 { Method::Radau5 } else { Method::Dop853 };
     let stepping = Stepping::Adaptive(Tolerance::new(RELATIVE));
-    let settings = Settings { method, stepping, stabilisation: Stabilisation::Projection, ..*settings };
+    let rows = fewer(settings.rows);
+    let settings = Settings { method, stepping, rows, stabilisation: Stabilisation::Projection, ..*settings };
     let mut left = STEPS.max(steps);
     let other = run_while(run.mechanism.clone(), start, &settings, &mut |time| {
         left = left.saturating_sub(1);
@@ -53,6 +56,17 @@ pub fn run_compared<M: Mechanism>(
     });
     run.apart = other.ok().filter(|other| other.trajectory.failure.is_none()).and_then(|other| run.apart_from(&other));
     Ok(run)
+}
+
+/// Rows at some of the same times: the second run takes little memory.
+fn fewer(rows: Rows) -> Rows {
+    match rows {
+        Rows::Even(many) if many > MOST_ROWS => {
+            let parts = (many.div_ceil(MOST_ROWS)..=many).find(|parts| many.is_multiple_of(*parts));
+            Rows::Even(many / parts.unwrap_or(many))
+        }
+        rows => rows,
+    }
 }
 
 impl<M: Mechanism> Run<M> {
