@@ -303,3 +303,27 @@ fn a_cusp_ends_the_run_with_an_explanation() {
         assert!(run.trajectory.samples.len() > 150 && last.positions[0] < 0.05 && run.steps.singularities.is_empty());
     }
 }
+
+/// In each row the pins give the coupler its acceleration, also where they have a pole: in the flat positions of a parallelogram the
+/// forces along it grow as the weight over the angle.
+#[test]
+fn reactions_at_flat_positions_belong_to_the_accelerations_of_their_row() {
+    let text = "pub Parallelogram; coordinates { x [m]; y [m]; th [rad]; a [rad]; b [rad]; }
+        parameters { r [m] = 0.1; l [m] = 0.3; m [kg] = 1; J [kg*m^2] = 0.01; }
+        bodies { co: mass m at [x, y], inertia J, angle th; ca: inertia J, angle a; cb: inertia J, angle b; }
+        loads { gravity [0, -9.81 [m/s^2]]; }
+        constraints { A: r*[cos(a), sin(a)] + [-l, 0] = on(co, [-l, 0]); B: r*[cos(b), sin(b)] = on(co, [0, 0]); }
+        initial { a = 1; guess b = 1; guess x = 0; guess y = 0.1; }";
+    let settings = Settings { rows: Rows::Even(20_000), ..Settings::adaptive(Method::Dop853, 20.0, 1e-10) };
+    let run = run_with(tests::any_model::interpreted(text).unwrap(), &settings).unwrap();
+    assert_eq!(run.trajectory.failure, None);
+    let mut largest = 0.0f64;
+    for sample in &run.trajectory.samples {
+        let [ax, ay, bx, by] = [0, 1, 2, 3].map(|row| sample.multipliers[row]);
+        let off = (sample.accelerations[0] - ax - bx).abs() + (sample.accelerations[1] + 9.81 - ay - by).abs();
+        largest = largest.max(ax.abs());
+        // Rounding of the largest of them.
+        assert!(off < 1e-7, "{}: {off:e}", sample.state.time);
+    }
+    assert!(largest > 1e3, "{largest}");
+}
