@@ -4,22 +4,27 @@ use super::{fresh, sim, stderr};
 use serde_json::Value;
 use std::fs;
 
-/// The warnings in the summary of a run of a mass on a spring, with a circular frequency of 1 rad/s.
-fn said(name: &str, declared: &str, options: &[&str]) -> Vec<String> {
+/// A declaration's warnings with these options.
+fn warnings(name: &str, text: &str, options: &[&str]) -> Vec<String> {
     let folder = fresh(name);
     fs::create_dir_all(&folder).unwrap();
-    let file = folder.join("mass.mech");
-    let text = format!(
-        "pub Mass; coordinates {{ x [um]; }} bodies {{ b: mass 1 [kg] at [x, 0]; }}
-        loads {{ spring 1 [N/m], rest 0 on x; }} {declared}"
-    );
+    let file = folder.join("declared.mech");
     fs::write(&file, text).unwrap();
     let out = folder.join("out");
-    let first = ["run", file.to_str().unwrap(), "--t-end", "10", "--no-figures", "--no-report", "--quiet"];
+    let first = ["run", file.to_str().unwrap(), "--no-figures", "--no-report", "--quiet"];
     let output = sim(&[&first, options, &["--out", out.to_str().unwrap()]].concat());
     assert!(output.status.success(), "{}", stderr(&output));
     let summary: Value = serde_json::from_str(&fs::read_to_string(out.join("summary.json")).unwrap()).unwrap();
     summary["warnings"].as_array().unwrap().iter().map(|warning| warning.as_str().unwrap().to_owned()).collect()
+}
+
+/// Those of a mass on a spring, with a circular frequency of 1 rad/s.
+fn said(name: &str, declared: &str, options: &[&str]) -> Vec<String> {
+    let text = format!(
+        "pub Mass; coordinates {{ x [um]; }} bodies {{ b: mass 1 [kg] at [x, 0]; }}
+        loads {{ spring 1 [N/m], rest 0 on x; }} {declared}"
+    );
+    warnings(name, &text, &[&["--t-end", "10"], options].concat())
 }
 
 /// Beside an absolute tolerance of 1e-10 m four digits of a micrometre are left.
@@ -38,20 +43,6 @@ fn a_small_motion_without_any_length_is_told() {
     for (name, declared, options) in none {
         assert_eq!(said(&format!("length-{name}"), &declared, options), [""; 0], "{name}");
     }
-}
-
-/// A declaration's warnings with these options.
-fn warnings(name: &str, text: &str, options: &[&str]) -> Vec<String> {
-    let folder = fresh(name);
-    fs::create_dir_all(&folder).unwrap();
-    let file = folder.join("declared.mech");
-    fs::write(&file, text).unwrap();
-    let out = folder.join("out");
-    let first = ["run", file.to_str().unwrap(), "--no-figures", "--no-report", "--quiet"];
-    let output = sim(&[&first, options, &["--out", out.to_str().unwrap()]].concat());
-    assert!(output.status.success(), "{}", stderr(&output));
-    let summary: Value = serde_json::from_str(&fs::read_to_string(out.join("summary.json")).unwrap()).unwrap();
-    summary["warnings"].as_array().unwrap().iter().map(|warning| warning.as_str().unwrap().to_owned()).collect()
 }
 
 /// A bob whirls on a car in place of swinging, and the energy of the car hides it; a load comes to the same at each step; a free body

@@ -86,9 +86,9 @@ fn jump_of_momentum<M: Mechanism>(mechanism: &M, q: &M::Q, times: [f64; 2]) -> M
 /// The jump of the rates of the constraints, whose positions do not jump.
 fn opened<M: Mechanism>(motion: &Motion<M>, state: &State<M>, times: [f64; 2]) -> Result<M::L, Failure> {
     let (mechanism, q) = (motion.mechanism(), &state.positions);
-    let [before, after] = times.map(|time| mechanism.constraint_linearization(time, q));
+    let [before, after] = times.map(|time| mechanism.constraints(time, q));
     let (sizes, terms) = (motion.measures().constraints(), mechanism.constraint_magnitudes(times[1], q));
-    let jump = |row: usize| after.values[row] - before.values[row];
+    let jump = |row: usize| after[row] - before[row];
     let jumped = (0..mechanism.m()).find(|row| jump(*row).abs() > LEAST_JUMP * sizes[*row].max(terms[*row]));
     if let Some(row) = jumped {
         let what = Why::Jump { constraint: constraint_name(mechanism, row), by: jump(row) };

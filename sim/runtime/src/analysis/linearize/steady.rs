@@ -40,11 +40,10 @@ pub(super) fn unsteady(
     let sizes = measure(mechanism, at.time, at.positions).0;
     let parts = |values: &[f64]| -> Vec<f64> { values.iter().zip(&sizes).map(|(v, size)| v.abs() / size).collect() };
     let (speeds, accelerations) = (parts(at.speeds), parts(derivatives.accelerations()));
-    // The rate of the motion, in 1/s.
-    let modes = eigenvalues.iter().map(|value| value.norm());
-    let rate = modes.chain(speeds.iter().copied()).chain(accelerations.iter().map(|a| a.sqrt())).fold(0.0, f64::max);
-    let is_still = |parts: &[f64], least: f64| parts.iter().all(|part| *part <= least);
+    // The rates of the motion alone, and of all that may happen, in 1/s.
     let own = speeds.iter().copied().chain(accelerations.iter().map(|a| a.sqrt())).fold(0.0, f64::max);
+    let rate = eigenvalues.iter().map(|value| value.norm()).fold(own, f64::max);
+    let is_still = |parts: &[f64], least: f64| parts.iter().all(|part| *part <= least);
     let beside = Beside { derivatives, reduction, a, sizes: &sizes, rate: own };
     let is_at_rest = is_still(&speeds, STEADY * rate)
         && is_still(&accelerations, STEADY * rate * rate)
@@ -58,10 +57,7 @@ pub(super) fn unsteady(
     let [before, after] = [-STEP, STEP].map(|part| later(mechanism, derivatives, reduction, part / rate));
     let (before, after) = (before?, after?);
     let h = reduction.independent().len();
-    let unit = |k: usize| match k < h {
-        true => sizes[reduction.independent()[k]],
-        false => sizes[reduction.independent_speeds()[k - h]] * rate,
-    };
+    let unit = |k: usize| beside.unit(k) * if k < h { 1.0 } else { rate };
     let is_steady = |i: usize, k: usize| {
         let size = unit(k) / unit(i) / rate;
         let slope = (after[(i, k)] - before[(i, k)]) / (2.0 * STEP);
