@@ -3,6 +3,7 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 mod andrews;
+mod apart;
 mod assembly;
 mod auxiliary;
 mod cams;

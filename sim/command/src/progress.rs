@@ -67,14 +67,20 @@ fn begin(end: f64, voice: Voice) -> Watch {
 }
 
 fn bar() -> ProgressBar {
-    let style =
-        ProgressStyle::with_template("{bar:30} {percent:>3} %  {msg}  {eta} left  (Ctrl-C keeps what there is)");
+    let style = ProgressStyle::with_template(
+        "{prefix}{bar:30} {percent:>3} %  {msg}  {eta} left  (Ctrl-C keeps what there is)",
+    );
     let bar = ProgressBar::with_draw_target(Some(1_000_000), ProgressDrawTarget::stderr());
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
 fn show(bar: &ProgressBar, reached: f64, end: f64) {
-    bar.set_position((1e6 * (reached / end).clamp(0.0, 1.0)) as u64);
+    let position = (1e6 * (reached / end).clamp(0.0, 1.0)) as u64;
+    if position < bar.position() {
+        bar.set_prefix("comparing ");
+        bar.reset_elapsed();
+    }
+    bar.set_position(position);
     let rate = reached / bar.elapsed().as_secs_f64().max(1e-3);
     bar.set_message(format!("t = {reached:.4} of {end} s, {rate:.3} s per second"));
 }

@@ -107,14 +107,21 @@ impl Outcome {
         })
     }
 
-    /// By how much equal steps are off.
+    /// By how much a coordinate is off.
     fn off(&self) -> Option<String> {
-        let Apart { coordinate, by, extent, time } = self.apart?;
+        let Apart { tolerance, coordinate, by, extent, time, since } = self.apart?;
         let Quantity { name, unit, factor, .. } = &self.description.coordinates[coordinate].position;
         let [by, extent] = [by, extent].map(|value| value / factor);
         let unit = if *unit == "1" { String::new() } else { format!(" {unit}") };
         let off = format!("`{name}` is off by {by:.1e}{unit} at {time:.6} s, on a way of {extent:.1e}{unit}");
-        Some(format!("{off}, beside a run with a tolerance of 1e-9: take more steps, or a tolerance (`--rtol`)"))
+        let beside = format!("{off}, beside a run with a tolerance of {tolerance:.0e}");
+        Some(match self.settings.stepping {
+            Stepping::Equal(_) => format!("{beside}: take more steps, or a tolerance (`--rtol`)"),
+            Stepping::Adaptive(_) => format!(
+                "{beside}: from {since:.6} s on, coordinates are off by more than a thousandth of their way; take a smaller tolerance \
+                 (`--rtol`), or fewer seconds where small errors grow"
+            ),
+        })
     }
 
     /// Where speeds have jumped, since what time drives has a corner.

@@ -4,7 +4,7 @@ use crate::happening::{crossing, does, impulses};
 use crate::outcome::{Happening, Outcome, Recorded, Row, Until};
 use crate::whole::{whole, whole_bytes};
 use serde_json::{Map, Value, json};
-use sim_kernel::{Description, Mechanism};
+use sim_kernel::{Description, Mechanism, Quantity};
 use sim_runtime::{Apart, Run, Stepping, SuddenChanges, Table};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -144,9 +144,18 @@ fn event_object(event: &Happening, description: &Description) -> Value {
 }
 
 /// Where equal steps are off beside a run with a tolerance, in the units of the declaration.
-fn off(description: &Description, Apart { coordinate, by, extent, time }: Apart) -> Value {
-    let of = &description.coordinates[coordinate].position;
-    json!({ "coordinate": of.name, "by": by / of.factor, "extent": extent / of.factor, "unit": of.unit, "time": time })
+fn off(description: &Description, apart: Apart) -> Value {
+    let Apart { tolerance, coordinate, by, extent, time, since } = apart;
+    let Quantity { name, unit, factor, .. } = &description.coordinates[coordinate].position;
+    json!({
+        "coordinate": name,
+        "by": by / factor,
+        "extent": extent / factor,
+        "unit": unit,
+        "time": time,
+        "since": since,
+        "tolerance": tolerance,
+    })
 }
 
 /// The request, and its cost.

@@ -50,4 +50,9 @@ pub(crate) struct RunArguments {
     /// Writes no report.
     #[arg(long)]
     pub(crate) no_report: bool,
+
+    /// Does not compare the run with one of a smaller tolerance, which takes about twice as long as the run itself and tells
+    /// where errors have grown.
+    #[arg(long)]
+    pub(crate) no_comparison: bool,
 }

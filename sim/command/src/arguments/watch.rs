@@ -56,6 +56,7 @@ impl WatchArguments {
                 no_png: false,
             },
             no_report: false,
+            no_comparison: false,
         }
     }
 }

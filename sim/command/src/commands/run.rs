@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use sim_kernel::{Description, Input, Mechanism, Quantity};
 use sim_output::show::{self, About};
 use sim_output::{Outcome, Recorded, Until, impulses, summary_of, write_json};
-use sim_runtime::{Failure, Settings, Start, Stepping, Table, What, assemble, mobility, run_compared};
+use sim_runtime::{Failure, Settings, Start, Stepping, Table, What, assemble, mobility, run_compared, run_while};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -25,7 +25,8 @@ pub(crate) fn run_command<M: Mechanism>(mechanism: M, arguments: &RunArguments, 
     let files = Files::new(description, &directory, &["mechanism"])?;
     warn_of_redundancy(&mechanism, &start, voice);
     let driven = inputs(description, mechanism.inputs().as_ref());
-    let found = progress::watched(settings.end, voice, |goes_on| run_compared(mechanism, &start, &settings, goes_on))?;
+    let runs = if arguments.no_comparison { run_while } else { run_compared };
+    let found = progress::watched(settings.end, voice, |goes_on| runs(mechanism, &start, &settings, goes_on))?;
     let clock = Clock { start: clock, integrated: clock.elapsed().as_secs_f64() };
     let mut table = Table::of(&found.mechanism, &found.trajectory);
     told(&found, &mut table, arguments, (&mut reproduction, files, clock), (driven, voice))

@@ -168,5 +168,6 @@ fn options(settings: &Settings, arguments: &RunArguments, events: &[sim_kernel::
     put("no-figures", arguments.written.no_figures.into());
     put("no-png", arguments.written.no_png.into());
     put("no-report", arguments.no_report.into());
+    put("no-comparison", arguments.no_comparison.into());
     options
 }

@@ -1,4 +1,5 @@
-//! How far a run of equal steps is from one whose steps meet a tolerance: equal steps do not know their own error.
+//! How far a run is from one with a smaller tolerance: equal steps do not know their error, and steps with a tolerance know only
+//! their own, which unstable motions make grow.
 
 use super::{Run, run_while};
 use crate::motion::measures::Measures;
@@ -8,19 +9,26 @@ use crate::state::settings::{Method, Rows, Settings, Stabilisation, Stepping, To
 use crate::state::trajectory::Sample;
 use sim_kernel::Mechanism;
 
-/// The tolerance of the other run, and how far it may be from this one, as a part of the extent of a coordinate.
-const RELATIVE: f64 = 1e-9;
+/// The tolerance of the run beside one of equal steps.
+const OF_EQUAL_STEPS: f64 = 1e-9;
+/// The tolerance of the run beside one with a tolerance, as a part of that one's, and the least: rounding is near.
+const SMALLER: f64 = 1e-2;
+const LEAST: f64 = 1e-13;
+/// How far two runs may be apart, as a part of the extent of a coordinate.
 const DOUBTFUL: f64 = 1e-3;
-/// The other run makes so many steps at most, or as many as this one if these are more.
+/// The other run makes so many steps at most, or so many times as many as this one if these are more.
 const STEPS: usize = 10_000;
+const TIMES: usize = 3;
 /// It is compared at so many rows at most.
 const MOST_ROWS: usize = 10_000;
 /// A motion within this part of what counts as 1 has no extent.
 const STILL: f64 = 1e-6;
 
-/// Where two runs are farthest apart.
+/// Where a run is farthest from one with a smaller tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Apart {
+    /// The other's tolerance.
+    pub tolerance: f64,
     /// The coordinate, by index.
     pub coordinate: usize,
     /// By how much.
@@ -29,10 +37,12 @@ pub struct Apart {
     pub extent: f64,
     /// When, in seconds.
     pub time: f64,
+    /// When any coordinate has first been off, in seconds.
+    pub since: f64,
 }
 
-/// As [`run_while`], and compares a run of equal steps with one whose steps meet a tolerance: [`Run::apart`] says where it is off by
-/// more than a thousandth of the way of a coordinate. Where the other run fails, or takes much longer, nothing is known.
+/// As [`run_while`], and compares the run with one with a smaller tolerance: [`Run::apart`] says where a coordinate is off by more
+/// than a thousandth of its way. Where the other run fails, or takes much longer, nothing is known.
 ///
 /// # Errors
 /// As [`run_while`].
@@ -44,18 +54,29 @@ pub fn run_compared<M: Mechanism>(
     goes_on: &mut dyn FnMut(f64) -> bool,
 ) -> Result<Run<M>, Failure> {
     let mut run = run_while(mechanism, start, settings, goes_on)?;
-    let (Stepping::Equal(steps), None) = (settings.stepping, &run.trajectory.failure) else { return Ok(run) };
+    let Some(tolerance) = smaller(settings.stepping).filter(|_| run.trajectory.failure.is_none()) else {
+        return Ok(run);
+    };
     let method = if settings.method == Method::Radau5 { Method::Radau5 } else { Method::Dop853 };
-    let stepping = Stepping::Adaptive(Tolerance::new(RELATIVE));
+    let stepping = Stepping::Adaptive(tolerance);
     let rows = fewer(settings.rows);
     let settings = Settings { method, stepping, rows, stabilisation: Stabilisation::Projection, ..*settings };
-    let mut left = STEPS.max(steps);
+    let mut left = STEPS.max(TIMES * run.steps.accepted as usize);
     let other = run_while(run.mechanism.clone(), start, &settings, &mut |time| {
         left = left.saturating_sub(1);
         left > 0 && goes_on(time)
     });
-    run.apart = other.ok().filter(|other| other.trajectory.failure.is_none()).and_then(|other| run.apart_from(&other));
+    let other = other.ok().filter(|other| other.trajectory.failure.is_none());
+    run.apart = other.and_then(|other| run.apart_from(&other, tolerance.relative));
     Ok(run)
+}
+
+/// The tolerance to compare with, where there is a smaller one.
+fn smaller(stepping: Stepping) -> Option<Tolerance> {
+    let Stepping::Adaptive(tolerance) = stepping else { return Some(Tolerance::new(OF_EQUAL_STEPS)) };
+    let part = (LEAST / tolerance.relative).max(SMALLER);
+    let scaled = Tolerance { relative: part * tolerance.relative, absolute: part * tolerance.absolute, ..tolerance };
+    (part < 1.0).then_some(scaled)
 }
 
 /// Rows at some of the same times: the second run takes little memory.
@@ -71,7 +92,7 @@ fn fewer(rows: Rows) -> Rows {
 
 impl<M: Mechanism> Run<M> {
     /// Where it is off, at times that both have.
-    fn apart_from(&self, other: &Run<M>) -> Option<Apart> {
+    fn apart_from(&self, other: &Run<M>, tolerance: f64) -> Option<Apart> {
         let (samples, others) = (&self.trajectory.samples, &other.trajectory.samples);
         let start = &others.first()?.state;
         let measures = Measures::at(&self.mechanism, start.time, &start.positions);
@@ -85,15 +106,19 @@ impl<M: Mechanism> Run<M> {
             others.get(at).filter(|other| other.state.time == one.state.time)
         };
         let apart = samples.iter().filter_map(|one| Some((one, same(one)?))).flat_map(|(one, other)| {
-            (0..extents.len()).map(|coordinate| Apart {
+            let (extents, time) = (&extents, one.state.time);
+            (0..extents.len()).map(move |coordinate| Apart {
+                tolerance,
                 coordinate,
                 by: (one.state.positions[coordinate] - other.state.positions[coordinate]).abs(),
                 extent: extents[coordinate],
-                time: one.state.time,
+                time,
+                since: time,
             })
         });
-        apart
-            .filter(|apart| apart.by > DOUBTFUL * apart.extent)
-            .max_by(|a, b| (a.by / a.extent).total_cmp(&(b.by / b.extent)))
+        let mut doubtful = apart.filter(|apart| apart.by > DOUBTFUL * apart.extent).peekable();
+        let since = doubtful.peek()?.since;
+        let worst = doubtful.max_by(|a, b| (a.by / a.extent).total_cmp(&(b.by / b.extent)))?;
+        Some(Apart { since, ..worst })
     }
 }
