@@ -118,18 +118,22 @@ impl<M: Mechanism> Onset<M> {
     pub(crate) fn leaving(&self, event: usize) -> f64 {
         let (rate, second, least) = (self.rates[event], self.seconds[event], self.significant[event]);
         match () {
-            _ if rate.abs() * self.times[0] > least => rate.signum(),
+            _ if !self.rests(event) => rate.signum(),
             _ if second.abs() * self.times[1].powi(2) / 2.0 > least => second.signum(),
             _ => 0.0,
         }
+    }
+
+    /// Whether the rate of a condition is but rounding here.
+    pub(crate) fn rests(&self, event: usize) -> bool {
+        self.rates[event].abs() * self.times[0] <= self.significant[event]
     }
 
     /// The time after which a condition that leaves zero here returns to zero, by its derivatives. Where the first is but
     /// rounding, the second leads away for good.
     pub(crate) fn returns_after(&self, event: usize) -> f64 {
         let time = -2.0 * self.rates[event] / self.seconds[event];
-        let leaves_slowly = self.rates[event].abs() * self.times[0] <= self.significant[event];
-        if time >= 0.0 && !leaves_slowly { time } else { f64::INFINITY }
+        if time >= 0.0 && !self.rests(event) { time } else { f64::INFINITY }
     }
 
     /// Whether a condition that leaves zero here and returns goes no further in between than the tolerance of constraints, or its

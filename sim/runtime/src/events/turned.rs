@@ -1,11 +1,13 @@
 //! Whether events have turned conditions back.
 
 use super::conditions::tolerance;
-use super::described::{struck, through};
+use super::described::{moves, struck, through};
 use super::onset::Onset;
 use super::{Crossing, Occurrence};
+use crate::motion::Motion;
 use crate::motion::residuals::rates;
 use crate::state::trajectory::State;
+use nalgebra::{DMatrix, DVector};
 use sim_kernel::{Array, Mechanism};
 
 /// The speed at which a condition turns back, relative to that at which it came, that is not rounding.
@@ -36,19 +38,53 @@ pub(super) fn turns_back<M: Mechanism>(mechanism: &M, onset: &Onset<M>, index: u
     through.is_some_and(|through| onset.holds(index) && onset.leaving(index) == -through)
 }
 
-/// Whether the blow of an event that has just happened has not done what it is for, by the state now: it has changed the rate of its
-/// condition, which stands still, or the struck constraints close again. A condition that only says where a blow is given, as a place
-/// at which a brake is applied, may go on.
-pub(super) fn hits_in_vain<M: Mechanism>(mechanism: &M, last: &Occurrence<M>, now: &State<M>, span: f64) -> bool {
+/// Whether the action of an event that has just happened has not done what it is for, by the state now, in which its condition
+/// leaves through zero again. It has changed the rate of its condition, which stands still, or the struck constraints close again. Or
+/// there was no rate to change, and the condition is pressed through those constraints. A condition that only says where a blow is
+/// given, as a place at which a brake is applied, may go on.
+pub(super) fn acts_in_vain<M: Mechanism>(
+    motion: &Motion<M>,
+    last: &Occurrence<M>,
+    (now, rests): (&State<M>, bool),
+    span: f64,
+) -> bool {
     let Some(given) = &last.change else { return false };
+    let mechanism = motion.mechanism();
+    let described = &mechanism.description().events[last.event];
     let change = |state: &State<M>| change(mechanism, state, last.event, span);
     let (was, kept) = (change(&last.state), change(&given.state));
-    let hits = struck(&mechanism.description().events[last.event]);
-    if hits.is_empty() || (kept - was).abs() <= KEPT * was.abs() {
-        return false;
+    let (hits, is_changed) = (struck(described), (kept - was).abs() > KEPT * was.abs());
+    match (hits.is_empty(), is_changed) {
+        (true, _) => moves(described) && is_changed && rests,
+        (false, true) if change(now).abs() <= TURNED * was.abs() => true,
+        (false, true) => {
+            let mut closing = closing(mechanism, &hits, &last.state).into_iter().zip(closing(mechanism, &hits, now));
+            closing.any(|(was, is)| was * is > KEPT * was * was)
+        }
+        (false, false) => rests && is_held(motion, &hits, now, last.event),
     }
-    let mut closing = closing(mechanism, &hits, &last.state).into_iter().zip(closing(mechanism, &hits, now));
-    change(now).abs() <= TURNED * was.abs() || closing.any(|(was, is)| was * is > KEPT * was * was)
+}
+
+/// A part of the change of a condition that is rounding: it is a difference.
+const ALONG: f64 = 1e-4;
+/// Differences are over this part of what counts as 1.
+const PART: f64 = 1e-6;
+
+/// Whether a condition could not change if these constraints held: its gradient is a sum of their rows and those that hold.
+fn is_held<M: Mechanism>(motion: &Motion<M>, struck: &[usize], state: &State<M>, event: usize) -> bool {
+    let (mechanism, sizes) = (motion.mechanism(), motion.measures().coordinates());
+    let (n, none) = (mechanism.n(), M::L::repeat(mechanism.m(), 0.0));
+    let zero = state.positions.like(|_| 0.0);
+    let at = |q: &M::Q| mechanism.events(state.time, q, &state.speeds, &zero, &none)[event];
+    let beside =
+        |j: usize, by: f64| state.positions.like(|k| state.positions[k] + if k == j { by * sizes[k] } else { 0.0 });
+    let gradient = DVector::from_fn(n, |j, _| (at(&beside(j, PART)) - at(&beside(j, -PART))) / (2.0 * PART));
+    let with_struck = struck_too(mechanism, struck);
+    let jacobian = with_struck.constraint_jacobian(state.time, &state.positions);
+    let columns = DMatrix::from_fn(n, mechanism.m(), |j, row| jacobian[row][j] * sizes[j]);
+    let scale = columns.amax();
+    let Ok(share) = columns.clone().svd(true, true).solve(&gradient, ALONG * ALONG * scale) else { return false };
+    scale > 0.0 && (&columns * share - &gradient).amax() <= ALONG * gradient.amax()
 }
 
 /// The change of a condition about a state, by its speeds.
@@ -64,9 +100,7 @@ fn change<M: Mechanism>(mechanism: &M, state: &State<M>, event: usize, span: f64
 
 /// The rates of the constraints that blows strike, as if they held.
 fn closing<M: Mechanism>(mechanism: &M, struck: &[usize], state: &State<M>) -> Vec<f64> {
-    let mut activities = mechanism.activities();
-    struck.iter().for_each(|conditional| activities[*conditional] = 1.0);
-    let mechanism = mechanism.clone().with_activities(activities);
+    let mechanism = struck_too(mechanism, struck);
     let linear = mechanism.constraint_linearization(state.time, &state.positions);
     let rates = rates(&mechanism, &linear, &state.speeds);
     let rows = struck.iter().flat_map(|conditional| {
@@ -74,4 +108,11 @@ fn closing<M: Mechanism>(mechanism: &M, struck: &[usize], state: &State<M>) -> V
         described.first_row..described.first_row + described.rows
     });
     rows.map(|row| rates[row]).collect()
+}
+
+/// The mechanism with these constraints as if they held.
+fn struck_too<M: Mechanism>(mechanism: &M, struck: &[usize]) -> M {
+    let mut activities = mechanism.activities();
+    struck.iter().for_each(|conditional| activities[*conditional] = 1.0);
+    mechanism.clone().with_activities(activities)
 }

@@ -90,7 +90,8 @@ pub(super) fn known_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -
         &|| {
             // An arm that is short relative to the inertia belongs to a dead point.
             let shortest = SHORTEST * gyration(&mechanism.mass_matrix(time, q), &is_length);
-            let mut arms = lever_arms(&mechanism.constraint_jacobian(time, q), &is_length);
+            let terms = mechanism.constraint_magnitudes(time, q);
+            let mut arms = lever_arms(&mechanism.constraint_jacobian(time, q), terms.as_slice(), &is_length);
             arms.retain(|arm| !(*arm < shortest && shortest.is_finite()));
             median(arms)
         },
@@ -115,13 +116,22 @@ fn of_parameters(mechanism: &dyn AnyMechanism) -> f64 {
     lengths.get(lengths.len().saturating_sub(1) / 2).copied().unwrap_or(0.0)
 }
 
+/// A length moves a row by rounding alone if it moves others by so much more, beside their terms: cos(90 deg) is 6e-17.
+const ROUNDED: f64 = 1e-12;
+
 /// For each row with both kinds of coordinates, the length of its angular part relative to that of its linear part.
-fn lever_arms(jacobian: &DMatrix<f64>, is_length: &[bool]) -> Vec<f64> {
-    let part = |row: usize, of_lengths: bool| {
-        let columns = (0..is_length.len()).filter(|j| is_length[*j] == of_lengths);
-        columns.map(|j| jacobian[(row, j)].powi(2)).sum::<f64>().sqrt()
-    };
-    let arms = (0..jacobian.nrows()).map(|row| part(row, false) / part(row, true));
+fn lever_arms(jacobian: &DMatrix<f64>, terms: &[f64], is_length: &[bool]) -> Vec<f64> {
+    let size = |row: usize, columns: &[usize]| columns.iter().map(|j| jacobian[(row, *j)].powi(2)).sum::<f64>().sqrt();
+    let (lengths, others): (Vec<usize>, Vec<usize>) = (0..is_length.len()).partition(|j| is_length[*j]);
+    let angular: Vec<f64> = (0..terms.len()).map(|row| size(row, &others)).collect();
+    let share = |row: usize, j: usize| jacobian[(row, j)].abs() / terms[row].abs().max(angular[row]);
+    let most =
+        |j: usize| (0..terms.len()).map(|row| share(row, j)).filter(|share| share.is_finite()).fold(0.0, f64::max);
+    let least: Vec<f64> = lengths.iter().map(|j| ROUNDED * most(*j)).collect();
+    let arms = (0..terms.len()).map(|row| {
+        let moving = lengths.iter().zip(&least).filter(|(j, least)| share(row, **j) > **least).map(|(j, _)| *j);
+        angular[row] / size(row, &moving.collect::<Vec<_>>())
+    });
     arms.filter(|arm| *arm > 0.0 && arm.is_finite()).collect()
 }
 
