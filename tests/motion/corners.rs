@@ -144,3 +144,56 @@ fn a_support_with_a_corner_moves_no_mass() {
         }
     }
 }
+
+/// An event starts the drive of a cart where its pendulum passes its lowest point: the bob is as much slower beside the cart as this is
+/// faster, and swings with its energy from then on, whichever side the drive belongs to at that time.
+#[test]
+fn a_drive_that_an_event_starts_strikes_at_once() {
+    let drives = [
+        "max(0, t - t0)",
+        "max(t - t0, 0)",
+        "(if t <= t0 then 0 else t - t0)",
+        "(if t > t0 then t - t0 else 0)",
+        "(if t < t0 then 0 else t - t0)",
+    ];
+    for (drive, length) in drives.into_iter().flat_map(|drive| [1e-3, 1.0, 100.0].map(|length| (drive, length))) {
+        let text = format!(
+            "pub Late; coordinates {{ x [m]; p [rad]; }}
+             parameters {{ l [m] = {length:e}; g [m/s^2] = {:e}; v [m/s] = {length:e}; t0 [s] = 100; }}
+             bodies {{ cart: mass 5 [kg] at [x, 0]; bob: mass 1 [kg] at [x, 0] + l*[sin(p), -cos(p)]; }}
+             loads {{ gravity [0, -g]; }} constraints {{ drive: x = v*{drive}; }}
+             initial {{ p = 1; guess x = 0; }} events {{ start: p = 0 falling {{ set t0 = t; }} }}",
+            9.81 * length
+        );
+        let fall = 9.81 * (1.0 - 1.0f64.cos());
+        let energy = (-(2.0 * fall).sqrt() - 1.0).powi(2) / 2.0 - 9.81;
+        for method in [Method::Dop853, Method::Dopri5, Method::Radau5] {
+            let run = run_with(interpreted(&text).unwrap(), &Settings::adaptive(method, 2.0, 1e-11)).unwrap();
+            assert_eq!(run.trajectory.failure, None, "{text}");
+            let state = &run.trajectory.samples.last().unwrap().state;
+            let swings = state.speeds[1].powi(2) / 2.0 - 9.81 * state.positions[1].cos();
+            assert!((swings - energy).abs() < 1e-6, "{drive} {length} {method:?}: {swings}, not {energy}");
+        }
+        let equal = run_with(interpreted(&text).unwrap(), &Settings::equal_steps(Method::Rk4, 2.0, 400)).unwrap();
+        match equal.trajectory.failure {
+            Some(failure) => assert_eq!(failure.what.code(), "E-CORNER", "{drive}"),
+            None => assert!(!equal.events[0].change.as_ref().unwrap().impulses.as_ref()[0].is_nan(), "{drive}"),
+        }
+    }
+}
+
+/// A drive that has its corner at the very start, or at the very end.
+#[test]
+fn corners_at_ends_do_their_work() {
+    for (drive, from) in [("max(0, t)", 0.0), ("max(t - 1 [s], 0)", 1.0), ("max(0, t - 0.5 [s])", 0.5)] {
+        let text = format!(
+            "pub Ends; coordinates {{ x [m]; }} bodies {{ b: mass 3 [kg] at [x, 0]; }}
+             constraints {{ drive: x = 2 [m/s]*{drive}; }} initial {{ guess x = 0; }}"
+        );
+        let run = run_with(interpreted(&text).unwrap(), &Settings::new(1.0)).unwrap();
+        assert_eq!(run.trajectory.failure, None, "{drive}");
+        let state = &run.trajectory.samples.last().unwrap().state;
+        let [way, speed, work] = [state.positions[0] - 2.0 * (1.0 - from), state.speeds[0] - 2.0, state.work - 6.0];
+        assert!([way, speed, work].iter().all(|off| off.abs() < 1e-12), "{drive}: {way} {speed} {work}");
+    }
+}

@@ -2,7 +2,9 @@
 
 use crate::analysis::linearize::{Linearization, Statics, linearize};
 use crate::model::{At, Differentiable};
+use crate::motion::inertia::check_inertias;
 use crate::motion::lengths::measure;
+use crate::motion::measured::check_masses;
 use crate::motion::typed::Any;
 use crate::numerics::arrays::array;
 use crate::start::assemble::{Start, assemble};
@@ -61,6 +63,8 @@ const TURNED: f64 = 0.5;
 pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equilibrium<M>, Failure> {
     let any: &dyn Differentiable = &Any(mechanism);
     let assembled = assemble(mechanism, &at_rest(start))?;
+    check_masses(mechanism, 0.0, &assembled.positions)?;
+    check_inertias(mechanism, 0.0, &assembled.positions)?;
     let near = assembled.positions.as_ref().to_vec();
     check_undriven(any, &near)?;
     let begin = || Statics::at(any, near.clone(), &measure(any, 0.0, &near).0);
@@ -105,7 +109,8 @@ enum Ended {
 impl Ended {
     fn at(mechanism: &dyn Differentiable, at: Statics) -> Ended {
         // Far out, where a force fades, nothing accelerates either, but Newton's method would go on.
-        if at.is_at_rest() && at.is_settled(mechanism) { Ended::AtRest(at) } else { Ended::Moving(at) }
+        // A structure without freedom rests, however its accelerations are rounded.
+        if at.is_rigid() || at.is_at_rest() && at.is_settled(mechanism) { Ended::AtRest(at) } else { Ended::Moving(at) }
     }
 }
 

@@ -44,7 +44,8 @@ pub(super) enum What {
     Unknown,
 }
 
-/// The first change of form after now.
+/// The first change of form after now: of a condition that is zero now too, as at a start at `t = 0`, or where an event has noted the
+/// time.
 pub(super) fn first_change<M: Mechanism>(
     mechanism: &M,
     functions: &[Switching],
@@ -53,11 +54,21 @@ pub(super) fn first_change<M: Mechanism>(
 ) -> Option<First> {
     let tick = tick(now, until);
     let begin = now + tick;
+    if changes_at_once(mechanism, functions, [now, begin]) {
+        return Some(First { time: begin, what: What::Zero });
+    }
     let search = Search { mechanism, functions, tick };
     match functions.iter().all(|function| function.is_affine) {
         true => search.change_between([begin, until]),
         false => search.halves([begin, until]),
     }
+}
+
+/// Whether a condition that may jump is zero at the first of these times and not at the second.
+fn changes_at_once<M: Mechanism>(mechanism: &M, functions: &[Switching], times: [f64; 2]) -> bool {
+    let [now, soon] = times.map(|time| mechanism.switching_functions(time));
+    let jumps = |function: &Switching| function.table.is_none() && !function.is_smooth && !function.is_flank;
+    functions.iter().enumerate().any(|(k, function)| jumps(function) && now[k] == 0.0 && soon[k] != 0.0)
 }
 
 struct Search<'a, M> {

@@ -60,8 +60,8 @@ pub(super) fn check_equal_step<M: Mechanism>(
     }
     let (mut from, aside) = (now, ASIDE * tick(now, until));
     while let Some(First { time, what }) = first_known_change(mechanism, functions, from, until) {
-        let found =
-            if what == What::Zero { corner(motion, state, [time - aside, time + aside], until - now)? } else { None };
+        let sides = [(time - aside).max(now), time + aside];
+        let found = if what == What::Zero { corner(motion, state, sides, until - now)? } else { None };
         if found.is_some() && motion.measures().rank() < mechanism.n() {
             return Err(Failure::at(mechanism, Why::CornerInEqualStep { time }, now, &state.positions));
         }

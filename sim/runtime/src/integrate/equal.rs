@@ -39,7 +39,7 @@ pub(super) fn aim_equally<M: Mechanism>(
         Way::UpTo(time) => goal.min(time),
         Way::On => goal,
     };
-    note_change(motion, [from.state.time, time], &mut steps.sudden_changes);
+    note_change(motion, from, time, &mut steps.sudden_changes);
     check_equal_step(motion, &from.state, [from.state.time, time])?;
     *target = Target { time, wanted: goal, tolerance: None, notes: is_near };
     Ok(Aim::Attempt)

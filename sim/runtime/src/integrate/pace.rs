@@ -190,7 +190,7 @@ impl Adaptive {
             false => next_stop(motion, now, course.end.min(now + 1.01 * h), self.rows_jump),
         };
         if let Some(Stop::Across(time)) = stop
-            && self.leads_over_corner(motion, [&mut *from, &mut *to], time, steps)?
+            && self.leads_over_corner(motion, [&mut *from, &mut *to], time.min(course.end), steps)?
         {
             crossing.ended(motion.least_sine());
             return Ok(Aim::Made);
@@ -234,8 +234,8 @@ impl Adaptive {
         time: f64,
         steps: &mut Steps,
     ) -> Result<bool, Failure> {
-        let now = from.state.time;
-        let Some(change) = corner(motion, &from.state, [now, time], self.headway.longest())? else { return Ok(false) };
+        let (now, longest) = (from.state.time, self.headway.longest().max(self.h));
+        let Some(change) = corner(motion, &from.state, [now, time], longest)? else { return Ok(false) };
         *to = behind_corner(motion, from, time, &change)?;
         (self.is_across, steps.accepted) = (false, steps.accepted + 1);
         SuddenChanges::count(&mut steps.corners, time, time);

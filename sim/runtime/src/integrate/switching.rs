@@ -9,7 +9,8 @@
 use super::changes_in_time::{ASIDE, First, What, first_change, tick};
 use crate::motion::Motion;
 use crate::state::saved::{Bytes, Damaged};
-use sim_kernel::{Mechanism, Switching};
+use crate::state::trajectory::{Sample, State};
+use sim_kernel::{Array, Mechanism, Switching};
 
 /// Where the next step ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,18 +79,19 @@ impl SuddenChanges {
     }
 }
 
-/// Counts an equal step from now until a time, if it leads over a sudden change.
+/// Counts an equal step from a sample until a time, if it leads over a sudden change.
 #[inline]
 pub(super) fn note_change<M: Mechanism>(
     motion: &Motion<M>,
-    [now, until]: [f64; 2],
+    from: &Sample<M>,
+    until: f64,
     changes: &mut Option<SuddenChanges>,
 ) {
     let functions = motion.mechanism().description().switching;
     if functions.iter().all(|function| function.is_smooth) {
         return;
     }
-    if let Some(first) = sudden_change(motion, functions, now, until) {
+    if let Some(first) = sudden_change(motion, functions, from, until) {
         SuddenChanges::count(changes, first, until);
     }
 }
@@ -97,13 +99,33 @@ pub(super) fn note_change<M: Mechanism>(
 /// The time of the first change within a step that may not see it. Tables are continuous: of these what lies between two rows
 /// may not be seen.
 #[cold]
-fn sudden_change<M: Mechanism>(motion: &Motion<M>, functions: &[Switching], now: f64, until: f64) -> Option<f64> {
-    let known = |from: f64| first_known_change(motion.mechanism(), functions, from, until);
-    let First { time, what } = known(now)?;
+fn sudden_change<M: Mechanism>(
+    motion: &Motion<M>,
+    functions: &[Switching],
+    from: &Sample<M>,
+    until: f64,
+) -> Option<f64> {
+    let (known, now) = (|from: f64| first_known_change(motion.mechanism(), functions, from, until), from.state.time);
+    let First { time, what } = known(now).and_then(|first| {
+        let is_over = first.time <= now + tick(now, until) && !accelerations_jump(motion, from, first.time);
+        if is_over { known(first.time) } else { Some(first) }
+    })?;
     match what {
         What::Row => known(time).map(|_| time),
         What::Zero | What::Middle | What::Flank | What::Unknown => Some(time),
     }
+}
+
+/// A difference of accelerations that is rounding, as a part of them.
+const ROUNDING: f64 = 1e-9;
+
+/// Whether accelerations at a sample are others so little later: they may be of the side behind a change already.
+fn accelerations_jump<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, time: f64) -> bool {
+    let later = State { time, ..from.state.clone() };
+    let Ok(later) = motion.aside(|| motion.sample(later)) else { return true };
+    let (before, after) = (&from.accelerations, &later.accelerations);
+    let size = motion.size(before).max(motion.size(after));
+    motion.size(&after.like(|j| after[j] - before[j])) > ROUNDING * size
 }
 
 /// The first change of form, however long the search for it is.

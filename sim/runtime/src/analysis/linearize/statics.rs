@@ -242,6 +242,11 @@ impl Statics {
         (step.unwrap_or(force), largest <= NEUTRAL * size)
     }
 
+    /// Whether constraints leave it no freedom.
+    pub(crate) fn is_rigid(&self) -> bool {
+        self.reduction.independent_speeds().is_empty()
+    }
+
     /// The end of a step, and the force there with the mass matrix here.
     ///
     /// # Errors

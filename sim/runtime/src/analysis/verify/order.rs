@@ -26,6 +26,9 @@ const BOUND: f64 = 16.0;
 /// smaller errors are not used.
 const OPEN: f64 = 1e-11;
 
+/// The reference is exact to rounding of its steps if it is known so well; in a motion that is not smooth it is not.
+const ROUNDING: f64 = 1e-11;
+
 /// The binary logarithm of the number of steps, and the error.
 type Measured = (i32, f64);
 
@@ -45,7 +48,7 @@ pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
     let reference = states(mechanism, start.clone(), end, &mut Dop853::new(mechanism), 4096)?;
     let sizes = Sizes::of(mechanism, &reference);
     if sizes.at_rest {
-        return check(0.0, "the mechanism is at rest".into());
+        return check(0.0, "not checked: the mechanism is at rest, or moves by too little beside its size".into());
     }
     let distance = |found: &[Sample<M>]| {
         let mut worst = Worst::default();
@@ -67,7 +70,7 @@ pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
         match first {
             None if error > ASYMPTOTIC => {}
             None if error < (READABLE * order.exp2() * floor).max(open) => {
-                return check(0.0, format!("exact to rounding: error {error:.1e}, known to {floor:.1e}"));
+                return check(0.0, unread(error, floor));
             }
             None => first = Some((power, error)),
             Some(_) => last = Some((power, error)),
@@ -85,6 +88,16 @@ pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
             "error relative to that predicted by order {order} from {halvings} halvings before; observed {observed:.2}"
         ),
     )
+}
+
+/// What is said where errors are too small beside that of the reference to show an order.
+fn unread(error: f64, floor: f64) -> String {
+    match floor < ROUNDING {
+        true => format!("exact to rounding: error {error:.1e}, known to {floor:.1e}"),
+        false => format!(
+            "not checked: the motion itself is known to {floor:.1e} alone, and an error of {error:.1e} is too near to that"
+        ),
+    }
 }
 
 /// The motion by equal steps, at equidistant times.
