@@ -3,8 +3,8 @@
 
 use sim_kernel::{Array, Description, Mechanism, Quantity};
 use sim_runtime::{
-    Apart, Crossing, DOUBTFUL_BALANCE, Erased, Failure, Kinematics, Mobility, Occurrence, OnHeap, Run, Sample,
-    Settings, Small, Stepping, Steps, SuddenChanges, known_length,
+    Apart, Crossing, DOUBTFUL_BALANCE, Erased, Failure, Kinematics, Measures, Mobility, Occurrence, OnHeap, Run,
+    Sample, Settings, Small, Stepping, Steps, SuddenChanges, known_length,
 };
 
 /// A run without its samples; all in SI units.
@@ -55,6 +55,19 @@ pub struct Outcome {
     pub integration_seconds: f64,
     /// Where nothing tells the mechanism's own length, the farthest that a length comes from 0, in metres.
     pub farthest_unmeasured: Option<f64>,
+    /// A coordinate that starts and stays within the absolute tolerance, if there is one.
+    pub unresolved: Option<Unresolved>,
+}
+
+/// A coordinate whose motion is no larger than what a step may be wrong by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unresolved {
+    /// Which, by index.
+    pub coordinate: usize,
+    /// How far it comes from 0, in SI units.
+    pub farthest: f64,
+    /// The change that counts as 1, which the absolute tolerance is a part of.
+    pub scale: f64,
 }
 
 /// The event that is to end a run.
@@ -78,8 +91,14 @@ impl Outcome {
 
     /// Why its numbers may be wrong.
     pub fn warnings(&self) -> Vec<String> {
-        let others =
-            [self.over_sudden_changes(), self.without_a_length(), self.off(), self.stiff(), self.out_of_balance()];
+        let others = [
+            self.over_sudden_changes(),
+            self.without_a_length(),
+            self.within_tolerance(),
+            self.off(),
+            self.stiff(),
+            self.out_of_balance(),
+        ];
         others.into_iter().flatten().collect()
     }
 
@@ -146,6 +165,22 @@ impl Outcome {
                 tolerance.absolute
             )
         })
+    }
+
+    /// What tolerances mean for a coordinate that starts and stays within them.
+    fn within_tolerance(&self) -> Option<String> {
+        let (Some(Unresolved { coordinate, farthest, scale }), Stepping::Adaptive(tolerance)) =
+            (self.unresolved, self.settings.stepping)
+        else {
+            return None;
+        };
+        let Quantity { name, unit, factor, .. } = &self.description.coordinates[coordinate].position;
+        let unit = if *unit == "1" { String::new() } else { format!(" {unit}") };
+        let ([stays, wrong], finer) =
+            ([farthest, tolerance.absolute * scale].map(|value| value / factor), tolerance.relative * farthest / scale);
+        Some(format!(
+            "`{name}` stays within {stays:.1e}{unit}, and a step may be wrong by {wrong:.1e}{unit}: take `--atol {finer:.0e}`"
+        ))
     }
 
     /// What equal steps over sudden changes may have missed.
@@ -234,6 +269,7 @@ impl<M: Mechanism> Recorded for Run<M> {
             apart: self.apart,
             integration_seconds: self.integration_time.as_secs_f64(),
             farthest_unmeasured: farthest_unmeasured(self),
+            unresolved: unresolved(self),
         }
     }
 }
@@ -252,6 +288,26 @@ fn farthest_unmeasured<M: Mechanism>(run: &Run<M>) -> Option<f64> {
     }
     let all = samples.iter().flat_map(|sample| lengths.iter().map(|j| sample.state.positions[*j].abs()));
     Some(all.fold(0.0, f64::max))
+}
+
+/// A start that is this part of what counts as 1 is rounding.
+const ROUNDING: f64 = 1e-14;
+
+fn unresolved<M: Mechanism>(run: &Run<M>) -> Option<Unresolved> {
+    let (Stepping::Adaptive(tolerance), samples) = (run.settings.stepping, &run.trajectory.samples) else {
+        return None;
+    };
+    let start = &samples.first()?.state;
+    let measures = Measures::at(&run.mechanism, start.time, &start.positions);
+    let has_length = known_length(&run.mechanism, start.time, &start.positions).is_some();
+    let coordinates = run.mechanism.description().coordinates.iter().enumerate();
+    let measured = coordinates.filter(|(_, coordinate)| has_length || !coordinate.position.is_length);
+    measured.map(|(coordinate, _)| coordinate).find_map(|coordinate| {
+        let scale = measures.coordinates()[coordinate];
+        let farthest = samples.iter().map(|sample| sample.state.positions[coordinate].abs()).fold(0.0, f64::max);
+        let starts = start.positions[coordinate].abs() > ROUNDING * scale;
+        (starts && farthest <= tolerance.absolute * scale).then_some(Unresolved { coordinate, farthest, scale })
+    })
 }
 
 impl<M: Mechanism> Rows for Run<M> {

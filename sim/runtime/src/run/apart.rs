@@ -10,7 +10,7 @@ use crate::state::trajectory::Sample;
 use sim_kernel::Mechanism;
 
 /// The tolerance of the run beside one of equal steps.
-const OF_EQUAL_STEPS: f64 = 1e-9;
+const OF_EQUAL_STEPS: f64 = 1e-11;
 /// The tolerance of the run beside one with a tolerance, as a part of that one's, and the least: rounding is near.
 const SMALLER: f64 = 1e-2;
 const LEAST: f64 = 1e-13;
@@ -21,8 +21,10 @@ const STEPS: usize = 10_000;
 const TIMES: usize = 3;
 /// It is compared at so many rows at most.
 const MOST_ROWS: usize = 10_000;
-/// A motion within this part of what counts as 1 has no extent.
-const STILL: f64 = 1e-6;
+/// What a coordinate moves by less than this part of what counts as 1 is compared with that part: it may be rounding.
+const SMALL: f64 = 1e-6;
+/// Unless the other run shows by its tolerance that it moves, by so many times this, and this run is off by no more than it moves.
+const SHOWN: f64 = 1e2;
 
 /// Where a run is farthest from one with a smaller tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,11 +98,16 @@ impl<M: Mechanism> Run<M> {
         let (samples, others) = (&self.trajectory.samples, &other.trajectory.samples);
         let start = &others.first()?.state;
         let measures = Measures::at(&self.mechanism, start.time, &start.positions);
-        let extents = |j: usize| {
-            let way = |sample: &Sample<M>| (sample.state.positions[j] - start.positions[j]).abs();
-            others.iter().map(way).fold(STILL * measures.coordinates()[j], f64::max)
+        let extents: Vec<f64> = (0..self.mechanism.n())
+            .map(|j| {
+                others.iter().map(|other| (other.state.positions[j] - start.positions[j]).abs()).fold(0.0, f64::max)
+            })
+            .collect();
+        let is_off = |apart: &Apart| {
+            let scale = measures.coordinates()[apart.coordinate];
+            let moves = apart.extent > SHOWN * tolerance * scale && apart.by < apart.extent;
+            apart.by > DOUBTFUL * if moves { apart.extent } else { apart.extent.max(SMALL * scale) }
         };
-        let extents: Vec<f64> = (0..self.mechanism.n()).map(extents).collect();
         let same = |one: &Sample<M>| {
             let at = others.partition_point(|other| other.state.time < one.state.time);
             others.get(at).filter(|other| other.state.time == one.state.time)
@@ -116,7 +123,7 @@ impl<M: Mechanism> Run<M> {
                 since: time,
             })
         });
-        let mut doubtful = apart.filter(|apart| apart.by > DOUBTFUL * apart.extent).peekable();
+        let mut doubtful = apart.filter(is_off).peekable();
         let since = doubtful.peek()?.since;
         let worst = doubtful.max_by(|a, b| (a.by / a.extent).total_cmp(&(b.by / b.extent)))?;
         Some(Apart { since, ..worst })
