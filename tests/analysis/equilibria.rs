@@ -282,3 +282,42 @@ fn an_equilibrium_is_found_from_where_nothing_is_stiff() {
     // k y^3/l^2 (1 - 3/4 (y/l)^2 ..) = F.
     assert!((found - 1e-3 * (1.0 + 0.25e-6)).abs() < 1e-11, "{found:e}");
 }
+
+/// A three-hinged arch, whose reactions follow from moments about its hinges, with parts so light that the rounding of its forces would
+/// accelerate them.
+#[test]
+fn a_structure_rests_however_light_its_parts_are() {
+    for mass in [1.0, 1e-3, 1e-6, 1e-9] {
+        let text = format!(
+            "pub Arch; bodies {{ L: free, mass {mass:e} [kg], inertia {mass:e} [kg*m^2]; R: free, mass {mass:e} [kg], inertia {mass:e} [kg*m^2]; }}
+             joints {{ a: pin on(L, [0, 0]) to [0, 0]; b: pin on(R, [0, 0]) to [12 [m], 0];
+                 c: pin on(L, [6 [m], 4 [m]]) to on(R, [-6 [m], 4 [m]]); }}
+             loads {{ force [0, -9000 [N]] at on(L, [2 [m], 3 [m]]); }}
+             initial {{ guess R_x = 12 [m]; }}"
+        );
+        let arch = interpreted(&text).unwrap();
+        let found = equilibrium(&arch, &declared_start(&arch)).unwrap();
+        assert!(found.eigenvalues.is_empty());
+        // About A: 12 B_y = 2 * 9000; the right part is a strut along (-6, 4): B_x = -6/4 B_y.
+        let expected = [2250.0, 7500.0, -2250.0, 1500.0];
+        for (multiplier, expected) in found.multipliers.as_ref().iter().zip(expected) {
+            assert!((multiplier.abs() - f64::abs(expected)).abs() < 1e-6, "{mass}: {multiplier} for {expected}");
+        }
+    }
+}
+
+/// Inertias that no body has are refused by every analysis.
+#[test]
+fn analyses_refuse_impossible_inertias() {
+    let text = "pub Disc; coordinates { a [rad]; } parameters { A [kg*m^2] = 1; C [kg*m^2] = 3; }
+        bodies { b: mass 1 [kg] at [0, 0, 0], inertia [A, A, C], attitude rotation([0, 0, 1], a); }
+        loads { spring 5 [N*m], rest 0 on a; } initial { a = 0.1; }";
+    let disc = interpreted(text).unwrap();
+    let start = declared_start(&disc);
+    let state = assemble(&disc, &start).unwrap();
+    let codes = [
+        equilibrium(&disc, &start).err().map(|failure| failure.what.code()),
+        linearize(&disc, &state, &[]).err().map(|failure| failure.what.code()),
+    ];
+    assert_eq!(codes, [Some("E-IMPOSSIBLE-INERTIA"); 2]);
+}

@@ -319,3 +319,22 @@ fn period_of(text: &str, crossing: Option<Crossing>, count: usize) -> Option<sim
     let section = Sectioning { event: 0, crossing, count };
     poincare(model, &start, &section, &Settings::new(1e4)).unwrap().period
 }
+
+/// Small swings, which a tolerance of 1e-10 rad knows less and less of: their period is the right one, or none, and no multiple.
+#[test]
+fn small_swings_have_no_multiple_of_their_period() {
+    for amplitude in [1e-2f64, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 1e-7] {
+        let text = format!(
+            "pub Swing; coordinates {{ p [rad]; }} bodies {{ b: mass 1 [kg] at 1 [m]*[sin(p), -cos(p)]; }}
+             loads {{ gravity [0, -9.81 [m/s^2]]; }} initial {{ p = {amplitude:e}; }} events {{ z: p = 0; }}"
+        );
+        for count in [10, 20, 50] {
+            let exact = TAU / 9.81f64.sqrt() * (1.0 + amplitude.powi(2) / 16.0);
+            if let Some(period) = period_of(&text, Some(Crossing::Rising), count) {
+                assert_eq!(period.crossings, 1, "{amplitude} {count}");
+                assert!((period.seconds / exact - 1.0).abs() < 1e-6, "{amplitude} {count}: {}", period.seconds);
+            }
+        }
+        assert!(amplitude < 1e-3 || period_of(&text, Some(Crossing::Rising), 20).is_some(), "{amplitude}");
+    }
+}

@@ -94,3 +94,41 @@ fn stiff_mechanisms_are_told() {
         );
     }
 }
+
+/// A small oscillation beside a large way, and one within the tolerance of angles.
+#[test]
+fn motions_that_tolerances_hide_are_told() {
+    let beside =
+        "pub Beside; coordinates { s [km]; u [mm]; } bodies { car: mass 1 [kg] at [s, 0]; bob: mass 1 [kg] at [s, u]; }
+        loads { spring 100 [N/m], rest 0 on u; } initial { s = 7000; u = 1; }";
+    let within = "pub Within; coordinates { p [rad]; } bodies { b: inertia 1 [kg*m^2], angle p; }
+        loads { spring 100 [N*m], rest 0 on p; } initial { p = 1e-12; }";
+    let cases: [(&str, &str, &[&str], &[&str]); 6] = [
+        ("far", beside, &[], &["`u` is off by"]),
+        ("finer", beside, &["--atol", "1e-17"], &[]),
+        ("near", beside, &["--initial", "s=0.001"], &[]),
+        ("equal", beside, &["--method", "rk4", "--steps", "20000"], &[]),
+        ("within", within, &[], &["`p` stays within"]),
+        ("equally", within, &["--method", "rk4", "--steps", "20000"], &[]),
+    ];
+    for (name, text, options, expected) in cases {
+        let found = warnings(&format!("hidden-{name}"), text, &[&["--t-end", "10", "--rows", "50"], options].concat());
+        assert_eq!(found.len(), expected.len(), "{name}: {found:?}");
+        assert!(found.iter().zip(expected).all(|(found, expected)| found.contains(expected)), "{name}: {found:?}");
+    }
+}
+
+/// A double pendulum is off by as much as it moves, after a while; without the comparison nothing is known of it.
+#[test]
+fn chaos_is_told() {
+    let text = "pub Chaos; coordinates { a [rad]; b [rad]; } let P = 1 [m]*[sin(a), -cos(a)]; let Q = P + 1 [m]*[sin(b), -cos(b)];
+        bodies { p: mass 1 [kg] at P; q: mass 1 [kg] at Q; } loads { gravity [0, -9.81 [m/s^2]]; } initial { a = 2; b = 2; }";
+    for (name, options, count) in [
+        ("short", &["--t-end", "2"][..], 0),
+        ("long", &["--t-end", "60"], 1),
+        ("not", &["--t-end", "60", "--no-comparison"], 0),
+    ] {
+        let found = warnings(&format!("chaos-{name}"), text, options);
+        assert_eq!(found.iter().filter(|warning| warning.contains("is off by")).count(), count, "{name}: {found:?}");
+    }
+}

@@ -2,6 +2,7 @@
 
 use sim::{Settings, What, assemble, declared_start, mechanism};
 use tests::any_model::{interpreted, run};
+use tests::run_with;
 
 mechanism! {
     /// A four-bar linkage.
@@ -189,4 +190,43 @@ fn a_speed_that_a_dead_point_does_not_allow_is_refused() {
     let model = interpreted(text).unwrap();
     let speed = assemble(&model, &declared_start(&model)).unwrap().speeds[0];
     assert!((speed / -2e7 - 1.0).abs() < 1e-9, "{speed:e}");
+}
+
+/// The direction of a cylinder along an axis of the world: cos 90 deg is 6e-17, and says nothing of the size of the mechanism.
+#[test]
+fn a_cylinder_stands_at_right_angles_as_at_others() {
+    for (degrees, scale) in
+        [0.0f64, 90.0, 180.0, 270.0, -90.0, 37.0].into_iter().flat_map(|a| [1e-3, 1.0, 100.0].map(|s| (a, s)))
+    {
+        let text = format!(
+            "pub Cylinder; coordinates {{ a [deg]; b [deg]; x [m]; }}
+             parameters {{ r [m] = {:e}; l [m] = {:e}; be [deg] = {degrees}; a0 [deg] = {}; }}
+             bodies {{ crank: inertia {:e} [kg*m^2], angle a; piston: mass 0.6 [kg] at x*[cos(be), sin(be)]; }}
+             constraints {{ c: r*[cos(a), sin(a)] + l*[cos(b), sin(b)] = x*[cos(be), sin(be)]; }}
+             initial {{ a = a0; dot(a) = 3600; guess b = be + 6 [deg]; guess x = l; }}",
+            0.045 * scale,
+            0.15 * scale,
+            degrees + 70.0,
+            0.1 * scale * scale
+        );
+        let run = run_with(interpreted(&text).unwrap(), &Settings::new(0.05)).unwrap();
+        assert_eq!(run.trajectory.failure, None, "{degrees} {scale}");
+        // Along the cylinder, with the crank at the angle t from it: x = r cos t + sqrt(l^2 - r^2 sin(t)^2).
+        for sample in [&run.trajectory.samples[0], run.trajectory.samples.last().unwrap()] {
+            let (q, speeds) = (&sample.state.positions, &sample.state.speeds);
+            let (r, l, angle) = (0.045 * scale, 0.15 * scale, q[0] - degrees.to_radians());
+            let root = (l * l - (r * angle.sin()).powi(2)).sqrt();
+            let speed = -r * angle.sin() * (1.0 + r * angle.cos() / root) * speeds[0];
+            assert!((q[2] - r * angle.cos() - root).abs() < 1e-12 * scale, "{degrees} {scale}: {}", q[2]);
+            // The tolerance of the run, at some 60 rad/s.
+            assert!((speeds[2] - speed).abs() < 1e-8 * scale, "{degrees} {scale}: {} for {speed}", speeds[2]);
+        }
+        // All energy is kinetic, and kept.
+        let energy = |k: usize| {
+            let speeds = &run.trajectory.samples[k].state.speeds;
+            0.1 * (scale * speeds[0]).powi(2) / 2.0 + 0.3 * speeds[2].powi(2)
+        };
+        let (first, last) = (energy(0), energy(run.trajectory.samples.len() - 1));
+        assert!((last - first).abs() < 1e-8 * first, "{degrees} {scale}: {first} {last}");
+    }
 }

@@ -172,3 +172,33 @@ fn what_stands_between_actions_separates_them() {
         assert_eq!(mechanism.parameters().as_ref(), [1.0, 1.0], "{between}");
     }
 }
+
+/// What a constraint keeps at zero is rounding: it does not happen, not even at the start, and does not end the run.
+#[test]
+fn what_constraints_keep_at_zero_does_not_happen() {
+    for (hold, condition) in [
+        ("inner(dot(P), [cos(s), sin(s)]) = 0", "dot(a) = 0"),
+        ("inner(dot(P), [cos(s), sin(s)]) = 0", "ddot(a) = 0"),
+        ("P.x + 2*P.y = 0.3 [m]", "dot(a) = 0"),
+        ("a = -1.7", "dot(a) = 0"),
+    ] {
+        for action in ["", "rising { stop; }"] {
+            let text = format!(
+                "pub Locked; coordinates {{ a [rad]; b [rad]; }} parameters {{ l [m] = 0.7; s [rad] = 0.68; }}
+                 let P = l*[sin(a), -cos(a)]; let Q = l*[sin(b), -cos(b)];
+                 bodies {{ p: mass 1.3 [kg] at P; q: mass 1 [kg] at Q; }}
+                 loads {{ gravity [0, -9.81 [m/s^2]]; spring 3 [N*m/rad], rest 0 between a and b; }}
+                 constraints {{ hold: {hold}; }} initial {{ guess a = -1.7; b = 0.3; dot(b) = 1; }}
+                 events {{ still: {condition} {action}; swings: dot(b) = 0; }}",
+            )
+            .replace("};", "}");
+            for method in [Method::Dop853, Method::Radau5] {
+                let run = run_with(interpreted(&text).unwrap(), &Settings::adaptive(method, 3.0, 1e-9)).unwrap();
+                let happened = |name: &str| run.events.iter().filter(|event| event.name == name).count();
+                let end = run.trajectory.samples.last().unwrap().state.time;
+                assert_eq!((&run.trajectory.failure, happened("still"), end), (&None, 0, 3.0), "{text}");
+                assert!(happened("swings") > 0, "{text}");
+            }
+        }
+    }
+}

@@ -2,7 +2,7 @@
 
 use sim::{Method, Rows, Settings, mechanism};
 use std::f64::consts::PI;
-use tests::any_model::run_with;
+use tests::any_model::{interpreted, run_with};
 
 mechanism! {
     /// A mass on a spring, at rest until a blow that lasts 11 ms: half of it rising, half falling.
@@ -280,4 +280,30 @@ fn equal_steps_over_moments_are_counted() {
     let run = run_with(Jolted::default(), &Settings::equal_steps(Method::Rk4, 20.0, 50)).unwrap();
     // 23 maxima of the sine, one of them at the end of a step and so in two, and what comes at 5 s.
     assert_eq!(run.steps.sudden_changes.unwrap().steps, 25);
+}
+
+/// A force that an event switches on, on the one side of its time or on the other: steps with a tolerance begin behind it, and of equal
+/// steps those are counted that take the force of before.
+#[test]
+fn what_begins_at_once_is_not_missed() {
+    for (condition, counted) in [("t > t0", 1), ("t >= t0", 0)] {
+        for (start, begin) in [("t0 [s] = 100;", 0.5), ("t0 [s] = 0;", 0.0)] {
+            let text = format!(
+                "pub Switched; coordinates {{ x [m]; y [m]; }} parameters {{ {start} F [N] = 10; }}
+                 bodies {{ b: mass 1 [kg] at [x, 0]; c: mass 1 [kg] at [y, 0]; }}
+                 loads {{ force (if {condition} then F else 0) on x; }} initial {{ dot(y) = 1; }}
+                 events {{ e: y = 0.5 [m] rising {{ {} }} }}",
+                if begin > 0.0 { "set t0 = t;" } else { "set F = F;" }
+            );
+            let run = |settings: &Settings| tests::run_with(interpreted(&text).unwrap(), settings).unwrap();
+            for method in [Method::Dop853, Method::Dopri5, Method::Radau5] {
+                let end = run(&Settings::adaptive(method, 2.0, 1e-11)).trajectory.samples.pop().unwrap().state;
+                let off = [end.speeds[0] - 10.0 * (2.0 - begin), end.work - 50.0 * (2.0 - begin).powi(2)];
+                // Events are located to 1e-12 s.
+                assert!(off.iter().all(|off| off.abs() < 1e-8), "{text} {method:?}: {off:?}");
+            }
+            let changes = run(&Settings::equal_steps(Method::Rk4, 2.0, 1000)).steps.sudden_changes;
+            assert_eq!(changes.map_or(0, |changes| changes.steps), counted, "{text}");
+        }
+    }
 }

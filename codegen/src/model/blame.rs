@@ -26,17 +26,17 @@ impl Interpreter {
         place.region.error(format!("{left_is} and {right_is}; {rule}{advice}"))
     }
 
-    /// An expression in a place that needs another dimension.
+    /// An expression in a place that needs another dimension, in a unit of it.
     pub(super) fn misplaced(
         &self,
         expression: &Expression,
         dimension: &Dimension,
-        needed: &Dimension,
+        needed: (&Dimension, &str),
         claim: &str,
     ) -> syn::Error {
         let is = self.describe(expression, dimension);
         let lacking = match dimension.is_none() {
-            true => self.lacking(expression, dimension, needed.si_unit()),
+            true => self.lacking(expression, dimension, needed.1.to_owned()),
             false => factor_without_unit(expression, needed, dimension),
         };
         let (place, advice) = lacking.unwrap_or((expression, String::new()));
@@ -184,16 +184,19 @@ impl Interpreter {
 /// The first factor of a product of wrong dimension, if it is a number: its unit may be missing.
 fn factor_without_unit<'e>(
     product: &'e Expression,
-    needed: &Dimension,
+    needed: (&Dimension, &str),
     dimension: &Dimension,
 ) -> Option<(&'e Expression, String)> {
     match &product.kind {
         Kind::Negate(operand) => factor_without_unit(operand, needed, dimension),
         Kind::Binary(Operator::Multiply, ..) => {
             let (number, literal) = bare_number(product)?;
+            let (needed, unit) = needed;
+            let in_that = Unit::parse(&format!("{unit}/({})", dimension.si_unit())).ok();
             let unit = match needed.is_none() && *dimension == Dimension::time() {
                 true => "rad/s".to_owned(),
-                false => needed.over(dimension).si_unit(),
+                false if unit == needed.si_unit() => needed.over(dimension).si_unit(),
+                false => in_that.map_or_else(|| needed.over(dimension).si_unit(), |unit| unit.text().to_owned()),
             };
             Some((number, format!("; if a unit is missing, write `{literal} [{unit}]`")))
         }

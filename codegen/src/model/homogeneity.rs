@@ -43,8 +43,13 @@ impl Interpreter {
 
     /// Checks that an expression has the dimension required by its place; `claim` says which: "a force is in [N]".
     pub(super) fn expect_dimension(&mut self, found: Measured, needed: &Dimension, claim: &str) -> Option<()> {
+        self.expect_of((needed, &needed.si_unit()), found, claim)
+    }
+
+    /// The same, of a place that has a unit of its own.
+    fn expect_of(&mut self, needed: (&Dimension, &str), found: Measured, claim: &str) -> Option<()> {
         match found.dimension {
-            Some(dimension) if dimension != needed => {
+            Some(dimension) if dimension != needed.0 => {
                 let mistake = self.misplaced(found.expression, dimension, needed, claim);
                 self.blame(mistake, &[found.expression])
             }
@@ -90,7 +95,7 @@ impl Interpreter {
 
     /// Checks that a value is of the dimension of a unit, and is not misread: bare numbers as degrees, cycles as angles.
     pub(super) fn expect_in_unit(&mut self, found: Measured, unit: &Unit, claim: &str) -> Option<()> {
-        self.expect_dimension(found, unit.dimension(), claim)?;
+        self.expect_of((unit.dimension(), unit.text()), found, claim)?;
         if found.dimension.is_none() {
             return Some(());
         }

@@ -339,3 +339,18 @@ fn no_units() {
     assert!(mistakes(&unlike).len() > 1);
     assert_eq!(mistakes(&without_units(&unlike)), Vec::<String>::new());
 }
+
+/// What is to be written is in the unit of the place, prefix and all.
+#[test]
+fn advice_keeps_prefixes() {
+    check(
+        "height [m] = P.y",
+        "h [mJ] = 300*sin(phi)",
+        &["8:20 output `h` is declared in [mJ], and `300*sin(phi)` is a pure number (phi [rad]); write `300 [mJ]`"],
+    );
+    check(
+        "height [m] = P.y",
+        "h [mJ] = 3*t",
+        &["8:20 output `h` is declared in [mJ], and `3*t` is in [s] (t [s]); if a unit is missing, write `3 [mJ/s]`"],
+    );
+}

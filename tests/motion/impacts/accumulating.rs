@@ -1,6 +1,6 @@
 //! Bounces that become ever smaller: the run ends where their times accumulate, and nothing goes through what it bounces on.
 
-use sim::{Settings, What};
+use sim::{Settings, State, What};
 use tests::any_model::interpreted;
 use tests::{Random, run_with};
 
@@ -81,4 +81,56 @@ fn small_drops_do_not_go_through_the_floor() {
             }
         }
     }
+}
+
+/// What lies on a floor, or comes to rest there, and has no rebound does not go through it: forces would take it at once.
+#[test]
+fn what_rests_on_what_it_strikes_does_not_go_through() {
+    let ball = "coordinates { y [m]; } parameters { e1 = 0.5; t0 [s] = 0; }
+        bodies { b: mass 1 [kg] at [0, y]; } loads { gravity [0, -10 [m/s^2]]; }";
+    let floor =
+        "constraints { f: y = 0 initially released; } events { hit: y = 0 falling { impact f restitution e1; } }";
+    let leaning = "coordinates { p [rad]; } parameters { e1 = 0.5; a [rad] = 0.5; }
+        bodies { b: mass 1 [kg] at 1 [m]*[sin(p), -cos(p)]; } loads { gravity [0, -10 [m/s^2]]; } initial { p = a; }
+        constraints { f: p = a initially released; } events { hit: p = a falling { impact f restitution e1; } }";
+    let pressed = "coordinates { x [m]; y [m]; } parameters { e1 = 0.5; d [m] = 0.1; }
+        bodies { a: mass 1 [kg] at [x, 0]; b: mass 1 [kg] at [y, 0]; } loads { force 5 [N] on x; }
+        constraints { f: y - x = d initially released; } initial { x = 0; y = d; }
+        events { hit: y - x = d falling { impact f restitution e1; } }";
+    let cases = [
+        ("lies", format!("{ball} initial {{ y = 0; }} {floor}")),
+        (
+            "is let go",
+            format!(
+                "{ball} initial {{ y = 0; }} {}",
+                floor
+                    .replace("initially released", "initially active")
+                    .replace("events {", "events { rel: t = 0.1 [s] rising { release f; }")
+            ),
+        ),
+        ("is stopped", format!("{ball} initial {{ y = 1; }} events {{ hit: y = 0 falling {{ set dot(y) = 0; }} }}")),
+        ("is lifted", format!("{ball} initial {{ y = 0; }} {}", floor.replace("y = 0", "y = 4 [m/s^2]*t^2/2"))),
+        ("leans", leaning.to_owned()),
+        ("is pressed", pressed.to_owned()),
+    ];
+    for (what, text) in cases {
+        for restitution in [0.0, 0.5, 1.0] {
+            let text = format!("pub Rests; {}", text.replace("e1 = 0.5", &format!("e1 = {restitution}")));
+            let run = run_with(interpreted(&text).unwrap(), &Settings::new(1.0)).unwrap();
+            let failure = run.trajectory.failure.map(|failure| failure.what);
+            assert!(matches!(failure, Some(What::Accumulating { .. })), "{what} {restitution}: {failure:?}");
+        }
+    }
+}
+
+/// A blow on something else, where a condition comes from rest, is given once.
+#[test]
+fn a_blow_elsewhere_is_given_once() {
+    let text = "pub Once; coordinates { x [m]; y [m]; } bodies { b: mass 1 [kg] at [x, y]; }
+        loads { gravity [0, -10 [m/s^2]]; } constraints { wall: x = 0 initially released; }
+        initial { x = 0; dot(x) = 1; y = 0; } events { falls: y = 0 falling { impact wall restitution 0.5; } }";
+    let run = run_with(interpreted(text).unwrap(), &Settings::new(1.0)).unwrap();
+    assert_eq!((run.trajectory.failure, run.events.len()), (None, 1));
+    let State { positions, .. } = &run.trajectory.samples.last().unwrap().state;
+    assert!((positions[0] + 0.5).abs() < 1e-9 && (positions[1] + 5.0).abs() < 1e-9, "{positions:?}");
 }

@@ -78,11 +78,15 @@ impl RunFile {
             let object = self.file.get(entry).and_then(Value::as_object);
             object.into_iter().flat_map(Map::keys).map(move |name| (entry, name))
         };
-        let speaks_of = |(entry, name): &(&str, &String)| match *entry {
-            "options" => message.contains(&format!("--{name}")),
-            _ => message.contains(&format!("`{name}`")) || message.starts_with(&format!("{name}:")),
+        // How the command is used follows, with all of its options.
+        let first = message.lines().next().unwrap_or_default();
+        let is_about = |(entry, name): &(&str, &String)| *entry != "options" && first.starts_with(&format!("{name}:"));
+        let mentions = |(entry, name): &(&str, &String)| match *entry {
+            "options" => first.contains(&format!("--{name}")),
+            _ => first.contains(&format!("`{name}`")),
         };
-        let found = ["parameters", "initial", "inputs", "options"].into_iter().flat_map(members).find(speaks_of);
+        let all = || ["parameters", "initial", "inputs", "options"].into_iter().flat_map(members);
+        let found = all().find(is_about).or_else(|| all().find(mentions));
         let field = match found {
             Some((entry, name)) => format!("{entry}.{name}: "),
             None if message.contains("no model is called") => "model: ".to_owned(),

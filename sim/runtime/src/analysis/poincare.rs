@@ -18,6 +18,8 @@ use std::f64::consts::TAU;
 /// speeds that lead through it; and what the motion of a small one may be off by, relative to the largest of its kind.
 const SAME: f64 = 1e-6;
 const NOISE: f64 = 1e-9;
+/// States nearly repeat within so many times that.
+const NEARLY: f64 = 1e3;
 
 /// The specification of a section.
 #[derive(Clone, Copy, Debug)]
@@ -150,23 +152,30 @@ fn period(
     let (of_angles, of_quaternions) = (turning(Kind::Angle), turning(Kind::OfQuaternion));
     let of_others = largest(&|kind| kind != Kind::Angle);
     let own: Vec<Extent> = (0..kinds.len()).map(|j| Extent::of(states, usual, |i| i == j)).collect();
-    let is_same = |a: &At<f64>, b: &At<f64>| {
+    let is_same = |a: &At<f64>, b: &At<f64>, times: f64| {
         let signs = signs(unsigned, a.positions, b.positions);
         kinds.iter().zip(&own).enumerate().all(|(j, (kind, own))| {
             let apart = b.positions[j] - signs[j] * a.positions[j];
             let faster = b.speeds[j] - signs[j] * a.speeds[j];
             match kind {
                 Kind::Angle => {
-                    own.within(&of_angles).is_nothing(&of_angles, apart - TAU * (apart / TAU).round(), faster)
+                    let apart = apart - TAU * (apart / TAU).round();
+                    own.within(&of_angles).is_nothing(&of_angles, [apart, faster], times)
                 }
-                Kind::OfQuaternion => own.is_nothing(&of_quaternions, apart, faster),
-                Kind::Other => own.is_nothing(&of_others, apart, faster),
+                Kind::OfQuaternion => own.is_nothing(&of_quaternions, [apart, faster], times),
+                Kind::Other => own.is_nothing(&of_others, [apart, faster], times),
             }
         })
     };
     // What drifts is the same as the last time, but not as the first.
-    let repeats = |k: &usize| (*k..states.len()).all(|i| is_same(&states[i % k], &states[i])) && lasts(states, *k);
-    let crossings = (1..states.len().div_ceil(2)).find(repeats)?;
+    let repeats = |k: usize, times: f64| {
+        (k..states.len()).all(|i| is_same(&states[i % k], &states[i], times)) && lasts(states, k, times)
+    };
+    let crossings = (1..states.len().div_ceil(2)).find(|k| repeats(*k, 1.0))?;
+    // What nearly repeats sooner drifts, or is known no better.
+    if (1..crossings).any(|k| repeats(k, NEARLY)) {
+        return None;
+    }
     let returns = (states.len() - 1) / crossings;
     let seconds = (states[returns * crossings].time - states[0].time) / returns as f64;
     Some(Period { seconds, crossings })
@@ -174,10 +183,10 @@ fn period(
 
 /// Whether it takes the same time, within the tolerance, from each state to the one so many crossings later: what a load does
 /// that changes with time is no part of the states.
-fn lasts(states: &[At<f64>], crossings: usize) -> bool {
+fn lasts(states: &[At<f64>], crossings: usize, times: f64) -> bool {
     let mut taken = states.iter().zip(&states[crossings..]).map(|(from, to)| to.time - from.time);
     let first = taken.next().unwrap_or_default();
-    taken.all(|time| (time - first).abs() <= SAME * first)
+    taken.all(|time| (time - first).abs() <= times * SAME * first)
 }
 
 /// What a coordinate is.
@@ -232,9 +241,9 @@ impl Extent {
     }
 
     /// Whether a difference of positions and one of speeds of a coordinate with this extent are too small to tell states apart,
-    /// beside what all of its kind have.
-    fn is_nothing(&self, kind: &Extent, positions: f64, speeds: f64) -> bool {
-        positions.abs() <= SAME * self.positions + NOISE * kind.positions
-            && speeds.abs() <= SAME * self.speeds + NOISE * kind.speeds
+    /// beside what all of its kind have, by so many times the tolerance.
+    fn is_nothing(&self, kind: &Extent, [positions, speeds]: [f64; 2], times: f64) -> bool {
+        positions.abs() <= times * (SAME * self.positions + NOISE * kind.positions)
+            && speeds.abs() <= times * (SAME * self.speeds + NOISE * kind.speeds)
     }
 }

@@ -245,7 +245,7 @@ impl<M: Mechanism> EventHandler<M> {
                 let soon = onset.returns_after(index) < self.instant() || onset.hides_return(index);
                 onset.leaving(index) == -through && soon
             }
-            false => onset.sign(index) == through,
+            false => onset.sign(index) == through && !onset.is_kept(index),
         };
         !described.steps.is_empty() && onset.holds(index) && goes_on
     }

@@ -64,6 +64,10 @@ pub struct EventSearch<M: Mechanism> {
     /// The same of the step that led to this phase; zero at the start of the motion.
     came_from: M::Events,
     largest: M::Events,
+    /// What is but rounding of each condition, by its terms where the phase has begun.
+    noise: M::Events,
+    /// Whether each condition is no more than that through a step.
+    is_quiet: Vec<bool>,
     /// The onset of conditions at the beginning, if events change the motion.
     onset: Option<Onset<M>>,
     /// A crossing found at the very start, by a condition that leaves to the other side: rounding, unless it stays across.
@@ -83,6 +87,8 @@ impl<M: Mechanism> EventSearch<M> {
             stepped_from: M::Events::repeat(events, 0.0),
             came_from: M::Events::repeat(events, 0.0),
             largest: M::Events::repeat(events, 0.0),
+            noise: M::Events::repeat(events, 0.0),
+            is_quiet: vec![false; events],
             onset: None,
             at_start: None,
         }
@@ -172,6 +178,8 @@ impl<M: Mechanism> EventSearch<M> {
             stepped_from: _,
             came_from,
             largest,
+            noise,
+            is_quiet: _,
             onset,
             at_start: _,
         } = self;
@@ -184,6 +192,7 @@ impl<M: Mechanism> EventSearch<M> {
         bytes.option(before, || zeros.clone(), |bytes, before| bytes.numbers(before.as_mut()))?;
         bytes.numbers(came_from.as_mut())?;
         bytes.numbers(largest.as_mut())?;
+        bytes.numbers(noise.as_mut())?;
         bytes.option(onset, || Onset::blank(&zeros), |bytes, onset| onset.transfer(bytes))
     }
 
@@ -201,6 +210,7 @@ impl<M: Mechanism> EventSearch<M> {
         };
         self.stepped_from = from.values.clone();
         let to = Point::of(step.motion, step.to, step.length())?;
+        self.note_quiet(step, &from, &to)?;
         let most = step.parts_by_angles().max(self.waves(&from, &to).0);
         self.last = Some(self.search_parts(step, from, to, [most, most])?);
         Ok(())
@@ -296,7 +306,7 @@ impl<M: Mechanism> EventSearch<M> {
 
     /// Whether a condition is zero throughout a step, up to the tolerance of constraints: it keeps the sign that it had.
     fn is_noise(&self, step: &mut Step<M>, event: usize, from: &Point<M>, to: &Point<M>) -> Result<bool, Failure> {
-        let Some(onset) = &self.onset else { return Ok(false) };
+        let Some(onset) = &self.onset else { return Ok(self.is_quiet[event]) };
         // The sign of a condition that is left is noted as the least number.
         let at_start = onset.noise[event].max(f64::MIN_POSITIVE);
         let ends = from.values[event].abs().max(to.values[event].abs());

@@ -24,6 +24,8 @@ pub(crate) struct Onset<M: Mechanism> {
     pub(crate) noise: M::Events,
     /// The rounding of the change of a condition in either time.
     significant: M::Events,
+    /// The same with the terms by speeds, by time and by loads.
+    of_all: M::Events,
     /// The rounding of a condition itself, where its terms cancel.
     last_digits: M::Events,
     /// The times over which first and second derivatives are differences.
@@ -66,6 +68,7 @@ impl<M: Mechanism> Onset<M> {
                 if noise.is_finite() { noise } else { 0.0 }
             }),
             significant: values.like(|i| ROUNDING * terms[i]),
+            of_all: values.like(|i| ROUNDING * (terms[i] + others[i])),
             last_digits: values.like(|i| LAST_DIGITS * own_terms[i]),
             times,
             tolerance: tolerance(sample.state.time, span),
@@ -74,14 +77,26 @@ impl<M: Mechanism> Onset<M> {
 
     /// None known yet.
     pub(crate) fn blank(none: &M::Events) -> Onset<M> {
-        let [values, rates, seconds, bends, noise, significant, last_digits] = std::array::from_fn(|_| none.clone());
-        Onset { values, rates, seconds, bends, noise, significant, last_digits, times: [0.0; 2], tolerance: 0.0 }
+        let [values, rates, seconds, bends, noise, significant, of_all, last_digits] =
+            std::array::from_fn(|_| none.clone());
+        Onset {
+            values,
+            rates,
+            seconds,
+            bends,
+            noise,
+            significant,
+            of_all,
+            last_digits,
+            times: [0.0; 2],
+            tolerance: 0.0,
+        }
     }
 
     /// All of it as bytes, or from them.
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
-        let Onset { values, rates, seconds, bends, noise, significant, last_digits, times, tolerance } = self;
-        for numbers in [values, rates, seconds, bends, noise, significant, last_digits] {
+        let Onset { values, rates, seconds, bends, noise, significant, of_all, last_digits, times, tolerance } = self;
+        for numbers in [values, rates, seconds, bends, noise, significant, of_all, last_digits] {
             bytes.numbers(numbers.as_mut())?;
         }
         bytes.numbers(times)?;
@@ -122,6 +137,13 @@ impl<M: Mechanism> Onset<M> {
             _ if second.abs() * self.times[1].powi(2) / 2.0 > least => second.signum(),
             _ => 0.0,
         }
+    }
+
+    /// Whether all that changes a condition is but rounding here: a constraint keeps it at zero.
+    pub(crate) fn is_kept(&self, event: usize) -> bool {
+        let [once, twice] = [self.times[0], self.times[1].powi(2) / 2.0];
+        let changes = [self.rates[event] * once, self.seconds[event] * twice, self.bends[event] * twice];
+        changes.iter().all(|change| change.abs() <= self.of_all[event])
     }
 
     /// Whether the rate of a condition is but rounding here.

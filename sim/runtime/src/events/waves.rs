@@ -1,8 +1,8 @@
 //! Into how many parts a step is divided to be searched: conditions that go to and fro need some for each time.
 
 use super::EventSearch;
-use super::conditions::{Point, conditions};
-use super::onset::terms;
+use super::conditions::{Point, conditions, value};
+use super::onset::{OFFSET, sizes as all_sizes, terms};
 use crate::integrate::Step;
 use crate::state::failure::Failure;
 use sim_kernel::{Array, Mechanism};
@@ -19,6 +19,9 @@ const LEAST_WAVE: f64 = 1e-6;
 /// The least value that is not rounding, relative to the largest one, which is a millionth of the terms at least.
 const LEAST_VALUE: f64 = 1e-9;
 
+/// Where a step is looked into for what is but rounding, as parts of it, unlike those of any wave.
+const INSIDE: [f64; 3] = [0.23, 0.51, 0.87];
+
 impl<M: Mechanism> EventSearch<M> {
     /// Notes how large conditions are by their terms.
     pub(super) fn note_sizes(&mut self, step: &Step<M>) {
@@ -27,6 +30,25 @@ impl<M: Mechanism> EventSearch<M> {
         if let Ok([sizes, _]) = sizes {
             self.largest = self.largest.like(|i| self.largest[i].max(LEAST_WAVE * sizes[i]));
         }
+        if let Ok(sizes) = all_sizes(step.motion, step.from, self.span) {
+            self.noise = sizes.like(|i| if sizes[i].is_finite() { OFFSET * sizes[i] } else { 0.0 });
+        }
+    }
+
+    /// Notes which conditions are but rounding through a step: constraints keep them at zero.
+    pub(super) fn note_quiet(&mut self, step: &mut Step<M>, from: &Point<M>, to: &Point<M>) -> Result<(), Failure> {
+        for event in 0..self.is_quiet.len() {
+            let ends = from.values[event].abs().max(to.values[event].abs());
+            self.is_quiet[event] = ends <= self.noise[event];
+            for place in INSIDE {
+                if !self.is_quiet[event] {
+                    break;
+                }
+                let inside = value(step, from.time + place * (to.time - from.time), event)?;
+                self.is_quiet[event] = inside.abs() <= self.noise[event];
+            }
+        }
+        Ok(())
     }
 
     /// The number of parts of an interval for the condition that changes fastest, and which that is. One that goes to and fro as
@@ -48,7 +70,8 @@ impl<M: Mechanism> EventSearch<M> {
             let fast = (fastest(from) * fastest(to)).sqrt().max(swings(from).min(swings(to)));
             ((h * fast / MOST_CHANGE).ceil(), event)
         };
-        let all = (0..self.begin.len()).map(of).filter(|(parts, _)| parts.is_finite());
+        let all =
+            (0..self.begin.len()).filter(|event| !self.is_quiet[*event]).map(of).filter(|(parts, _)| parts.is_finite());
         let (most, event) = all.fold((1.0, 0), |most, of| if of.0 > most.0 { of } else { most });
         (most.min(MOST_PARTS_OF_A_WAVE), event)
     }

@@ -65,6 +65,9 @@ pub(crate) fn of_coordinates(mechanism: &dyn AnyMechanism, time: f64, q: &[f64])
 const NEAREST: f64 = 1e-12;
 const NEAREST_OF_ROTORS: f64 = 1e-9;
 
+/// A length of no more metres is rounding of a larger one that has cancelled.
+const NONE: f64 = 1e-13;
+
 /// A lever arm is ignored if it is this small relative to the root of moments of inertia over masses.
 const SHORTEST: f64 = 0.01;
 
@@ -84,7 +87,7 @@ pub(super) fn known_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -
     let is_length: Vec<bool> = coordinates.iter().map(|coordinate| coordinate.position.is_length).collect();
     let start = || {
         let lengths = q.iter().zip(&is_length).filter(|(_, is_length)| **is_length);
-        lengths.fold(0.0, |largest: f64, (q, _)| largest.max(q.abs()))
+        lengths.map(|(q, _)| q.abs()).filter(|length| *length > NONE).fold(0.0, f64::max)
     };
     let sources: [&dyn Fn() -> f64; 4] = [
         &|| {
@@ -111,7 +114,7 @@ fn lesser(length: f64, start: f64, nearest: f64) -> f64 {
 fn of_parameters(mechanism: &dyn AnyMechanism) -> f64 {
     let parameters = mechanism.description().parameters.iter().zip(mechanism.parameters());
     let lengths = parameters.filter(|(parameter, _)| parameter.is_length).map(|(_, value)| value.abs());
-    let mut lengths: Vec<f64> = lengths.filter(|length| *length > 0.0).collect();
+    let mut lengths: Vec<f64> = lengths.filter(|length| *length > NONE).collect();
     lengths.sort_unstable_by(f64::total_cmp);
     lengths.get(lengths.len().saturating_sub(1) / 2).copied().unwrap_or(0.0)
 }
