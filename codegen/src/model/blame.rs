@@ -192,7 +192,9 @@ fn factor_without_unit<'e>(
         Kind::Binary(Operator::Multiply, ..) => {
             let (number, literal) = bare_number(product)?;
             let (needed, unit) = needed;
-            let in_that = Unit::parse(&format!("{unit}/({})", dimension.si_unit())).ok();
+            let by = dimension.si_unit();
+            let by = if by.contains(['*', '/']) { format!("({by})") } else { by };
+            let in_that = Unit::parse(&format!("{unit}/{by}")).ok();
             let unit = match needed.is_none() && *dimension == Dimension::time() {
                 true => "rad/s".to_owned(),
                 false if unit == needed.si_unit() => needed.over(dimension).si_unit(),
