@@ -291,7 +291,7 @@ fn farthest_unmeasured<M: Mechanism>(run: &Run<M>) -> Option<f64> {
 }
 
 /// A start that is this part of what counts as 1 is rounding.
-const ROUNDING: f64 = 1e-14;
+const ROUNDING: f64 = 1e-12;
 
 fn unresolved<M: Mechanism>(run: &Run<M>) -> Option<Unresolved> {
     let (Stepping::Adaptive(tolerance), samples) = (run.settings.stepping, &run.trajectory.samples) else {

@@ -51,8 +51,8 @@ pub(crate) struct RunArguments {
     #[arg(long)]
     pub(crate) no_report: bool,
 
-    /// Does not compare the run with one of a smaller tolerance, which takes about twice as long as the run itself and tells
-    /// where errors have grown.
+    /// Does not compare the run with one of a smaller tolerance, which tells where errors have grown and may take three times as long
+    /// as the run itself.
     #[arg(long)]
     pub(crate) no_comparison: bool,
 }

@@ -61,7 +61,10 @@ pub(super) fn acts_in_vain<M: Mechanism>(
             let mut closing = closing(mechanism, &hits, &last.state).into_iter().zip(closing(mechanism, &hits, now));
             closing.any(|(was, is)| was * is > KEPT * was * was)
         }
-        (false, false) => rests && is_held(motion, &hits, now, last.event),
+        (false, false) => {
+            let holds = |conditional: &usize| mechanism.activities()[*conditional] == 1.0;
+            rests && !hits.iter().all(holds) && is_held(motion, &hits, now, last.event)
+        }
     }
 }
 

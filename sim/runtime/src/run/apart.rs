@@ -21,6 +21,8 @@ const STEPS: usize = 10_000;
 const TIMES: usize = 3;
 /// It is compared at so many rows at most.
 const MOST_ROWS: usize = 10_000;
+/// Rows so near to events, as a part of their time, are not compared: coordinates may jump there.
+const AT_EVENT: f64 = 1e-9;
 /// What a coordinate moves by less than this part of what counts as 1 is compared with that part: it may be rounding.
 const SMALL: f64 = 1e-6;
 /// Unless the other run shows by its tolerance that it moves, by so many times this, and this run is off by no more than it moves.
@@ -77,7 +79,7 @@ pub fn run_compared<M: Mechanism>(
 fn smaller(stepping: Stepping) -> Option<Tolerance> {
     let Stepping::Adaptive(tolerance) = stepping else { return Some(Tolerance::new(OF_EQUAL_STEPS)) };
     let part = (LEAST / tolerance.relative).max(SMALLER);
-    let scaled = Tolerance { relative: part * tolerance.relative, absolute: part * tolerance.absolute, ..tolerance };
+    let scaled = Tolerance { relative: part * tolerance.relative, absolute: part * tolerance.absolute };
     (part < 1.0).then_some(scaled)
 }
 
@@ -112,17 +114,23 @@ impl<M: Mechanism> Run<M> {
             let at = others.partition_point(|other| other.state.time < one.state.time);
             others.get(at).filter(|other| other.state.time == one.state.time)
         };
-        let apart = samples.iter().filter_map(|one| Some((one, same(one)?))).flat_map(|(one, other)| {
-            let (extents, time) = (&extents, one.state.time);
-            (0..extents.len()).map(move |coordinate| Apart {
-                tolerance,
-                coordinate,
-                by: (one.state.positions[coordinate] - other.state.positions[coordinate]).abs(),
-                extent: extents[coordinate],
-                time,
-                since: time,
-            })
-        });
+        let is_at_event =
+            |time: f64| self.events.iter().any(|event| (event.state.time - time).abs() <= AT_EVENT * time.abs());
+        let apart = samples
+            .iter()
+            .filter(|one| !is_at_event(one.state.time))
+            .filter_map(|one| Some((one, same(one)?)))
+            .flat_map(|(one, other)| {
+                let (extents, time) = (&extents, one.state.time);
+                (0..extents.len()).map(move |coordinate| Apart {
+                    tolerance,
+                    coordinate,
+                    by: (one.state.positions[coordinate] - other.state.positions[coordinate]).abs(),
+                    extent: extents[coordinate],
+                    time,
+                    since: time,
+                })
+            });
         let mut doubtful = apart.filter(is_off).peekable();
         let since = doubtful.peek()?.since;
         let worst = doubtful.max_by(|a, b| (a.by / a.extent).total_cmp(&(b.by / b.extent)))?;
