@@ -37,3 +37,17 @@ fn a_blow_by_what_it_does_not_touch_happens_once() {
         assert!((x - expected).abs() < 1e-10, "{x} {expected}");
     }
 }
+
+/// What is set is brought onto the constraints before a blow: two bodies that are tied go at (5 + 3)/4 m/s then, and back at half of it.
+#[test]
+fn what_is_set_is_tied_before_it_strikes() {
+    let text = "pub Jump; coordinates { x [m]; y [m]; } bodies { a: mass 1 [kg] at [x, 0]; b: mass 3 [kg] at [y, 0]; }
+        constraints { tie: x = y initially active; wall: x = 2 [m] initially released; }
+        initial { x = 0; dot(x) = 1; guess y = 0; }
+        events { e: t = 2 [s] rising { set dot(x) = 5; impact wall restitution 0.5; } }";
+    for settings in all_settings(3.0) {
+        let run = run_with(interpreted(text).unwrap(), &settings).unwrap();
+        let speeds = &run.trajectory.samples.last().unwrap().state.speeds;
+        assert!((speeds[0] + 1.0).abs() < 1e-9 && (speeds[1] + 1.0).abs() < 1e-9, "{speeds:?}");
+    }
+}

@@ -60,7 +60,13 @@ pub fn act<M: Mechanism>(
     occurrence: usize,
 ) -> Result<Change<M>, Failure> {
     let mut change = Change::none(mechanism.clone(), before.clone());
+    let mut is_set = false;
     for step in event.steps {
+        // What strikes has speeds that the constraints allow.
+        if is_set && matches!(step, Step::Impact(_)) {
+            change.settle(located, event)?;
+        }
+        is_set = matches!(step, Step::Set(_));
         match step {
             Step::Stop(after) => change.ends |= occurrence >= *after,
             Step::Set(assignments) => change.set(assignments, event)?,
