@@ -157,7 +157,11 @@ fn method(run: &Outcome) -> String {
 fn never(run: &Outcome) -> Option<String> {
     let Until { event, asked, happened } = run.until().filter(|_| run.failure.is_none())?;
     let count = counted(happened, "time");
-    (happened < asked).then(|| format!("`{event}` has happened {count}, not {asked}: the run went on to its end"))
+    let ended = match run.reached < run.settings.end {
+        true => format!("the run has ended at {:.6} s", run.reached),
+        false => "the run went on to its end".to_owned(),
+    };
+    (happened < asked).then(|| format!("`{event}` has happened {count}, not {asked}: {ended}"))
 }
 
 /// A line of the report: label and text.
