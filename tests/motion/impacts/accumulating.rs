@@ -108,7 +108,6 @@ fn what_rests_on_what_it_strikes_does_not_go_through() {
                     .replace("events {", "events { rel: t = 0.1 [s] rising { release f; }")
             ),
         ),
-        ("is stopped", format!("{ball} initial {{ y = 1; }} events {{ hit: y = 0 falling {{ set dot(y) = 0; }} }}")),
         ("is lifted", format!("{ball} initial {{ y = 0; }} {}", floor.replace("y = 0", "y = 4 [m/s^2]*t^2/2"))),
         ("leans", leaning.to_owned()),
         ("is pressed", pressed.to_owned()),
@@ -133,4 +132,15 @@ fn a_blow_elsewhere_is_given_once() {
     assert_eq!((run.trajectory.failure, run.events.len()), (None, 1));
     let State { positions, .. } = &run.trajectory.samples.last().unwrap().state;
     assert!((positions[0] + 0.5).abs() < 1e-9 && (positions[1] + 5.0).abs() < 1e-9, "{positions:?}");
+}
+
+/// A train stops for a moment, and goes on as it is pulled.
+#[test]
+fn what_is_set_to_rest_goes_on() {
+    let text = "pub Train; coordinates { x [m]; } bodies { b: mass 1 [kg] at [x, 0]; } loads { force 2 [N] on x; }
+        initial { x = 0; } events { station: x = 1 [m] rising { set dot(x) = 0; } }";
+    let run = run_with(interpreted(text).unwrap(), &Settings::new(2.0)).unwrap();
+    assert_eq!((run.trajectory.failure, run.events.len()), (None, 1));
+    let State { positions, .. } = &run.trajectory.samples.last().unwrap().state;
+    assert!((positions[0] - 2.0).abs() < 1e-9, "{positions:?}");
 }

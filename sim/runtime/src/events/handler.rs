@@ -4,7 +4,7 @@ use super::act::{Change, Located, act};
 use super::conditions::tolerance;
 use super::described::{any_acts, is_done, moves, switches, through};
 use super::onset::Onset;
-use super::turned::{acts_in_vain, is_turned_back, turns_back};
+use super::turned::{hits_in_vain, is_turned_back, turns_back};
 use super::{Crossing, EventSearch, Occurrence};
 use crate::integrate::Step;
 use crate::motion::Motion;
@@ -212,7 +212,7 @@ impl<M: Mechanism> EventHandler<M> {
     }
 
     /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and
-    /// continues through zero. If the event has just happened, this requires that it acted in vain, that a constraint it
+    /// continues through zero. If the event has just happened, this requires that it was an impact in vain, that a constraint it
     /// switched has been switched back, that the condition had turned back since, or that it returns to zero within an instant or
     /// without having left it by more than the tolerance of constraints. One that releases a constraint because of a force
     /// happens also if its condition is beyond zero, with or without a direction: a contact that a blow has closed does not
@@ -237,7 +237,7 @@ impl<M: Mechanism> EventHandler<M> {
             true if onset.leaving(index) == through => {
                 let last = self.search.found.iter().rev().find(|found| found.event == index);
                 let is_undone = [true, false].into_iter().any(|on| switches(mechanism, described, on));
-                last.is_some_and(|last| acts_in_vain(motion, last, (now, onset.rests(index)), self.span))
+                last.is_some_and(|last| hits_in_vain(motion, last, (now, onset.rests(index)), self.span))
                     || is_undone
                     || time - self.turned[index] < self.instant()
             }

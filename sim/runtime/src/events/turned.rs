@@ -1,7 +1,7 @@
 //! Whether events have turned conditions back.
 
 use super::conditions::tolerance;
-use super::described::{moves, struck, through};
+use super::described::{struck, through};
 use super::onset::Onset;
 use super::{Crossing, Occurrence};
 use crate::motion::Motion;
@@ -38,11 +38,11 @@ pub(super) fn turns_back<M: Mechanism>(mechanism: &M, onset: &Onset<M>, index: u
     through.is_some_and(|through| onset.holds(index) && onset.leaving(index) == -through)
 }
 
-/// Whether the action of an event that has just happened has not done what it is for, by the state now, in which its condition
-/// leaves through zero again. It has changed the rate of its condition, which stands still, or the struck constraints close again. Or
-/// there was no rate to change, and the condition is pressed through those constraints. A condition that only says where a blow is
-/// given, as a place at which a brake is applied, may go on.
-pub(super) fn acts_in_vain<M: Mechanism>(
+/// Whether the blow of an event that has just happened has not done what it is for, by the state now, in which its condition leaves
+/// through zero again. It has changed the rate of its condition, which stands still, or the struck constraints close again. Or there
+/// was no rate to change, and the condition is pressed through those constraints. A condition that only says where a blow is given, as
+/// a place at which a brake is applied, may go on; so may one whose speed has been set, as of a train that stops for a moment.
+pub(super) fn hits_in_vain<M: Mechanism>(
     motion: &Motion<M>,
     last: &Occurrence<M>,
     (now, rests): (&State<M>, bool),
@@ -50,22 +50,18 @@ pub(super) fn acts_in_vain<M: Mechanism>(
 ) -> bool {
     let Some(given) = &last.change else { return false };
     let mechanism = motion.mechanism();
-    let described = &mechanism.description().events[last.event];
     let change = |state: &State<M>| change(mechanism, state, last.event, span);
     let (was, kept) = (change(&last.state), change(&given.state));
-    let (hits, is_changed) = (struck(described), (kept - was).abs() > KEPT * was.abs());
-    match (hits.is_empty(), is_changed) {
-        (true, _) => moves(described) && is_changed && rests,
-        (false, true) if change(now).abs() <= TURNED * was.abs() => true,
-        (false, true) => {
-            let mut closing = closing(mechanism, &hits, &last.state).into_iter().zip(closing(mechanism, &hits, now));
-            closing.any(|(was, is)| was * is > KEPT * was * was)
-        }
-        (false, false) => {
-            let holds = |conditional: &usize| mechanism.activities()[*conditional] == 1.0;
-            rests && !hits.iter().all(holds) && is_held(motion, &hits, now, last.event)
-        }
+    let hits = struck(&mechanism.description().events[last.event]);
+    if hits.is_empty() {
+        return false;
     }
+    if (kept - was).abs() <= KEPT * was.abs() {
+        let holds = |conditional: &usize| mechanism.activities()[*conditional] == 1.0;
+        return rests && !hits.iter().all(holds) && is_held(motion, &hits, now, last.event);
+    }
+    let mut closing = closing(mechanism, &hits, &last.state).into_iter().zip(closing(mechanism, &hits, now));
+    change(now).abs() <= TURNED * was.abs() || closing.any(|(was, is)| was * is > KEPT * was * was)
 }
 
 /// A part of the change of a condition that is rounding: it is a difference.
