@@ -137,8 +137,8 @@ impl Outcome {
         Some(match self.settings.stepping {
             Stepping::Equal(_) => format!("{beside}: take more steps, or a tolerance (`--rtol`)"),
             Stepping::Adaptive(_) => format!(
-                "{beside}: from {since:.6} s on, coordinates are off by more than a thousandth of their way; take a smaller tolerance \
-                 (`--rtol`), or fewer seconds where small errors grow"
+                "{beside}: rows from {since:.6} s on are off by more than a thousandth of the way; take a smaller tolerance (`--rtol`), or \
+                 fewer seconds where small errors grow"
             ),
         })
     }
@@ -290,6 +290,8 @@ fn farthest_unmeasured<M: Mechanism>(run: &Run<M>) -> Option<f64> {
     Some(all.fold(0.0, f64::max))
 }
 
+/// So few rows say nothing of how far a coordinate comes.
+const FEW: usize = 10;
 /// A start that is this part of what counts as 1 is rounding.
 const ROUNDING: f64 = 1e-12;
 
@@ -298,6 +300,9 @@ fn unresolved<M: Mechanism>(run: &Run<M>) -> Option<Unresolved> {
         return None;
     };
     let start = &samples.first()?.state;
+    if samples.len() < FEW {
+        return None;
+    }
     let measures = Measures::at(&run.mechanism, start.time, &start.positions);
     let has_length = known_length(&run.mechanism, start.time, &start.positions).is_some();
     let coordinates = run.mechanism.description().coordinates.iter().enumerate();
@@ -305,8 +310,11 @@ fn unresolved<M: Mechanism>(run: &Run<M>) -> Option<Unresolved> {
     measured.map(|(coordinate, _)| coordinate).find_map(|coordinate| {
         let scale = measures.coordinates()[coordinate];
         let farthest = samples.iter().map(|sample| sample.state.positions[coordinate].abs()).fold(0.0, f64::max);
-        let starts = start.positions[coordinate].abs() > ROUNDING * scale;
-        (starts && farthest <= tolerance.absolute * scale).then_some(Unresolved { coordinate, farthest, scale })
+        let begins = start.positions[coordinate];
+        let way = |sample: &Sample<M>| (sample.state.positions[coordinate] - begins).abs();
+        // What stays where it is, as a lock holds it, is no motion.
+        let moves = begins.abs() > ROUNDING * scale && samples.iter().map(way).fold(0.0, f64::max) > begins.abs() / 2.0;
+        (moves && farthest <= tolerance.absolute * scale).then_some(Unresolved { coordinate, farthest, scale })
     })
 }
 

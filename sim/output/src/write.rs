@@ -143,7 +143,7 @@ fn event_object(event: &Happening, description: &Description) -> Value {
     object
 }
 
-/// Where equal steps are off beside a run with a tolerance, in the units of the declaration.
+/// Where a run is off beside one with a smaller tolerance, in the units of the declaration.
 fn off(description: &Description, apart: Apart) -> Value {
     let Apart { tolerance, coordinate, by, extent, time, since } = apart;
     let Quantity { name, unit, factor, .. } = &description.coordinates[coordinate].position;

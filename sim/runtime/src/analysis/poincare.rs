@@ -18,8 +18,8 @@ use std::f64::consts::TAU;
 /// speeds that lead through it; and what the motion of a small one may be off by, relative to the largest of its kind.
 const SAME: f64 = 1e-6;
 const NOISE: f64 = 1e-9;
-/// States nearly repeat within so many times that.
-const NEARLY: f64 = 1e3;
+/// States that repeat after some crossings repeat so many times better than after fewer: otherwise they drift, or are known no better.
+const BETTER: f64 = 100.0;
 
 /// The specification of a section.
 #[derive(Clone, Copy, Debug)]
@@ -152,41 +152,48 @@ fn period(
     let (of_angles, of_quaternions) = (turning(Kind::Angle), turning(Kind::OfQuaternion));
     let of_others = largest(&|kind| kind != Kind::Angle);
     let own: Vec<Extent> = (0..kinds.len()).map(|j| Extent::of(states, usual, |i| i == j)).collect();
-    let is_same = |a: &At<f64>, b: &At<f64>, times: f64| {
+    let apart = |a: &At<f64>, b: &At<f64>| {
         let signs = signs(unsigned, a.positions, b.positions);
-        kinds.iter().zip(&own).enumerate().all(|(j, (kind, own))| {
+        let parts = kinds.iter().zip(&own).enumerate().map(|(j, (kind, own))| {
             let apart = b.positions[j] - signs[j] * a.positions[j];
             let faster = b.speeds[j] - signs[j] * a.speeds[j];
             match kind {
                 Kind::Angle => {
                     let apart = apart - TAU * (apart / TAU).round();
-                    own.within(&of_angles).is_nothing(&of_angles, [apart, faster], times)
+                    own.within(&of_angles).parts(&of_angles, [apart, faster])
                 }
-                Kind::OfQuaternion => own.is_nothing(&of_quaternions, [apart, faster], times),
-                Kind::Other => own.is_nothing(&of_others, [apart, faster], times),
+                Kind::OfQuaternion => own.parts(&of_quaternions, [apart, faster]),
+                Kind::Other => own.parts(&of_others, [apart, faster]),
             }
-        })
+        });
+        parts.fold(0.0, f64::max)
     };
     // What drifts is the same as the last time, but not as the first.
-    let repeats = |k: usize, times: f64| {
-        (k..states.len()).all(|i| is_same(&states[i % k], &states[i], times)) && lasts(states, k, times)
-    };
-    let crossings = (1..states.len().div_ceil(2)).find(|k| repeats(*k, 1.0))?;
-    // What nearly repeats sooner drifts, or is known no better.
-    if (1..crossings).any(|k| repeats(k, NEARLY)) {
-        return None;
-    }
+    let of_states = |k: usize| (k..states.len()).map(|i| apart(&states[i % k], &states[i])).fold(0.0, f64::max);
+    let off = |k: usize| of_states(k).max(of_times(states, k));
+    let (mut least, mut crossings) = (f64::INFINITY, 1..states.len().div_ceil(2));
+    let crossings = crossings.find(|k| {
+        let off = off(*k);
+        let repeats = off <= 1.0 && off * BETTER <= least;
+        least = least.min(off);
+        repeats
+    })?;
     let returns = (states.len() - 1) / crossings;
     let seconds = (states[returns * crossings].time - states[0].time) / returns as f64;
     Some(Period { seconds, crossings })
 }
 
-/// Whether it takes the same time, within the tolerance, from each state to the one so many crossings later: what a load does
-/// that changes with time is no part of the states.
-fn lasts(states: &[At<f64>], crossings: usize, times: f64) -> bool {
+/// By how much the times differ that it takes from each state to the one so many crossings later, as parts of the tolerance: what a
+/// load does that changes with time is no part of the states.
+fn of_times(states: &[At<f64>], crossings: usize) -> f64 {
     let mut taken = states.iter().zip(&states[crossings..]).map(|(from, to)| to.time - from.time);
     let first = taken.next().unwrap_or_default();
-    taken.all(|time| (time - first).abs() <= times * SAME * first)
+    taken.map(|time| part(time - first, SAME * first)).fold(0.0, f64::max)
+}
+
+/// A difference as a part of a tolerance, which may be zero.
+fn part(difference: f64, tolerance: f64) -> f64 {
+    if difference == 0.0 { 0.0 } else { difference.abs() / tolerance }
 }
 
 /// What a coordinate is.
@@ -240,10 +247,10 @@ impl Extent {
         Extent { positions: self.positions.min(other.positions), speeds: self.speeds.min(other.speeds) }
     }
 
-    /// Whether a difference of positions and one of speeds of a coordinate with this extent are too small to tell states apart,
-    /// beside what all of its kind have, by so many times the tolerance.
-    fn is_nothing(&self, kind: &Extent, [positions, speeds]: [f64; 2], times: f64) -> bool {
-        positions.abs() <= times * (SAME * self.positions + NOISE * kind.positions)
-            && speeds.abs() <= times * (SAME * self.speeds + NOISE * kind.speeds)
+    /// A difference of positions and one of speeds of a coordinate with this extent, beside what all of its kind have, as parts of
+    /// what cannot tell states apart; the larger.
+    fn parts(&self, kind: &Extent, [positions, speeds]: [f64; 2]) -> f64 {
+        let of_positions = part(positions, SAME * self.positions + NOISE * kind.positions);
+        of_positions.max(part(speeds, SAME * self.speeds + NOISE * kind.speeds))
     }
 }

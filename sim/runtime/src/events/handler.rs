@@ -3,6 +3,7 @@
 use super::act::{Change, Located, act};
 use super::conditions::tolerance;
 use super::described::{any_acts, is_done, moves, switches, through};
+use super::held::is_held;
 use super::onset::Onset;
 use super::turned::{hits_in_vain, is_turned_back, turns_back};
 use super::{Crossing, EventSearch, Occurrence};
@@ -162,7 +163,7 @@ impl<M: Mechanism> EventHandler<M> {
             if onset.as_ref().is_some_and(|onset| turns_back(motion.mechanism(), onset, event)) {
                 self.turned[event] = sample.state.time;
             }
-            if onset.as_ref().is_some_and(|onset| self.is_due(motion, onset, event, &sample.state)) {
+            if onset.as_ref().is_some_and(|onset| self.is_due(motion, onset, event, sample)) {
                 self.happen_at_start(motion.mechanism(), event, sample)?;
             }
         }
@@ -217,8 +218,8 @@ impl<M: Mechanism> EventHandler<M> {
     /// without having left it by more than the tolerance of constraints. One that releases a constraint because of a force
     /// happens also if its condition is beyond zero, with or without a direction: a contact that a blow has closed does not
     /// pull. What holds already does not land again: its condition stays where it is.
-    fn is_due(&self, motion: &Motion<M>, onset: &Onset<M>, index: usize, now: &State<M>) -> bool {
-        let (mechanism, time) = (motion.mechanism(), now.time);
+    fn is_due(&self, motion: &Motion<M>, onset: &Onset<M>, index: usize, sample: &Sample<M>) -> bool {
+        let (mechanism, now, time) = (motion.mechanism(), &sample.state, sample.state.time);
         let described = &mechanism.description().events[index];
         let jumps_to =
             |side: f64| described.on_forces && switches(mechanism, described, false) && onset.is_beyond(index, side);
@@ -245,7 +246,7 @@ impl<M: Mechanism> EventHandler<M> {
                 let soon = onset.returns_after(index) < self.instant() || onset.hides_return(index);
                 onset.leaving(index) == -through && soon
             }
-            false => onset.sign(index) == through && !onset.is_kept(index),
+            false => onset.sign(index) == through && !(onset.is_rounding(index) && is_held(motion, sample, index)),
         };
         !described.steps.is_empty() && onset.holds(index) && goes_on
     }

@@ -8,6 +8,7 @@ mod act;
 mod conditions;
 mod described;
 mod handler;
+mod held;
 mod jumps;
 mod locate;
 mod occurrence;

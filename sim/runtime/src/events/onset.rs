@@ -139,8 +139,8 @@ impl<M: Mechanism> Onset<M> {
         }
     }
 
-    /// Whether all that changes a condition is but rounding here: a constraint keeps it at zero.
-    pub(crate) fn is_kept(&self, event: usize) -> bool {
+    /// Whether all that changes a condition is but rounding here, beside all terms.
+    pub(crate) fn is_rounding(&self, event: usize) -> bool {
         let [once, twice] = [self.times[0], self.times[1].powi(2) / 2.0];
         let changes = [self.rates[event] * once, self.seconds[event] * twice, self.bends[event] * twice];
         changes.iter().all(|change| change.abs() <= self.of_all[event])

@@ -2,12 +2,12 @@
 
 use super::conditions::tolerance;
 use super::described::{struck, through};
+use super::held::holds_positions;
 use super::onset::Onset;
 use super::{Crossing, Occurrence};
 use crate::motion::Motion;
 use crate::motion::residuals::rates;
 use crate::state::trajectory::State;
-use nalgebra::{DMatrix, DVector};
 use sim_kernel::{Array, Mechanism};
 
 /// The speed at which a condition turns back, relative to that at which it came, that is not rounding.
@@ -58,32 +58,12 @@ pub(super) fn hits_in_vain<M: Mechanism>(
     }
     if (kept - was).abs() <= KEPT * was.abs() {
         let holds = |conditional: &usize| mechanism.activities()[*conditional] == 1.0;
-        return rests && !hits.iter().all(holds) && is_held(motion, &hits, now, last.event);
+        let with_struck = struck_too(mechanism, &hits);
+        let sizes = motion.measures().coordinates();
+        return rests && !hits.iter().all(holds) && holds_positions(&with_struck, now, sizes, last.event);
     }
     let mut closing = closing(mechanism, &hits, &last.state).into_iter().zip(closing(mechanism, &hits, now));
     change(now).abs() <= TURNED * was.abs() || closing.any(|(was, is)| was * is > KEPT * was * was)
-}
-
-/// A part of the change of a condition that is rounding: it is a difference.
-const ALONG: f64 = 1e-4;
-/// Differences are over this part of what counts as 1.
-const PART: f64 = 1e-6;
-
-/// Whether a condition could not change if these constraints held: its gradient is a sum of their rows and those that hold.
-fn is_held<M: Mechanism>(motion: &Motion<M>, struck: &[usize], state: &State<M>, event: usize) -> bool {
-    let (mechanism, sizes) = (motion.mechanism(), motion.measures().coordinates());
-    let (n, none) = (mechanism.n(), M::L::repeat(mechanism.m(), 0.0));
-    let zero = state.positions.like(|_| 0.0);
-    let at = |q: &M::Q| mechanism.events(state.time, q, &state.speeds, &zero, &none)[event];
-    let beside =
-        |j: usize, by: f64| state.positions.like(|k| state.positions[k] + if k == j { by * sizes[k] } else { 0.0 });
-    let gradient = DVector::from_fn(n, |j, _| (at(&beside(j, PART)) - at(&beside(j, -PART))) / (2.0 * PART));
-    let with_struck = struck_too(mechanism, struck);
-    let jacobian = with_struck.constraint_jacobian(state.time, &state.positions);
-    let columns = DMatrix::from_fn(n, mechanism.m(), |j, row| jacobian[row][j] * sizes[j]);
-    let scale = columns.amax();
-    let Ok(share) = columns.clone().svd(true, true).solve(&gradient, ALONG * ALONG * scale) else { return false };
-    scale > 0.0 && (&columns * share - &gradient).amax() <= ALONG * gradient.amax()
 }
 
 /// The change of a condition about a state, by its speeds.

@@ -2,6 +2,7 @@
 
 use super::EventSearch;
 use super::conditions::{Point, conditions, value};
+use super::held::is_held;
 use super::onset::{OFFSET, sizes as all_sizes, terms};
 use crate::integrate::Step;
 use crate::state::failure::Failure;
@@ -35,7 +36,7 @@ impl<M: Mechanism> EventSearch<M> {
         }
     }
 
-    /// Notes which conditions are but rounding through a step: constraints keep them at zero.
+    /// Notes which conditions are but rounding through a step, since constraints keep them at zero.
     pub(super) fn note_quiet(&mut self, step: &mut Step<M>, from: &Point<M>, to: &Point<M>) -> Result<(), Failure> {
         for event in 0..self.is_quiet.len() {
             let ends = from.values[event].abs().max(to.values[event].abs());
@@ -47,6 +48,7 @@ impl<M: Mechanism> EventSearch<M> {
                 let inside = value(step, from.time + place * (to.time - from.time), event)?;
                 self.is_quiet[event] = inside.abs() <= self.noise[event];
             }
+            self.is_quiet[event] = self.is_quiet[event] && is_held(step.motion, step.to, event);
         }
         Ok(())
     }

@@ -73,7 +73,7 @@ pub struct Run<M: Mechanism> {
     pub energy_balance_of_changes: f64,
     /// The kinetic energy that events have taken, in joules.
     pub energy_taken: f64,
-    /// Where a run of equal steps is off, if [`run_compared`] has found that.
+    /// Where it is off beside a run with a smaller tolerance, if [`run_compared`] has found that.
     pub apart: Option<Apart>,
     /// The time of the integration, with events and records.
     pub integration_time: Duration,
