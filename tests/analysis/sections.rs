@@ -338,3 +338,18 @@ fn small_swings_have_no_multiple_of_their_period() {
         assert!(amplitude < 1e-3 || period_of(&text, Some(Crossing::Rising), 20).is_some(), "{amplitude}");
     }
 }
+
+/// Two oscillators of frequencies 2 and 1, of which the slower moves little: states alternate by so much, and repeat after two crossings.
+#[test]
+fn what_alternates_by_little_repeats_after_two() {
+    for amplitude in [1e-2, 1e-3, 1e-4] {
+        let text = format!(
+            "pub Both; coordinates {{ x [m]; y [m]; }} bodies {{ b: mass 1 [kg] at [x, y]; }}
+             loads {{ force [-4 [N/m]*x, -1 [N/m]*(y - 1 [m])] at [x, y]; }}
+             initial {{ x = 1; y = 1 + {amplitude:e}; }} events {{ top: x = 0; }}"
+        );
+        let period = period_of(&text, Some(Crossing::Falling), 30).unwrap();
+        assert_eq!(period.crossings, 2, "{amplitude}");
+        assert!((period.seconds - TAU).abs() < 1e-8, "{amplitude}: {}", period.seconds);
+    }
+}

@@ -103,7 +103,11 @@ fn motions_that_tolerances_hide_are_told() {
         loads { spring 100 [N/m], rest 0 on u; } initial { s = 7000; u = 1; }";
     let within = "pub Within; coordinates { p [rad]; } bodies { b: inertia 1 [kg*m^2], angle p; }
         loads { spring 100 [N*m], rest 0 on p; } initial { p = 1e-11; }";
-    let cases: [(&str, &str, &[&str], &[&str]); 6] = [
+    let locked = "pub Locked; coordinates { a [rad]; b [rad]; } parameters { off [rad] = 4e-11; }
+        bodies { t: inertia 1 [kg*m^2], angle a; w: inertia 1 [kg*m^2], angle b; } constraints { held: a = off; }
+        loads { spring 1 [N*m], rest 0 on b; } initial { guess a = 0; b = 1; }";
+    let cases: [(&str, &str, &[&str], &[&str]); 7] = [
+        ("locked", locked, &[], &[]),
         ("far", beside, &[], &["`u` is off by"]),
         ("finer", beside, &["--atol", "1e-17"], &[]),
         ("near", beside, &["--initial", "s=0.001"], &[]),

@@ -1,6 +1,6 @@
 //! Runs that are off are told, by comparison with a run of a smaller tolerance.
 
-use sim::{Method, Run, Settings, Stepping, Tolerance, declared_start, run, run_compared};
+use sim::{Method, Run, Settings, State, Stepping, Tolerance, declared_start, run, run_compared};
 use tests::any_model::{AnyModel, interpreted};
 
 /// A mass on a spring that pushes it away, with x'' = x - 2 cos t: cos t from x = 1 at rest, and errors grow as e^t.
@@ -53,4 +53,34 @@ fn right_motions_are_not_doubted() {
             (found.trajectory.samples.last().unwrap().state.positions[0].to_bits(), found.evaluations)
         );
     }
+}
+
+/// A double pendulum is off by as much as it moves after 20 s, with any tolerance: it is told with each.
+#[test]
+fn chaos_is_told_with_every_tolerance() {
+    let chaos = interpreted(
+        "pub Chaos; coordinates { a [rad]; b [rad]; } let P = 1 [m]*[sin(a), -cos(a)]; let Q = P + 1 [m]*[sin(b), -cos(b)];
+         bodies { p: mass 1 [kg] at P; q: mass 1 [kg] at Q; } loads { gravity [0, -9.81 [m/s^2]]; } initial { a = 2; b = 2; }",
+    )
+    .unwrap();
+    for tolerance in [1e-6, 1e-10, 1e-12, 1e-13, 1e-14] {
+        assert!(compared(&chaos, &settings(Method::Dop853, 60.0, tolerance)).apart.is_some(), "{tolerance:e}");
+    }
+}
+
+/// Equal steps, whose rows are their ends where no others are asked for: 1 - e^-5t by Heun's method with h = 0.05.
+#[test]
+fn equal_steps_are_compared_at_their_ends() {
+    let drag = interpreted(
+        "pub Drag; coordinates { x [m]; } bodies { b: mass 1 [kg] at [x, 0]; } loads { force -5 [N*s/m]*dot(x) on x; }
+         initial { x = 0; dot(x) = 5; }",
+    )
+    .unwrap();
+    let run = compared(&drag, &Settings::equal_steps(Method::Heun, 10.0, 200));
+    let apart = run.apart.unwrap();
+    let off = |state: &State<AnyModel>| (state.positions[0] - 1.0 + (-5.0 * state.time).exp()).abs();
+    let states = || run.trajectory.samples.iter().map(|sample| &sample.state);
+    let worst = states().map(off).fold(0.0, f64::max);
+    assert!((apart.by / worst - 1.0).abs() < 1e-6, "{apart:?} {worst}");
+    assert!((off(states().find(|state| state.time == apart.time).unwrap()) / worst - 1.0).abs() < 1e-6, "{apart:?}");
 }

@@ -202,3 +202,42 @@ fn what_constraints_keep_at_zero_does_not_happen() {
         }
     }
 }
+
+/// Slow motions beside fast, stiff or heavy ones that have nothing to do with them: a cart turns back, one sets out, and a puck is
+/// lifted.
+#[test]
+fn slow_conditions_happen_beside_fast_and_heavy_parts() {
+    let cart = |force: f64, speed: f64| {
+        format!(
+            "pub Late; coordinates {{ x [m]; phi [rad]; }} bodies {{ cart: mass 1 [kg] at [x, 0]; rotor: inertia 1e-3 [kg*m^2], angle phi; }}
+             loads {{ force [-{force:e} [N], 0] at [x, 0]; spring 1e5 [N*m/rad], rest 0 on phi; }}
+             initial {{ x = 1; dot(x) = {speed:e}; phi = 1; }} events {{ turn: dot(x) = 0; }}"
+        )
+    };
+    for (force, speed) in [(5e-5, 1e-5), (5e-5, 1e-6), (2e-5, 1e-6), (1e-5, 1e-6)] {
+        let run = run_with(interpreted(&cart(force, speed)).unwrap(), &Settings::new(0.3)).unwrap();
+        let times: Vec<f64> = run.events.iter().map(|event| event.state.time).collect();
+        assert_eq!(times.len(), 1, "{force} {speed}");
+        // The rounding of 1 m at these speeds.
+        assert!((times[0] - speed / force).abs() < 1e-8, "{force} {speed}: {times:?}");
+    }
+    for mass in [1.0, 1e3, 1e6] {
+        let text = format!(
+            "pub Glued; coordinates {{ y [m]; z [m]; }} bodies {{ puck: mass 0.1 [kg] at [0, y]; heavy: mass {mass:e} [kg] at [1 [m], z]; }}
+             loads {{ force [0, 1e-3 [N/s^2]*t^2] at [0, y]; force [0, -{mass:e}*9.81 [N]] at [1 [m], z]; }}
+             constraints {{ contact: y = 0 initially active; ground: z = 0; }}
+             events {{ lift: reaction(contact) = 0 rising {{ release contact; }} }}"
+        );
+        for end in [2.0, 4.0, 100.0] {
+            let run = run_with(interpreted(&text).unwrap(), &Settings::new(end)).unwrap();
+            let height = run.trajectory.samples.last().unwrap().state.positions[0];
+            assert!((height / (1e-2 * end.powi(4) / 12.0) - 1.0).abs() < 1e-6, "{mass} {end}: {height}");
+        }
+    }
+    let text = "pub Sets; coordinates { x [m]; phi [rad]; } parameters { h [m] = 3; n = 0; }
+        bodies { cart: mass 1 [kg] at [x, 0]; w: mass 1 [kg] at h*[cos(phi), sin(phi)]; }
+        loads { force [0.1 [N], 0] at [x, 0]; } initial { x = 0; dot(phi) = 1e4; }
+        events { goes: dot(x) = 0 rising { set n = n + 1; } }";
+    let run = run_with(interpreted(text).unwrap(), &Settings::new(0.1)).unwrap();
+    assert_eq!(run.events.iter().map(|event| event.state.time).collect::<Vec<_>>(), [0.0]);
+}
