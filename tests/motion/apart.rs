@@ -47,7 +47,9 @@ fn right_motions_are_not_doubted() {
         let settings = settings(method, 100.0, tolerance);
         let found = compared(&swing, &settings);
         assert_eq!(found.apart, None, "{method:?} {tolerance:e}");
+        assert!(found.compared.is_some_and(|other| other < tolerance), "{method:?} {tolerance:e}");
         let alone = run(swing.clone(), &declared_start(&swing), &settings).unwrap();
+        assert_eq!(alone.compared, None);
         assert_eq!(
             (alone.trajectory.samples.last().unwrap().state.positions[0].to_bits(), alone.evaluations),
             (found.trajectory.samples.last().unwrap().state.positions[0].to_bits(), found.evaluations)
@@ -63,8 +65,9 @@ fn chaos_is_told_with_every_tolerance() {
          bodies { p: mass 1 [kg] at P; q: mass 1 [kg] at Q; } loads { gravity [0, -9.81 [m/s^2]]; } initial { a = 2; b = 2; }",
     )
     .unwrap();
-    for tolerance in [1e-6, 1e-10, 1e-12, 1e-13, 1e-14] {
-        assert!(compared(&chaos, &settings(Method::Dop853, 60.0, tolerance)).apart.is_some(), "{tolerance:e}");
+    let all = [1e-6, 1e-10, 1e-12, 1e-13, 1e-14].map(|tolerance| (Method::Dop853, tolerance));
+    for (method, tolerance) in all.into_iter().chain([(Method::Dopri5, 1e-10), (Method::Radau5, 1e-8)]) {
+        assert!(compared(&chaos, &settings(method, 40.0, tolerance)).apart.is_some(), "{method:?} {tolerance:e}");
     }
 }
 

@@ -49,6 +49,8 @@ pub struct Outcome {
     pub energy_balance_of_changes: f64,
     /// As [`Run::energy_taken`].
     pub energy_taken: f64,
+    /// As [`Run::compared`].
+    pub compared: Option<f64>,
     /// As [`Run::apart`].
     pub apart: Option<Apart>,
     /// As [`Run::integration_time`], in seconds.
@@ -266,6 +268,7 @@ impl<M: Mechanism> Recorded for Run<M> {
             energy_balance: self.energy_balance,
             energy_balance_of_changes: self.energy_balance_of_changes,
             energy_taken: self.energy_taken,
+            compared: self.compared,
             apart: self.apart,
             integration_seconds: self.integration_time.as_secs_f64(),
             farthest_unmeasured: farthest_unmeasured(self),

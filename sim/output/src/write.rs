@@ -109,6 +109,7 @@ pub fn summary_of(run: &Outcome, table: &Table) -> Value {
         "undetermined_reactions": is_undetermined.then_some("least norm in SI units"),
         "singularities": singularities,
         "sudden_changes_within_equal_steps": run.steps.sudden_changes.map(counted),
+        "compared_with_rtol": run.compared,
         "off_from_tolerance": run.apart.map(|apart| off(description, apart)),
         "corners": run.steps.corners.map(counted),
         "undefined_outputs": undefined.collect::<Map<String, Value>>(),

@@ -51,7 +51,7 @@ pub(crate) struct RunArguments {
     #[arg(long)]
     pub(crate) no_report: bool,
 
-    /// Does not compare the run with one of a smaller tolerance, which tells where errors have grown and may take three times as long
+    /// Does not compare the run with one of a smaller tolerance, which tells where errors have grown and may take four times as long
     /// as the run itself.
     #[arg(long)]
     pub(crate) no_comparison: bool,

@@ -267,6 +267,20 @@ fn more(what: &'static str, count: usize) -> Option<Line> {
     (count > MOST_LINES).then(|| (what, format!("and {} more: see summary.json", count - MOST_LINES)))
 }
 
+/// What a run with another tolerance says of the motion, unless it says by how much it is off.
+fn compared(run: &Outcome) -> Option<String> {
+    match (run.compared, &run.apart) {
+        _ if run.failure.is_some() => None,
+        (Some(_), Some(_)) => None,
+        (Some(tolerance), None) => Some(format!(
+            "rows agree with those of a run with tolerance {tolerance:.0e}, to a thousandth of each coordinate's way"
+        )),
+        (None, _) => {
+            Some("not compared with a run of another tolerance: whether errors have grown is not known".to_owned())
+        }
+    }
+}
+
 /// The accuracy of the numbers.
 fn quality(run: &Outcome) -> Vec<Line> {
     let mut rows = Vec::new();
@@ -281,6 +295,7 @@ fn quality(run: &Outcome) -> Vec<Line> {
         "energy",
         format!("balance of kinetic energy and work off by at most {:.1e}, relative", run.energy_balance),
     ));
+    rows.extend(compared(run).map(|line| ("compared", line)));
     if run.energy_taken != 0.0 {
         rows.push(("impact loss", format!("{:.6e} J of kinetic energy taken by events", run.energy_taken)));
     }

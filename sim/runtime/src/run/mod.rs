@@ -73,7 +73,9 @@ pub struct Run<M: Mechanism> {
     pub energy_balance_of_changes: f64,
     /// The kinetic energy that events have taken, in joules.
     pub energy_taken: f64,
-    /// Where it is off beside a run with a smaller tolerance, if [`run_compared`] has found that.
+    /// The tolerance of the run that [`run_compared`] has compared it with.
+    pub compared: Option<f64>,
+    /// Where it is off beside that run.
     pub apart: Option<Apart>,
     /// The time of the integration, with events and records.
     pub integration_time: Duration,
@@ -174,6 +176,7 @@ fn run_with<M: Mechanism>(
         energy_balance,
         energy_balance_of_changes,
         energy_taken,
+        compared: None,
         apart: None,
         integration_time,
     })
