@@ -169,3 +169,17 @@ def test_unknown_names_are_refused_without_a_value_too(oscillator):
             oscillator.run(t_end=0.1, **given)
         with pytest.raises(linkwright.ArgumentError, match="mm|G"):
             oscillator.with_values(**given)
+
+
+def test_runs_are_compared_with_a_smaller_tolerance():
+    chaos = linkwright.load(
+        """pub Chaos; coordinates { a [rad]; b [rad]; }
+        let P = 1 [m]*[sin(a), -cos(a)]; let Q = P + 1 [m]*[sin(b), -cos(b)];
+        bodies { p: mass 1 [kg] at P; q: mass 1 [kg] at Q; } loads { gravity [0, -9.81 [m/s^2]]; }
+        initial { a = 2; b = 2; }"""
+    )
+    assert chaos.run(1).summary["compared_with_rtol"] < 1e-10
+    with pytest.warns(linkwright.LinkwrightWarning, match="is off by"):
+        assert chaos.run(60).summary["off_from_tolerance"]["by"] > 0.1
+    alone = chaos.run(60, comparison=False).summary
+    assert alone["compared_with_rtol"] is None and alone["off_from_tolerance"] is None

@@ -178,6 +178,7 @@ class Model(_linkwright.Model):
         projection: str | None = None,
         rows: int | str | None = None,
         until: str | None = None,
+        comparison: bool = True,
     ) -> Motion:
         """Integrate the motion. What is not given is as the declaration's block ``run`` says, or as of ``sim run``.
 
@@ -191,9 +192,11 @@ class Model(_linkwright.Model):
             rows: so many intervals between rows, or ``"steps"``.
             until: an event that ends the run, ``"period"`` or ``"period:3"``. If it does not happen, the run goes on to its
                 end, with a ``LinkwrightWarning``.
+            comparison: whether the run is compared with one of a smaller tolerance, which tells where errors have grown and may
+                take four times as long as the run itself.
 
-        A ``LinkwrightWarning`` also says where numbers may be wrong: energy that does not balance, and equal steps over sudden
-        changes. They stand in ``summary["warnings"]``.
+        A ``LinkwrightWarning`` also says where numbers may be wrong: energy that does not balance, errors that have grown, and equal
+        steps over sudden changes. They stand in ``summary["warnings"]``.
 
         ``step`` is made shorter where the end is not a multiple of it. A value of a coordinate that is declared as a guess is
         a guess.
@@ -206,13 +209,15 @@ class Model(_linkwright.Model):
             until=until,
         )
         model = self._with_declared(None, inputs)
-        found = model._motion("run", settings + repeated("input", inputs), parameters, initial)
+        compared = [] if comparison else ["--no-comparison"]
+        found = model._motion("run", settings + compared + repeated("input", inputs), parameters, initial)
         for message in found.summary["warnings"]:
             warn(message)
         event = found.summary["until"]
         if event is not None and event["happened"] < event["asked"]:
             happened, asked = event["happened"], event["asked"]
-            warn(f"`{event['event']}` has happened {happened} times, not {asked}: the run went on to its end")
+            end = found.summary["end"]["reached"]
+            warn(f"`{event['event']}` has happened {happened} times, not {asked}, until the run has ended at {end} s")
         return found
 
     def assemble(self, *, parameters: Values | None = None, initial: Values | None = None) -> dict[str, Any]:
