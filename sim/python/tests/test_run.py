@@ -136,7 +136,8 @@ def test_numbers_that_may_be_wrong_come_with_a_warning():
     # Equal steps of twice the time in which x changes by itself.
     with pytest.warns(linkwright.LinkwrightWarning, match="energy does not balance"):
         run = spring.run(5, method="rk4", step=0.02)
-    assert run.summary["warnings"] == ["energy does not balance: take smaller steps before you trust these numbers"]
+    off, energy = run.summary["warnings"]
+    assert off.startswith("`x` is off by") and energy.startswith("energy does not balance")
     assert spring.run(0.5).summary["warnings"] == []
 
 
