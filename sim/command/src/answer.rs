@@ -5,7 +5,7 @@ use crate::arguments::{Arguments, Command, KinematicsArguments, PoincareArgument
 use crate::commands::kinematics::swept;
 use crate::commands::linearize::linearized_summary;
 use crate::commands::poincare::{Sectioned, sectioned};
-use crate::commands::run::{Asked, asked, failures};
+use crate::commands::run::{Asked, asked, failures, made};
 use crate::commands::statics::{assembled, balanced};
 use crate::commands::verify::verified;
 use crate::files::asked::of_words;
@@ -19,7 +19,7 @@ use sim_kernel::Mechanism;
 use sim_output::show::{About, ShowError, report_text, sweep_report_text};
 use sim_output::{Recorded, summary_of};
 use sim_runtime::verify::VerifyError;
-use sim_runtime::{Erased, Failure, Model, Run, Table, What, run_compared, run_while};
+use sim_runtime::{Erased, Failure, Model, Run, Table, What};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -182,8 +182,7 @@ where
     Run<M>: Send + Sync,
 {
     let Asked { mechanism, start, settings, mut reproduction } = asked(&mechanism, arguments)?;
-    let runs = if arguments.no_comparison { run_while } else { run_compared };
-    let found = runs(mechanism, &start, &settings, &mut |_| !interrupted.load(Ordering::Relaxed))?;
+    let found = made(arguments)(mechanism, &start, &settings, &mut |_| !interrupted.load(Ordering::Relaxed))?;
     let outcome = found.outcome();
     let mut table = Table::of(&found.mechanism, &found.trajectory);
     let mut summary = summary_of(&outcome, &table);

@@ -8,7 +8,7 @@ use crate::analysis::kinematics::{Driven, Kinematics, kinematics_until, prescrib
 use crate::analysis::linearize::{linearize, quaternions};
 use crate::analysis::poincare::poincare_while;
 use crate::model::erased::{Erased, OnHeap, Small};
-use crate::motion::measured::{check_masses, known_length, mobility};
+use crate::motion::measured::{check_bodies, known_length, mobility};
 use crate::motion::residuals::residuals;
 use crate::record::table::Table;
 use crate::run::{Simulation, run_compared, run_while};
@@ -32,7 +32,7 @@ fn runs<M: Mechanism>() {
         Table::of::<M>,
         assemble::<M>,
         declared_start::<M>,
-        check_masses::<M>,
+        check_bodies::<M>,
         known_length::<M>,
         mobility::<M>,
         Simulation::<M>::new,

@@ -48,7 +48,7 @@ pub use model::erased::{
 pub use model::{At, Control};
 pub use motion::Motion;
 pub use motion::inertia::check_inertias;
-pub use motion::measured::{check_masses, mobility};
+pub use motion::measured::{check_bodies, check_masses, mobility};
 pub use motion::measures::Measures;
 pub use motion::mobility::Mobility;
 pub use motion::project::{project, project_positions, project_velocities};

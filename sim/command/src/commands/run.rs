@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use sim_kernel::{Description, Input, Mechanism, Quantity};
 use sim_output::show::{self, About};
 use sim_output::{Outcome, Recorded, Until, impulses, summary_of, write_json};
-use sim_runtime::{Failure, Settings, Start, Stepping, Table, What, assemble, mobility, run_compared, run_while};
+use sim_runtime::{Failure, Run, Settings, Start, Stepping, Table, What, assemble, mobility, run_compared, run_while};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -25,11 +25,19 @@ pub(crate) fn run_command<M: Mechanism>(mechanism: M, arguments: &RunArguments, 
     let files = Files::new(description, &directory, &["mechanism"])?;
     warn_of_redundancy(&mechanism, &start, voice);
     let driven = inputs(description, mechanism.inputs().as_ref());
-    let runs = if arguments.no_comparison { run_while } else { run_compared };
-    let found = progress::watched(settings.end, voice, |goes_on| runs(mechanism, &start, &settings, goes_on))?;
+    let made = made::<M>(arguments);
+    let found = progress::watched(settings.end, voice, |goes_on| made(mechanism, &start, &settings, goes_on))?;
     let clock = Clock { start: clock, integrated: clock.elapsed().as_secs_f64() };
     let mut table = Table::of(&found.mechanism, &found.trajectory);
     told(&found, &mut table, arguments, (&mut reproduction, files, clock), (driven, voice))
+}
+
+/// What makes a run.
+type Made<M> = fn(M, &Start<M>, &Settings, &mut dyn FnMut(f64) -> bool) -> Result<Run<M>, Failure>;
+
+/// How a run is made: compared with another, or alone.
+pub(crate) fn made<M: Mechanism>(arguments: &RunArguments) -> Made<M> {
+    if arguments.no_comparison { run_while } else { run_compared }
 }
 
 /// A run as it is asked for.

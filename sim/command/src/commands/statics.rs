@@ -12,7 +12,7 @@ use nalgebra::Complex;
 use serde_json::{Map, Value, json};
 use sim_kernel::{Description, Mechanism, Quantity};
 use sim_output::list;
-use sim_runtime::{Branches, Loop, Mobility, assemble, branches, check_masses, equilibrium, mobility, residuals};
+use sim_runtime::{Branches, Loop, Mobility, assemble, branches, check_bodies, equilibrium, mobility, residuals};
 use std::fmt::Write;
 
 /// Prints the assembled start, degrees of freedom and redundant constraints.
@@ -33,7 +33,7 @@ pub(crate) fn assembled<M: Mechanism>(mechanism: M, arguments: &AssembleArgument
         return of_branches(description, &loops, &open, &positions.iter().map(list).collect::<Vec<_>>());
     }
     let state = assemble(&mechanism, &start)?;
-    check_masses(&mechanism, state.time, &state.positions)?;
+    check_bodies(&mechanism, state.time, &state.positions)?;
     let found = mobility(&mechanism, state.time, &state.positions);
     let numbers = (state.positions.as_ref(), state.speeds.as_ref());
     of_start(description, &found, numbers, residuals(&mechanism, &state))

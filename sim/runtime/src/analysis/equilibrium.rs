@@ -2,9 +2,8 @@
 
 use crate::analysis::linearize::{Linearization, Statics, linearize};
 use crate::model::{At, Differentiable};
-use crate::motion::inertia::check_inertias;
 use crate::motion::lengths::measure;
-use crate::motion::measured::check_masses;
+use crate::motion::measured::check_bodies;
 use crate::motion::typed::Any;
 use crate::numerics::arrays::array;
 use crate::start::assemble::{Start, assemble};
@@ -63,8 +62,7 @@ const TURNED: f64 = 0.5;
 pub fn equilibrium<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Result<Equilibrium<M>, Failure> {
     let any: &dyn Differentiable = &Any(mechanism);
     let assembled = assemble(mechanism, &at_rest(start))?;
-    check_masses(mechanism, 0.0, &assembled.positions)?;
-    check_inertias(mechanism, 0.0, &assembled.positions)?;
+    check_bodies(mechanism, 0.0, &assembled.positions)?;
     let near = assembled.positions.as_ref().to_vec();
     check_undriven(any, &near)?;
     let begin = || Statics::at(any, near.clone(), &measure(any, 0.0, &near).0);

@@ -246,7 +246,7 @@ impl<M: Mechanism> EventHandler<M> {
                 let soon = onset.returns_after(index) < self.instant() || onset.hides_return(index);
                 onset.leaving(index) == -through && soon
             }
-            false => onset.sign(index) == through && !(onset.is_rounding(index) && is_held(motion, sample, index)),
+            false => onset.sign(index) == through && !(onset.is_noise(index) && is_held(motion, sample, index)),
         };
         !described.steps.is_empty() && onset.holds(index) && goes_on
     }

@@ -24,8 +24,6 @@ pub(crate) struct Onset<M: Mechanism> {
     pub(crate) noise: M::Events,
     /// The rounding of the change of a condition in either time.
     significant: M::Events,
-    /// The same with the terms by speeds, by time and by loads.
-    of_all: M::Events,
     /// The rounding of a condition itself, where its terms cancel.
     last_digits: M::Events,
     /// The times over which first and second derivatives are differences.
@@ -68,7 +66,6 @@ impl<M: Mechanism> Onset<M> {
                 if noise.is_finite() { noise } else { 0.0 }
             }),
             significant: values.like(|i| ROUNDING * terms[i]),
-            of_all: values.like(|i| ROUNDING * (terms[i] + others[i])),
             last_digits: values.like(|i| LAST_DIGITS * own_terms[i]),
             times,
             tolerance: tolerance(sample.state.time, span),
@@ -77,26 +74,14 @@ impl<M: Mechanism> Onset<M> {
 
     /// None known yet.
     pub(crate) fn blank(none: &M::Events) -> Onset<M> {
-        let [values, rates, seconds, bends, noise, significant, of_all, last_digits] =
-            std::array::from_fn(|_| none.clone());
-        Onset {
-            values,
-            rates,
-            seconds,
-            bends,
-            noise,
-            significant,
-            of_all,
-            last_digits,
-            times: [0.0; 2],
-            tolerance: 0.0,
-        }
+        let [values, rates, seconds, bends, noise, significant, last_digits] = std::array::from_fn(|_| none.clone());
+        Onset { values, rates, seconds, bends, noise, significant, last_digits, times: [0.0; 2], tolerance: 0.0 }
     }
 
     /// All of it as bytes, or from them.
     pub(crate) fn transfer(&mut self, bytes: &mut Bytes) -> Result<(), Damaged> {
-        let Onset { values, rates, seconds, bends, noise, significant, of_all, last_digits, times, tolerance } = self;
-        for numbers in [values, rates, seconds, bends, noise, significant, of_all, last_digits] {
+        let Onset { values, rates, seconds, bends, noise, significant, last_digits, times, tolerance } = self;
+        for numbers in [values, rates, seconds, bends, noise, significant, last_digits] {
             bytes.numbers(numbers.as_mut())?;
         }
         bytes.numbers(times)?;
@@ -139,11 +124,11 @@ impl<M: Mechanism> Onset<M> {
         }
     }
 
-    /// Whether all that changes a condition is but rounding here, beside all terms.
-    pub(crate) fn is_rounding(&self, event: usize) -> bool {
+    /// Whether all that changes a condition is noise.
+    pub(crate) fn is_noise(&self, event: usize) -> bool {
         let [once, twice] = [self.times[0], self.times[1].powi(2) / 2.0];
         let changes = [self.rates[event] * once, self.seconds[event] * twice, self.bends[event] * twice];
-        changes.iter().all(|change| change.abs() <= self.of_all[event])
+        changes.iter().all(|change| change.abs() <= self.noise[event])
     }
 
     /// Whether the rate of a condition is but rounding here.

@@ -1,5 +1,6 @@
 //! What is found of a mechanism at the start of a motion: its scales, degrees of freedom and masses.
 
+use crate::motion::inertia::check_inertias;
 use crate::motion::lengths;
 use crate::motion::measures::Measures;
 use crate::motion::mobility::{Mobility, check_masses_of, mobility_of};
@@ -54,4 +55,14 @@ pub fn known_length<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Option<
 #[inline(never)]
 pub fn check_masses<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Result<(), Failure> {
     check_masses_of(&Any(mechanism), time, q.as_ref())
+}
+
+/// Checks that bodies have masses and inertias that there are.
+///
+/// # Errors
+/// As [`check_masses`] and [`check_inertias`].
+#[inline(never)]
+pub fn check_bodies<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Result<(), Failure> {
+    check_masses(mechanism, time, q)?;
+    check_inertias(mechanism, time, q)
 }

@@ -1,8 +1,7 @@
 //! Changes of parameters and inputs by the owner of a simulation.
 
 use super::Simulation;
-use crate::motion::inertia::check_inertias;
-use crate::motion::measured::{check_masses, mobility};
+use crate::motion::measured::{check_bodies, mobility};
 use crate::motion::measures::Measures;
 use crate::motion::project::project_velocities;
 use crate::motion::singular::IN;
@@ -90,8 +89,7 @@ impl<M: Mechanism> Simulation<M> {
     fn change_to(&mut self, parameters: M::Parameters) -> Result<(), Failure> {
         let (before, state) = (self.mechanism().clone(), self.state.clone());
         let mechanism = before.with_parameters(parameters.clone());
-        check_masses(&mechanism, state.time, &state.positions)?;
-        check_inertias(&mechanism, state.time, &state.positions)?;
+        check_bodies(&mechanism, state.time, &state.positions)?;
         let state = if moves_constraints(&before, &mechanism, &state) { self.closed(&parameters)? } else { state };
         self.go_over(mechanism, state)?;
         let State { time, positions, speeds, .. } = &self.state;

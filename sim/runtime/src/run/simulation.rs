@@ -6,8 +6,7 @@
 use crate::events::{EventHandler, Occurrence};
 use crate::integrate::{Course, Integrator, Stepper, Steps, first_sample};
 use crate::motion::Motion;
-use crate::motion::inertia::check_inertias;
-use crate::motion::measured::{check_masses, mobility};
+use crate::motion::measured::{check_bodies, mobility};
 use crate::motion::measures::Measures;
 use crate::motion::mobility::Mobility;
 use crate::record::Watch;
@@ -77,8 +76,7 @@ impl<M: Mechanism> Simulation<M> {
         settings
             .check(mechanism.description().events.len())
             .map_err(|setting| Failure::at(&mechanism, What::Unusable { setting }, state.time, &state.positions))?;
-        check_masses(&mechanism, state.time, &state.positions)?;
-        check_inertias(&mechanism, state.time, &state.positions)?;
+        check_bodies(&mechanism, state.time, &state.positions)?;
         let mobility = mobility(&mechanism, state.time, &state.positions);
         mobility.check_regular(&mechanism, state.time, &state.positions)?;
         let measures = Measures::with_mobility(&mechanism, state.time, &state.positions, &mobility);

@@ -22,8 +22,7 @@ mod system;
 mod tabulate;
 mod walk;
 
-use crate::motion::inertia::check_inertias;
-use crate::motion::measured::check_masses;
+use crate::motion::measured::check_bodies;
 use crate::motion::mobility::Mobility;
 use crate::motion::typed::Any;
 use crate::start::assemble::{Start, assemble};
@@ -123,8 +122,7 @@ pub fn kinematics_until<M: Mechanism>(
     let none = vec![false; mechanism.n()];
     let still = Start { speeds: M::Q::repeat(mechanism.n(), 0.0), speed_given: none, ..start.clone() };
     let assembled = assemble(&mechanism, &still)?.positions;
-    check_masses(&mechanism, 0.0, &assembled)?;
-    check_inertias(&mechanism, 0.0, &assembled)?;
+    check_bodies(&mechanism, 0.0, &assembled)?;
     let any = Any(&mechanism);
     let swept = sweep::sweep(&any, assembled.as_ref().to_vec(), sweep, interrupt)?;
     let extremes = extremes::extremes(&swept, sweep);

@@ -9,9 +9,8 @@ mod statics;
 mod steady;
 
 use crate::model::{At, Control, Differentiable};
-use crate::motion::inertia::check_inertias;
 use crate::motion::lengths::measure;
-use crate::motion::measured::check_masses;
+use crate::motion::measured::check_bodies;
 use crate::motion::typed::Any;
 use crate::state::failure::{Failure, What};
 use crate::state::trajectory::State;
@@ -80,8 +79,7 @@ pub fn linearize<M: Mechanism>(
     state: &State<M>,
     inputs: &[Control],
 ) -> Result<Linearization<M>, Failure> {
-    check_masses(mechanism, state.time, &state.positions)?;
-    check_inertias(mechanism, state.time, &state.positions)?;
+    check_bodies(mechanism, state.time, &state.positions)?;
     let found = linearize_any(&Any(mechanism), At::state(state), inputs)?;
     let AnyLinearization { a, b, c, d, eigenvalues, modes, reduction, unsteady, has_corner } = found;
     let is_steady = unsteady.is_none();
