@@ -3,7 +3,7 @@
 use models::CamFollower;
 use sim::{Compiled, Method, Run, Settings, Table};
 use std::f64::consts::{PI, TAU};
-use tests::any_model::interpreted;
+use tests::any_model::{self, AnyModel, interpreted};
 use tests::run_with;
 
 const LIFT: f64 = 0.012;
@@ -27,18 +27,18 @@ fn cycloidal(angle: f64) -> [f64; 3] {
     }
 }
 
-fn one_turn(cam: CamFollower) -> Run<CamFollower> {
-    let run = run_with(cam, &Settings::equal_steps(Method::Dop853, TAU / cam.w, 3600)).unwrap();
+fn one_turn(cam: CamFollower) -> Run<AnyModel> {
+    let run = any_model::run_with(cam, &Settings::equal_steps(Method::Dop853, TAU / cam.w, 3600)).unwrap();
     assert_eq!(run.trajectory.failure, None);
     run
 }
 
 /// The largest difference of a column from the law, relative to the largest of the law.
-fn error(run: &Run<CamFollower>, column: &str, law: impl Fn(f64) -> f64) -> f64 {
+fn error(run: &Run<AnyModel>, column: &str, law: impl Fn(f64) -> f64) -> f64 {
     let table = Table::of(&run.mechanism, &run.trajectory);
     let (mut error, mut largest) = (0.0f64, 0.0f64);
     for (value, time) in table.column(column).unwrap().values.iter().zip(table.times()) {
-        let law = law(run.mechanism.w * time);
+        let law = law(CamFollower::<f64>::default().w * time);
         (error, largest) = (error.max((value - law).abs()), largest.max(law.abs()));
     }
     println!("{:<14} {column:<3} {:.1e} of {largest:.3}", CamFollower::<f64>::DESCRIPTION.name, error / largest);

@@ -3,7 +3,7 @@
 use models::QuickReturn;
 use sim::{Crossing, Mechanism, Method, Run, Settings, StopAt, mechanism};
 use std::f64::consts::PI;
-use tests::any_model::interpreted;
+use tests::any_model::{self, AnyModel, interpreted};
 use tests::{decimal, reference, run_with};
 
 mechanism! {
@@ -23,7 +23,7 @@ mechanism! {
     }
 }
 
-fn times(run: &Run<Clock>, name: &str) -> Vec<f64> {
+fn times(run: &Run<AnyModel>, name: &str) -> Vec<f64> {
     run.events.iter().filter(|event| event.name == name).map(|event| event.state.time).collect()
 }
 
@@ -36,7 +36,7 @@ fn near(found: &[f64], expected: &[f64], tolerance: f64) {
 #[test]
 fn one_step_holds_many_events_in_order() {
     for steps in [1, 3, 100] {
-        let run = run_with(Clock::default(), &Settings::equal_steps(Method::Dop853, 1.0, steps)).unwrap();
+        let run = any_model::run_with(Clock::default(), &Settings::equal_steps(Method::Dop853, 1.0, steps)).unwrap();
         let zeros: Vec<f64> = (1..16).map(|k| f64::from(k) * PI / 50.0).collect();
         near(&times(&run, "fast"), &zeros, 2e-12);
         near(&times(&run, "first"), &[1.0 / 3.0], 2e-12);
@@ -60,7 +60,7 @@ fn one_step_holds_many_events_in_order() {
 fn the_period_is_found_to_a_picosecond() {
     let exact = decimal(&reference("quick_return.json")["period"]);
     for settings in [Settings::equal_steps(Method::Rk4, 2.0, 8192), Settings::adaptive(Method::Dop853, 2.0, 1e-12)] {
-        let run = run_with(QuickReturn::default(), &settings).unwrap();
+        let run = any_model::run_with(QuickReturn::default(), &settings).unwrap();
         let error = (run.period().unwrap() - exact).abs();
         println!("{:<8} {error:.1e} s", settings.method.name());
         assert!(error <= 1e-12, "{error:e}");
@@ -72,7 +72,7 @@ fn the_period_is_found_to_a_picosecond() {
 fn dop853_at_1e_12_has_twelve_digits_after_two_seconds() {
     let exact = reference("quick_return.json");
     let expected = decimal(&exact["samples"].as_array().unwrap().last().unwrap()["alpha"]);
-    let run = run_with(QuickReturn::default(), &Settings::adaptive(Method::Dop853, 2.0, 1e-12)).unwrap();
+    let run = any_model::run_with(QuickReturn::default(), &Settings::adaptive(Method::Dop853, 2.0, 1e-12)).unwrap();
     let alpha = run.trajectory.samples.last().unwrap().state.positions[0];
     println!("{:.1e}, {} right-hand sides", (alpha - expected) / expected, run.evaluations);
     assert!((alpha - expected).abs() < 2e-12 * expected);
@@ -83,8 +83,8 @@ fn dop853_at_1e_12_has_twelve_digits_after_two_seconds() {
 fn records_do_not_change_the_steps() {
     let end = |rows| {
         let settings = Settings { rows, ..Settings::adaptive(Method::Dop853, 2.0, 1e-9) };
-        let run = run_with(QuickReturn::default(), &settings).unwrap();
-        (run.steps, run.trajectory.samples.last().unwrap().state.positions)
+        let run = any_model::run_with(QuickReturn::default(), &settings).unwrap();
+        (run.steps, run.trajectory.samples.last().unwrap().state.positions.as_ref().to_vec())
     };
     assert_eq!(end(sim::Rows::Even(1)), end(sim::Rows::Even(777)));
     assert_eq!(end(sim::Rows::Even(1)), end(sim::Rows::Steps));
@@ -93,7 +93,7 @@ fn records_do_not_change_the_steps() {
 #[test]
 fn an_event_ends_the_run_at_its_time() {
     let stop = Some(StopAt { event: 0, occurrence: 3 });
-    let run = run_with(Clock::default(), &Settings { stop, ..Settings::new(1.0) }).unwrap();
+    let run = any_model::run_with(Clock::default(), &Settings { stop, ..Settings::new(1.0) }).unwrap();
     let last = run.trajectory.samples.last().unwrap().state.clone();
     assert!((last.time - 3.0 * PI / 50.0).abs() < 2e-12 && (last.positions[0] - last.time).abs() < 1e-14);
     assert_eq!(times(&run, "fast").len(), 3);
@@ -118,7 +118,8 @@ mechanism! {
 #[test]
 fn what_happens_at_once_happens() {
     for steps in 1..=250 {
-        let run = run_with(Simultaneous::default(), &Settings::equal_steps(Method::Rk4, 2.0, steps)).unwrap();
+        let run =
+            any_model::run_with(Simultaneous::default(), &Settings::equal_steps(Method::Rk4, 2.0, steps)).unwrap();
         for name in ["clock", "there", "seen"] {
             let count = run.events.iter().filter(|event| event.name == name).count();
             assert_eq!(count, 1, "{name} in {steps} steps");
@@ -146,7 +147,7 @@ fn large_coordinates_make_no_events() {
     let period = 2.0 * PI / (mu * (2.0 / r - v * v / mu).powi(3)).sqrt();
     for (method, tolerance) in [Method::Dopri5, Method::Dop853].into_iter().flat_map(|m| [1e-9, 1e-11].map(|t| (m, t)))
     {
-        let run = run_with(Planet::default(), &Settings::adaptive(method, 6.0 * period, tolerance)).unwrap();
+        let run = any_model::run_with(Planet::default(), &Settings::adaptive(method, 6.0 * period, tolerance)).unwrap();
         let found: Vec<f64> = run.events.iter().map(|event| event.state.time / period).collect();
         let expected: Vec<f64> = (0..6).map(|k| f64::from(k) + 0.5).collect();
         // Errors of steps add up in the period, and with it in the time, over some hundred steps.

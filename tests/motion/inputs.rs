@@ -4,7 +4,7 @@ use sim::{
     Controller, Input, Mechanism, Method, Rows, Run, Sample, Settings, Stepping, declared_start, mechanism,
     run_controlled,
 };
-use tests::run_with;
+use tests::any_model::{AnyModel, run_with};
 
 mechanism! {
     /// A disc that a motor turns.
@@ -26,7 +26,7 @@ fn settings(end: f64) -> Settings {
 }
 
 /// The largest difference of the angle from its closed form.
-fn error(run: &Run<Motor>, exact: impl Fn(f64) -> f64) -> f64 {
+fn error(run: &Run<AnyModel>, exact: impl Fn(f64) -> f64) -> f64 {
     assert_eq!(run.trajectory.failure, None);
     let samples = run.trajectory.samples.iter();
     samples.map(|s| (s.state.positions[0] - exact(s.state.time)).abs()).fold(0.0, f64::max)
@@ -35,7 +35,7 @@ fn error(run: &Run<Motor>, exact: impl Fn(f64) -> f64) -> f64 {
 #[test]
 fn an_input_follows_its_course_until_it_is_held() {
     let followed = run_with(Motor::default(), &settings(4.0)).unwrap();
-    let Motor { J, w, size, .. } = followed.mechanism;
+    let Motor { J, w, size, .. } = Motor::<f64>::default();
     assert!(error(&followed, |t| t + size / (J * w * w) * (1.0 - (w * t).cos())) < TOLERANCE);
     let held = run_with(Motor { tau: Input::Held(0.3), ..Motor::default() }, &settings(4.0)).unwrap();
     assert!(error(&held, |t| t + 0.3 / J * t * t / 2.0) < TOLERANCE);

@@ -1,9 +1,9 @@
 //! Singular positions: motions that go straight on through them, against the same linkage in one coordinate, and motions that
 //! cannot.
 
-use sim::{Compiled, Method, Rows, Run, Settings, Stabilisation, What, mechanism};
+use sim::{Compiled, Method, Rows, Run, Sample, Settings, Stabilisation, What, mechanism};
 use std::f64::consts::PI;
-use tests::run_with;
+use tests::any_model::{AnyModel, run_with};
 
 mechanism! {
     /// A parallelogram, which can change into a crossed linkage in its flat positions.
@@ -125,11 +125,11 @@ mechanism! {
 }
 
 /// The largest difference of the first coordinate and its speed, relative to the largest of each.
-fn difference<M: Compiled, N: Compiled>(one: &Run<M>, other: &Run<N>) -> f64 {
+fn difference(one: &Run<AnyModel>, other: &Run<AnyModel>) -> f64 {
     assert_eq!((&one.trajectory.failure, &other.trajectory.failure), (&None, &None));
     assert_eq!(one.trajectory.samples.len(), other.trajectory.samples.len());
     let pairs = || one.trajectory.samples.iter().zip(&other.trajectory.samples);
-    let largest = |f: &dyn Fn(&sim::Sample<M>, &sim::Sample<N>) -> f64| {
+    let largest = |f: &dyn Fn(&Sample<AnyModel>, &Sample<AnyModel>) -> f64| {
         pairs().fold(0.0f64, |largest, (a, b)| largest.max(f(a, b).abs()))
     };
     let positions = largest(&|a, b| a.state.positions.as_ref()[0] - b.state.positions.as_ref()[0])
@@ -179,7 +179,7 @@ fn check<M: Compiled, N: Compiled>(mechanism: M, alone: N, constraint: &str, ang
             assert!(singularity.constraint.starts_with(constraint) && singularity.sine < 1e-6, "{singularity:?}");
             // The time is as exact as the motion.
             let near = exact.trajectory.samples.iter().min_by(|a, b| {
-                let far = |s: &sim::Sample<N>| (s.state.time - singularity.time).abs();
+                let far = |s: &Sample<AnyModel>| (s.state.time - singularity.time).abs();
                 far(a).total_cmp(&far(b))
             });
             let near = near.unwrap();
@@ -233,9 +233,9 @@ fn steps_do_not_end_where_the_motion_is_not_determined() {
         let (mut worst, mut acceleration) = (0.0f64, 0.0f64);
         for sample in &run.trajectory.samples {
             let crank = 1.0 + 10.0 * sample.state.time;
-            let pairs = sample.state.positions.into_iter().zip([crank, 0.0, crank]);
+            let pairs = sample.state.positions.as_ref().iter().zip([crank, 0.0, crank]);
             worst = pairs.fold(worst, |worst, (a, b)| worst.max((a - b).abs()));
-            acceleration = sample.accelerations.iter().fold(acceleration, |worst, a| worst.max(a.abs()));
+            acceleration = sample.accelerations.as_ref().iter().fold(acceleration, |worst, a| worst.max(a.abs()));
         }
         println!("{:<7} {worst:.1e}, accelerations {acceleration:.1e}", method.name());
         // In the flat position accelerations follow from those around it.
@@ -252,7 +252,8 @@ fn accelerations_off(settings: &Settings, start: f64, ripple: f64) -> f64 {
     let (mut worst, mut largest) = (0.0f64, 0.0f64);
     for (sample, alone) in run.trajectory.samples.iter().zip(&alone.trajectory.samples) {
         let expected = [alone.accelerations[0], 0.0, alone.accelerations[0]];
-        worst = sample.accelerations.iter().zip(expected).fold(worst, |worst, (a, b)| worst.max((a - b).abs()));
+        worst =
+            sample.accelerations.as_ref().iter().zip(expected).fold(worst, |worst, (a, b)| worst.max((a - b).abs()));
         largest = largest.max(alone.accelerations[0].abs());
     }
     worst / largest
@@ -315,7 +316,7 @@ fn reactions_at_flat_positions_belong_to_the_accelerations_of_their_row() {
         constraints { A: r*[cos(a), sin(a)] + [-l, 0] = on(co, [-l, 0]); B: r*[cos(b), sin(b)] = on(co, [0, 0]); }
         initial { a = 1; guess b = 1; guess x = 0; guess y = 0.1; }";
     let settings = Settings { rows: Rows::Even(20_000), ..Settings::adaptive(Method::Dop853, 20.0, 1e-10) };
-    let run = run_with(tests::any_model::interpreted(text).unwrap(), &settings).unwrap();
+    let run = tests::run_with(tests::any_model::interpreted(text).unwrap(), &settings).unwrap();
     assert_eq!(run.trajectory.failure, None);
     let mut largest = 0.0f64;
     for sample in &run.trajectory.samples {

@@ -2,8 +2,7 @@
 
 use sim::{Mechanism, Settings, What, assemble, declared_start, mechanism, mobility};
 use std::f64::consts::PI;
-use tests::any_model::interpreted;
-use tests::run_with;
+use tests::any_model::{self, AnyModel, interpreted};
 
 mechanism! {
     /// A parallelogram whose start is a parameter: flat at 0.
@@ -67,14 +66,14 @@ fn a_redundant_constraint_is_no_singular_position() {
 /// both flat positions.
 #[test]
 fn a_run_does_not_start_where_the_motion_is_not_determined() {
-    let failure = run_with(Flat::default(), &Settings::new(1.0)).unwrap_err();
+    let failure = any_model::run_with(Flat::default(), &Settings::new(1.0)).unwrap_err();
     println!("{failure}");
     assert_eq!(failure.what, What::SingularStart { constraint: "closure_x" });
-    let run = run_with(Flat { at: 0.01, ..Default::default() }, &Settings::new(1.0)).unwrap();
+    let run = any_model::run_with(Flat { at: 0.01, ..Default::default() }, &Settings::new(1.0)).unwrap();
     assert_eq!(run.trajectory.failure, None);
     println!("{:?}", run.steps.singularities);
     assert!(run.steps.singularities.len() > 1);
-    let apart = |sample: &sim::Sample<Flat>| (sample.state.positions[0] - sample.state.positions[2]).abs();
+    let apart = |sample: &sim::Sample<AnyModel>| (sample.state.positions[0] - sample.state.positions[2]).abs();
     assert!(run.trajectory.samples.iter().all(|sample| apart(sample) < 1e-7));
 }
 

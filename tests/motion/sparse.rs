@@ -4,7 +4,7 @@ use sim::{
     Array, Compiled, FixedArray, Measures, Method, Rows, Settings, project, project_positions, project_velocities,
 };
 use tests::engine::Engine;
-use tests::{Random, run_with};
+use tests::{Random, any_model, run_with};
 
 sim::mechanism! {
     /// Twelve rods that hang from the ground, each a free body.
@@ -177,7 +177,7 @@ fn sparse_projection_is_that_of_dense_rows() {
 /// The angles at the end of a swing, at a tolerance of 1e-12.
 fn swung<M: Compiled>(mechanism: M, end: f64) -> Vec<f64> {
     let settings = Settings::adaptive(Method::Dop853, end, 1e-12);
-    let run = run_with(mechanism, &Settings { rows: Rows::Even(1), ..settings }).unwrap();
+    let run = any_model::run_with(mechanism, &Settings { rows: Rows::Even(1), ..settings }).unwrap();
     let end = run.trajectory.samples[1].state.clone();
     let angles = (0..M::Q::LEN).filter(|j| M::DESCRIPTION.coordinates[*j].start == sim::sim_kernel::Start::Given);
     angles.map(|j| end.positions[j]).collect()
@@ -213,10 +213,10 @@ fn parallelograms_of_free_bodies_pass_their_flat_position() {
     assert!(!Parallelograms::<f64>::DESCRIPTION.sparsity.is_empty());
     let until = |end: f64| Settings { rows: Rows::Even(1), ..Settings::adaptive(Method::Dop853, end, 1e-10) };
     let angle = |end: f64| {
-        let run = run_with(ParallelogramsAlone::default(), &until(end)).unwrap();
+        let run = any_model::run_with(ParallelogramsAlone::default(), &until(end)).unwrap();
         run.trajectory.samples[1].state.positions[0]
     };
-    let run = run_with(Parallelograms::default(), &until(1.2)).unwrap();
+    let run = any_model::run_with(Parallelograms::default(), &until(1.2)).unwrap();
     assert_eq!(run.trajectory.failure, None);
     let found = run.trajectory.samples[1].state.positions[2];
     assert!((found - angle(1.2)).abs() < 1e-7, "{found} {}", angle(1.2));

@@ -1,7 +1,7 @@
 //! A stiff linkage: explicit methods are held back by stability, the implicit one by accuracy alone.
 
 use sim::{Method, Rows, Run, Settings, mechanism};
-use tests::run_with;
+use tests::any_model::{AnyModel, run_with};
 
 mechanism! {
     /// A slider-crank whose piston drags a slider of 10 g by a spring and a damper.
@@ -31,11 +31,11 @@ mechanism! {
 }
 
 /// The largest error of a coordinate or speed at the end, relative to its size.
-fn error(run: &Run<Dragged>, exact: &Run<Dragged>) -> f64 {
+fn error(run: &Run<AnyModel>, exact: &Run<AnyModel>) -> f64 {
     assert_eq!(run.trajectory.failure, None);
-    let end = |run: &Run<Dragged>| {
+    let end = |run: &Run<AnyModel>| {
         let state = run.trajectory.samples.last().unwrap().state.clone();
-        [state.positions, state.speeds].concat()
+        [state.positions.as_ref(), state.speeds.as_ref()].concat()
     };
     end(run).iter().zip(end(exact)).fold(0.0, |worst, (a, b)| f64::max(worst, ((a - b) / b).abs()))
 }

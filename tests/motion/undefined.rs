@@ -2,7 +2,7 @@
 
 use sim::{Method, Settings, mechanism};
 use std::f64::consts::PI;
-use tests::any_model::interpreted;
+use tests::any_model::{self, interpreted};
 use tests::run_with;
 
 /// A mass on a spring, x = cos(sqrt(40) t), with an event.
@@ -72,7 +72,7 @@ mechanism! {
 fn no_step_of_order_1_has_a_rest_of_its_own() {
     let (end, half) = (2.3, PI / 40f64.sqrt());
     for count in [2_000, 20_000, 200_000] {
-        let run = run_with(Swinging::default(), &Settings::equal_steps(Method::Euler, end, count)).unwrap();
+        let run = any_model::run_with(Swinging::default(), &Settings::equal_steps(Method::Euler, end, count)).unwrap();
         let rests: Vec<f64> =
             run.events.iter().filter(|event| event.name == "rest").map(|event| event.state.time).collect();
         assert_eq!(rests.len(), 4, "{rests:?}");

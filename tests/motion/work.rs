@@ -1,8 +1,8 @@
 //! The column of the work that loads and drives have done.
 
 use models::BouncingBall;
-use sim::{Column, Compiled, Method, Rows, Run, Settings, Table, mechanism};
-use tests::any_model::interpreted;
+use sim::{Column, Compiled, Mechanism, Method, Rows, Run, Settings, Table, mechanism};
+use tests::any_model::{self, AnyModel, interpreted};
 use tests::run_with;
 
 mechanism! {
@@ -37,9 +37,9 @@ mechanism! {
     loads { force [F, 0] at [work, 0]; }
 }
 
-fn run<M: Compiled>(end: f64) -> (Run<M>, Table) {
+fn run<M: Compiled>(end: f64) -> (Run<AnyModel>, Table) {
     let settings = Settings::adaptive(Method::Dop853, end, 1e-10);
-    let run = run_with(M::defaults(), &settings).unwrap();
+    let run = any_model::run_with(M::defaults(), &settings).unwrap();
     let table = Table::of(&run.mechanism, &run.trajectory);
     (run, table)
 }
@@ -116,7 +116,7 @@ fn events_inside_steps_keep_the_work() {
     for method in [Method::Dopri5, Method::Radau5, Method::Dop853] {
         for (w, tolerance) in [0.1, 3.0, 300.0].into_iter().flat_map(|w| [1e-6, 1e-8, 1e-10, 1e-11].map(|t| (w, t))) {
             let settings = Settings { rows: Rows::Steps, ..Settings::adaptive(method, 5.0, tolerance) };
-            let run = run_with(Counted { w, ..Counted::default() }, &settings).unwrap();
+            let run = any_model::run_with(Counted { w, ..Counted::default() }, &settings).unwrap();
             let states = run.trajectory.samples.iter().map(|sample| &sample.state);
             let off = states.map(|state| (state.work + potential(state.positions[0]) - potential(0.5)).abs() / energy);
             let worst = off.fold(run.energy_balance, f64::max);

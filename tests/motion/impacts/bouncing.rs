@@ -1,8 +1,8 @@
 //! Balls that bounce, against their closed forms.
 
 use super::{G, all_settings, times};
-use sim::{Method, Settings, What, declared_start, mechanism, run};
-use tests::run_with;
+use sim::{Erased, Method, Settings, What, declared_start, erase, mechanism, run};
+use tests::any_model::run_with;
 
 mechanism! {
     /// A ball that bounces on a floor.
@@ -110,9 +110,9 @@ fn a_ball_that_comes_to_rest_chatters_and_says_so() {
 #[test]
 fn a_ball_chatters_once_a_flight_is_shorter_than_an_instant() {
     let impact = 0.006 * G;
-    let ball = Ball { rebound: 0.5, ..Ball::default() };
+    let ball = Erased::of(erase(Ball { rebound: 0.5, ..Ball::default() }));
     let mut start = declared_start(&ball);
-    start.positions = [0.1 + impact * impact / (2.0 * G)];
+    start.positions[0] = 0.1 + impact * impact / (2.0 * G);
     let run = run(ball, &start, &Settings::new(1e6)).unwrap();
     let landings = times(&run, "landing");
     assert_eq!(landings.len(), 4, "{landings:?}");
@@ -127,9 +127,9 @@ fn a_ball_chatters_once_a_flight_is_shorter_than_an_instant() {
 #[test]
 fn what_holds_at_the_start_happens_if_it_goes_on() {
     let start = |speed: f64| {
-        let ball = Ball::default();
+        let ball = Erased::of(erase(Ball::default()));
         let mut start = declared_start(&ball);
-        (start.positions, start.speeds) = ([0.1], [speed]);
+        (start.positions[0], start.speeds[0]) = (0.1, speed);
         start.speed_given = vec![true];
         run(ball, &start, &Settings::new(1.0)).unwrap()
     };

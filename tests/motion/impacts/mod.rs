@@ -6,14 +6,19 @@ mod at_times;
 mod bouncing;
 mod pulled;
 
-use sim::{Method, Run, Settings, Stabilisation, What, mechanism};
+use sim::{Compiled, Mechanism, Method, Run, Settings, Stabilisation, What, mechanism};
 use std::f64::consts::PI;
-use tests::any_model::{AnyModel, interpreted};
+use tests::any_model::{self, AnyModel, interpreted};
 use tests::run_with;
 
 const G: f64 = 9.81;
 
-fn times<M: sim::Compiled>(run: &Run<M>, name: &str) -> Vec<f64> {
+/// The place of a parameter.
+fn parameter<M: Compiled>(name: &str) -> usize {
+    M::DESCRIPTION.parameters.iter().position(|parameter| parameter.name == name).unwrap()
+}
+
+fn times(run: &Run<AnyModel>, name: &str) -> Vec<f64> {
     run.events.iter().filter(|event| event.name == name).map(|event| event.state.time).collect()
 }
 
@@ -46,16 +51,17 @@ mechanism! {
 /// In one step, as in many: events happen in the order of their times, and those of one time in that of declaration.
 #[test]
 fn events_in_one_step_happen_in_order() {
+    let [k, n] = ["k", "n"].map(parameter::<Counter>);
     for steps in [1, 7, 100] {
         for (late, expected) in [(1e-9, 9.0), (0.0, 7.0), (1e-5, 9.0)] {
             let settings = Settings::equal_steps(Method::Dop853, 1.0, steps);
-            let run = run_with(Counter { late, ..Counter::default() }, &settings).unwrap();
-            let last = run.trajectory.phases.last().unwrap().mechanism;
-            assert_eq!((last.k, last.n), (expected, 2.0), "{steps} steps, {late}");
+            let run = any_model::run_with(Counter { late, ..Counter::default() }, &settings).unwrap();
+            let last = run.trajectory.phases.last().unwrap().mechanism.parameters();
+            assert_eq!([last[k], last[n]], [expected, 2.0], "{steps} steps, {late}");
             let end = run.trajectory.samples.last().unwrap().state.time;
             assert!((end - 0.1 * PI).abs() < 1e-11, "{end}");
             assert_eq!(times(&run, "ever").len(), 0);
-            assert_eq!(run.mechanism.k, 1.0, "the run keeps its start");
+            assert_eq!(run.mechanism.parameters()[k], 1.0, "the run keeps its start");
         }
     }
 }
@@ -90,7 +96,7 @@ fn a_block_leaves_its_table_where_the_reaction_vanishes() {
         *(if apart(middle) > 0.0 { &mut above } else { &mut below }) = middle;
     }
     for settings in all_settings(0.29) {
-        let run = run_with(Shaken::default(), &settings).unwrap();
+        let run = any_model::run_with(Shaken::default(), &settings).unwrap();
         assert_eq!(run.trajectory.failure, None, "{}", settings.method.name());
         // RK4 in steps of 3 ms is exact on the table, which is held by its constraint, and in free flight.
         assert!((times(&run, "lift")[0] - lift).abs() < 1e-9, "{:?} {lift}", times(&run, "lift"));
@@ -140,7 +146,7 @@ fn a_string_goes_slack_and_taut() {
         let middle = (inside + outside) / 2.0;
         *(if out(middle) < 0.0 { &mut inside } else { &mut outside }) = middle;
     }
-    let run = run_with(
+    let run = any_model::run_with(
         Stone::default(),
         &Settings { rows: sim::Rows::Steps, ..Settings::adaptive(Method::Dop853, 1.2, 1e-12) },
     )
@@ -179,17 +185,17 @@ mechanism! {
 /// v+ - v- = -M^-1 C_q' L and L = (1 + e) u/(C_q M^-1 C_q'), with M of two point masses and a rod written by hand.
 #[test]
 fn a_knee_at_its_stop_obeys_the_impulsive_equations() {
-    let run = run_with(Knee::default(), &Settings::new(0.4)).unwrap();
+    let run = any_model::run_with(Knee::default(), &Settings::new(0.4)).unwrap();
     let knock = &run.events[0];
     let change = knock.change.clone().unwrap();
-    let [a, b] = knock.state.positions;
+    let [a, b] = [0, 1].map(|i| knock.state.positions[i]);
     let (m, n, l, k, inertia, e) = (1.2, 0.7, 0.5, 0.4, 0.03, 0.3);
     let mass =
         [[m * l * l / 4.0 + inertia + n * l * l, n * l * k * (a - b).cos()], [n * l * k * (a - b).cos(), n * k * k]];
     let determinant = mass[0][0] * mass[1][1] - mass[0][1] * mass[1][0];
     // M^-1 C_q' for C_q = [-1, 1].
     let along = [(-mass[1][1] - mass[0][1]) / determinant, (mass[0][0] + mass[1][0]) / determinant];
-    let [va, vb] = knock.state.speeds;
+    let [va, vb] = [0, 1].map(|i| knock.state.speeds[i]);
     let impulse = (1.0 + e) * (vb - va) / (along[1] - along[0]);
     let near = |found: f64, expected: f64| {
         assert!((found - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{found} {expected}")
@@ -222,7 +228,8 @@ mechanism! {
 /// against the wall, and one impact follows another.
 #[test]
 fn rods_leave_a_wall_however_long_the_run_is() {
-    let run = |end: f64| run_with(Beside::default(), &Settings::adaptive(Method::Dop853, end, 1e-10)).unwrap();
+    let run =
+        |end: f64| any_model::run_with(Beside::default(), &Settings::adaptive(Method::Dop853, end, 1e-10)).unwrap();
     let short = run(1e-3);
     assert!(short.trajectory.failure.is_none() && times(&short, "hit") == [0.0]);
     let ends: Vec<f64> = [0.2, 2.0, 20.0].map(|end| run(end).trajectory.failure.unwrap().time).to_vec();
@@ -265,7 +272,7 @@ fn a_rimless_wheel_walks_its_limit_cycle() {
     for settings in
         [Settings::new(12.0), Settings { stabilisation: Stabilisation::Partitioning, ..Settings::new(12.0) }]
     {
-        let run = run_with(Rimless::default(), &settings).unwrap();
+        let run = any_model::run_with(Rimless::default(), &settings).unwrap();
         assert_eq!(run.trajectory.failure, None);
         let mut before = 1.4f64;
         let mut last = 0.0;
@@ -299,7 +306,7 @@ mechanism! {
 
 #[test]
 fn coordinates_change_names_with_their_speeds() {
-    let run = run_with(Swapped::default(), &Settings::new(1.0)).unwrap();
+    let run = any_model::run_with(Swapped::default(), &Settings::new(1.0)).unwrap();
     let last = run.trajectory.samples.last().unwrap().state.clone();
     let p = (2f64).cos();
     let q = -0.5 * (2f64).cos() + 0.15 * (2f64).sin();
@@ -321,7 +328,7 @@ mechanism! {
 
 #[test]
 fn a_constraint_that_is_open_cannot_become_active() {
-    let run = run_with(Caught::default(), &Settings::new(2.0)).unwrap();
+    let run = any_model::run_with(Caught::default(), &Settings::new(2.0)).unwrap();
     let failure = run.trajectory.failure.unwrap();
     assert!(matches!(failure.what, What::EventOpens { event: "early", constraint: "hook", .. }), "{failure}");
     assert!((failure.time - 0.9).abs() < 1e-11);
