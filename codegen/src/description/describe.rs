@@ -5,7 +5,7 @@ use super::{Conditional, Coordinate, Description, Figure, NamedTable, Quantity, 
 use crate::dsl::{Mark, Source};
 use crate::dynamics::{self, EquationsOfMotion};
 use crate::kernel_id::KernelId;
-use crate::model::{self, Dimension, Level, Model, Unit};
+use crate::model::{self, Level, Model, Unit};
 use crate::program::Program;
 use crate::symbolic::TableId;
 
@@ -45,8 +45,8 @@ pub fn describe(equations: &EquationsOfMotion, program: &Program, source: &Sourc
 fn switching(EquationsOfMotion { graph, .. }: &EquationsOfMotion, all: &[dynamics::Switching]) -> Vec<Switching> {
     let named = |id: TableId| NamedTable { index: id.index(), name: graph.table(id).name.clone() };
     let described = |each: &dynamics::Switching| {
-        let dynamics::Switching { table, is_affine, is_smooth, is_flank, .. } = *each;
-        Switching { table: table.map(named), is_affine, is_smooth, is_flank }
+        let dynamics::Switching { table, is_affine, is_smooth, is_flank, is_phase, .. } = *each;
+        Switching { table: table.map(named), is_affine, is_smooth, is_flank, is_phase }
     };
     all.iter().map(described).collect()
 }
@@ -55,17 +55,13 @@ impl Quantity {
     /// One by its name, unit and documentation.
     pub fn of(name: &str, unit: &Unit, docs: &str) -> Quantity {
         let (name, docs) = (name.to_owned(), docs.to_owned());
-        Quantity { name, unit: unit.text().to_owned(), factor: unit.factor(), is_length: is_length(unit), docs }
+        Quantity { name, unit: unit.text().to_owned(), factor: unit.factor(), is_length: unit.is_length(), docs }
     }
-}
-
-fn is_length(unit: &Unit) -> bool {
-    *unit.dimension() == Dimension::length()
 }
 
 /// Whether some coordinates are lengths and some are not.
 fn mixes_lengths(model: &Model) -> bool {
-    let lengths = model.coordinates.iter().filter(|c| is_length(&c.unit)).count();
+    let lengths = model.coordinates.iter().filter(|c| c.unit.is_length()).count();
     0 < lengths && lengths < model.coordinates.len()
 }
 

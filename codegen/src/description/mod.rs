@@ -77,6 +77,8 @@ pub struct Switching {
     pub is_smooth: bool,
     /// Whether it is a flank.
     pub is_flank: bool,
+    /// Whether it is no condition itself, but what a sine or cosine in one is of.
+    pub is_phase: bool,
 }
 
 /// A table.

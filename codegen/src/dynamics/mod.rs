@@ -146,6 +146,7 @@ fn switching_in_time(graph: &mut Graph, model: &Model) -> Vec<Switching> {
 fn load_conditions(graph: &mut Graph, model: &Model, rows: &[LoadRow]) -> Vec<Switching> {
     let mut all = switching::of_loads(graph, model, rows);
     all.extend(pulses::middles_of_loads(graph, model, rows, &all));
+    all.extend(switching::phases(graph, model, &all));
     all
 }
 

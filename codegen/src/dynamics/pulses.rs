@@ -103,7 +103,7 @@ fn switchings(
         let changes = dependences.of(graph, value).meets(Dependence::TIME.or(Dependence::COORDINATE));
         if changes && is_new(known, value, None) && is_new(&found, value, None) {
             let is_affine = is_affine_in_state(graph, model, &mut dependences, value);
-            found.push(Switching { value, table: None, is_affine, is_smooth: true, is_flank });
+            found.push(Switching { value, table: None, is_affine, is_smooth: true, is_flank, is_phase: false });
         }
     }
     found

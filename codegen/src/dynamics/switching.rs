@@ -1,12 +1,12 @@
 //! Functions at whose zeros, or at the rows of a table, expressions change their form: conditions of `if`, `min`, `max`, `abs`
-//! and `sign`, and arguments of tables.
+//! and `sign`, the cut of `atan2`, and arguments of tables.
 //!
 //! A step over such a place might see nothing of what begins and ends within it. Those that depend on nothing but `t`, inputs
 //! and parameters are known before the motion is, and the runtime ends steps there; conditions of loads on the state it looks at
 //! after each step.
 
 use super::rows::LoadRow;
-use crate::model::{Dependence, Dependences, Model};
+use crate::model::{Coordinate, Dependence, Dependences, Model};
 use crate::symbolic::{Expr, Function, Graph, Node, Symbol, TableId};
 
 /// One of them.
@@ -21,6 +21,8 @@ pub struct Switching {
     pub is_smooth: bool,
     /// Whether it is a flank.
     pub is_flank: bool,
+    /// Whether it is no condition itself, but what a sine or cosine in one is of.
+    pub is_phase: bool,
 }
 
 /// What expressions depend on, with each input as what its declared course is made of: one that is held is a parameter.
@@ -47,6 +49,7 @@ pub(super) fn of_time(graph: &Graph, model: &Model) -> Vec<Switching> {
                 is_affine: is_affine(graph, &mut dependences, value, Dependence::TIME),
                 is_smooth: false,
                 is_flank: false,
+                is_phase: false,
             });
         }
     }
@@ -63,10 +66,54 @@ pub(super) fn of_loads(graph: &Graph, model: &Model, rows: &[LoadRow]) -> Vec<Sw
             && dependences.of(graph, value).meets(Dependence::COORDINATE.or(Dependence::SPEED))
         {
             let is_affine = is_affine_in_state(graph, model, &mut dependences, value);
-            found.push(Switching { value, table, is_affine, is_smooth: false, is_flank: false });
+            found.push(Switching { value, table, is_affine, is_smooth: false, is_flank: false, is_phase: false });
         }
     }
     found
+}
+
+/// What sines and cosines in these conditions are of, each once: where that changes by much in a step, the conditions go to and fro in
+/// it. Angles themselves, and the sums of two, change little more than the coordinates, which the runtime knows.
+pub(super) fn phases(graph: &Graph, model: &Model, conditions: &[Switching]) -> Vec<Switching> {
+    let mut dependences = with_inputs(graph, model);
+    let values: Vec<Expr> = conditions.iter().map(|condition| condition.value).collect();
+    let mut found: Vec<Switching> = Vec::new();
+    for expr in graph.reachable(&values) {
+        if let Node::Call(Function::Sin | Function::Cos | Function::Tan, argument) = graph.node(expr)
+            && is_new(&found, *argument, None)
+            && dependences.of(graph, *argument).meets(Dependence::COORDINATE)
+            && !is_of_two_angles(graph, model, *argument)
+        {
+            let value = *argument;
+            found.push(Switching {
+                value,
+                table: None,
+                is_affine: false,
+                is_smooth: true,
+                is_flank: false,
+                is_phase: true,
+            });
+        }
+    }
+    found
+}
+
+/// Whether it is an angle, or a sum or a difference of two, but for a constant.
+fn is_of_two_angles(graph: &Graph, model: &Model, expr: Expr) -> bool {
+    let is_known = |term: Expr| match graph.node(term) {
+        Node::Symbol(symbol) => {
+            let is_angle = |coordinate: &Coordinate| coordinate.position == *symbol && !coordinate.unit.is_length();
+            model.coordinates.iter().any(is_angle)
+                || model.parameters.iter().any(|parameter| parameter.symbol == *symbol)
+        }
+        _ => false,
+    };
+    match graph.node(expr) {
+        Node::Sum { terms, .. } => {
+            terms.len() <= 2 && terms.iter().all(|(term, times)| is_known(*term) && times.abs().is_one())
+        }
+        _ => is_known(expr),
+    }
 }
 
 /// Whether a condition is of the first degree in time, positions and speeds, with nothing else in it but parameters.
@@ -98,6 +145,8 @@ fn switched_by(node: &Node) -> Option<(Expr, Option<TableId>)> {
         Node::Choice(difference, _, _) => Some((*difference, None)),
         Node::Call(Function::Abs | Function::Sign, argument) => Some((*argument, None)),
         Node::Table(table, _, argument) => Some((*argument, Some(*table))),
+        // Its cut; where x is positive nothing jumps.
+        Node::Atan2(y, _) => Some((*y, None)),
         _ => None,
     }
 }

@@ -90,6 +90,11 @@ impl Unit {
         }
     }
 
+    /// Whether it is one of length.
+    pub fn is_length(&self) -> bool {
+        self.dimension == Dimension::length()
+    }
+
     /// The coherent SI unit of a dimension.
     pub fn coherent(dimension: Dimension) -> Unit {
         Unit { text: dimension.si_unit(), dimension, ..Unit::none() }

@@ -74,6 +74,9 @@ pub struct Switching {
     pub is_smooth: bool,
     /// Whether it is a flank.
     pub is_flank: bool,
+    /// Whether it is no condition itself, but what a sine or cosine in one is of, in radians: where that changes by much in a step,
+    /// the condition goes to and fro.
+    pub is_phase: bool,
 }
 
 /// A setting of a run, as a program takes it on its command line.

@@ -1,7 +1,7 @@
 //! The results of a run without the type of its mechanism, so that all code for text, tables and pictures is compiled
 //! once.
 
-use sim_kernel::{Array, Description, Mechanism, Quantity};
+use sim_kernel::{Array, Description, Mechanism, Quantity, Start};
 use sim_runtime::{
     Apart, Crossing, DOUBTFUL_BALANCE, Erased, Failure, Kinematics, Measures, Mobility, Occurrence, OnHeap, Run,
     Sample, Settings, Small, Stepping, Steps, SuddenChanges, known_length,
@@ -66,7 +66,9 @@ pub struct Outcome {
 pub struct Unresolved {
     /// Which, by index.
     pub coordinate: usize,
-    /// How far it comes from 0, in SI units.
+    /// How far from 0 it starts, in SI units.
+    pub begins: f64,
+    /// How far from 0 it comes.
     pub farthest: f64,
     /// The change that counts as 1, which the absolute tolerance is a part of.
     pub scale: f64,
@@ -171,7 +173,7 @@ impl Outcome {
 
     /// What tolerances mean for a coordinate that starts and stays within them.
     fn within_tolerance(&self) -> Option<String> {
-        let (Some(Unresolved { coordinate, farthest, scale }), Stepping::Adaptive(tolerance)) =
+        let (Some(Unresolved { coordinate, begins, farthest, scale }), Stepping::Adaptive(tolerance)) =
             (self.unresolved, self.settings.stepping)
         else {
             return None;
@@ -179,7 +181,7 @@ impl Outcome {
         let Quantity { name, unit, factor, .. } = &self.description.coordinates[coordinate].position;
         let unit = if *unit == "1" { String::new() } else { format!(" {unit}") };
         let ([stays, wrong], finer) =
-            ([farthest, tolerance.absolute * scale].map(|value| value / factor), tolerance.relative * farthest / scale);
+            ([farthest, tolerance.absolute * scale].map(|value| value / factor), tolerance.relative * begins / scale);
         Some(format!(
             "`{name}` stays within {stays:.1e}{unit}, and a step may be wrong by {wrong:.1e}{unit}: take `--atol {finer:.0e}`"
         ))
@@ -295,8 +297,11 @@ fn farthest_unmeasured<M: Mechanism>(run: &Run<M>) -> Option<f64> {
 
 /// So few rows say nothing of how far a coordinate comes.
 const FEW: usize = 10;
-/// A start that is this part of what counts as 1 is rounding.
-const ROUNDING: f64 = 1e-12;
+/// A start that is this part of what counts as 1 is rounding: one that was assembled, and one that is given, as `cos(90 [deg])`.
+const ASSEMBLED: f64 = 1e-12;
+const GIVEN: f64 = 1e-15;
+/// Errors carry what starts within the absolute tolerance to a few times this.
+const CARRIED: f64 = 10.0;
 
 fn unresolved<M: Mechanism>(run: &Run<M>) -> Option<Unresolved> {
     let (Stepping::Adaptive(tolerance), samples) = (run.settings.stepping, &run.trajectory.samples) else {
@@ -309,15 +314,18 @@ fn unresolved<M: Mechanism>(run: &Run<M>) -> Option<Unresolved> {
     let measures = Measures::at(&run.mechanism, start.time, &start.positions);
     let has_length = known_length(&run.mechanism, start.time, &start.positions).is_some();
     let coordinates = run.mechanism.description().coordinates.iter().enumerate();
-    let measured = coordinates.filter(|(_, coordinate)| has_length || !coordinate.position.is_length);
-    measured.map(|(coordinate, _)| coordinate).find_map(|coordinate| {
+    let mut measured = coordinates.filter(|(_, coordinate)| has_length || !coordinate.position.is_length);
+    measured.find_map(|(coordinate, declared)| {
         let scale = measures.coordinates()[coordinate];
         let farthest = samples.iter().map(|sample| sample.state.positions[coordinate].abs()).fold(0.0, f64::max);
         let begins = start.positions[coordinate];
         let way = |sample: &Sample<M>| (sample.state.positions[coordinate] - begins).abs();
+        let rounding = if declared.start == Start::Given { GIVEN } else { ASSEMBLED };
         // What stays where it is, as a lock holds it, is no motion.
-        let moves = begins.abs() > ROUNDING * scale && samples.iter().map(way).fold(0.0, f64::max) > begins.abs() / 2.0;
-        (moves && farthest <= tolerance.absolute * scale).then_some(Unresolved { coordinate, farthest, scale })
+        let moves = begins.abs() > rounding * scale && samples.iter().map(way).fold(0.0, f64::max) > begins.abs() / 2.0;
+        let most = tolerance.absolute * scale;
+        let is_within = begins.abs() <= most && farthest <= CARRIED * most;
+        (moves && is_within).then_some(Unresolved { coordinate, begins: begins.abs(), farthest, scale })
     })
 }
 

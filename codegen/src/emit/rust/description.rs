@@ -74,9 +74,11 @@ fn switching(each: &Switching, path: &TokenStream) -> TokenStream {
         }
         None => quote! { ::core::option::Option::None },
     };
-    let Switching { is_affine, is_smooth, is_flank, .. } = each;
+    let Switching { is_affine, is_smooth, is_flank, is_phase, .. } = each;
     quote! {
-        #path::Switching { table: #table, is_affine: #is_affine, is_smooth: #is_smooth, is_flank: #is_flank }
+        #path::Switching {
+            table: #table, is_affine: #is_affine, is_smooth: #is_smooth, is_flank: #is_flank, is_phase: #is_phase,
+        }
     }
 }
 

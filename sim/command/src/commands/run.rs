@@ -280,9 +280,15 @@ fn compared(run: &Outcome) -> Option<String> {
     match (run.compared, &run.apart) {
         _ if run.failure.is_some() => None,
         (Some(_), Some(_)) => None,
-        (Some(tolerance), None) => Some(format!(
-            "rows agree with those of a run with tolerance {tolerance:.0e}, to a thousandth of each coordinate's way"
-        )),
+        (Some(tolerance), None) => {
+            let but = run
+                .unresolved
+                .map(|of| format!(" but `{}`'s", run.description.coordinates[of.coordinate].position.name));
+            Some(format!(
+                "rows agree with those of a run with tolerance {tolerance:.0e}, to a thousandth of each coordinate's way{}",
+                but.unwrap_or_default()
+            ))
+        }
         (None, _) => {
             Some("not compared with a run of another tolerance: whether errors have grown is not known".to_owned())
         }

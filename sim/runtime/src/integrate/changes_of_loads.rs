@@ -14,12 +14,14 @@
 
 use super::Step;
 use super::jump::{difference, jump};
+use super::step::{MOST_CHANGE, MOST_PARTS};
+use super::table_rows::{is_gentle, levels};
 use crate::numerics::root::{find_minimum, find_root};
 use crate::numerics::signs::{crosses, is_foretold, may_reach_zero, turns_back};
 use crate::state::failure::Failure;
 use crate::state::settings::Tolerance;
 use crate::state::trajectory::Sample;
-use sim_kernel::{Array, Mechanism, Switching, Table};
+use sim_kernel::{Array, Mechanism, Switching};
 
 /// Rates are differences over this part of the interval that is searched.
 const BESIDE: f64 = 1e-4;
@@ -143,13 +145,29 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
         if self.conditions.iter().all(|condition| condition.is_affine) { MOST_AFFINE_PARTS } else { f64::INFINITY }
     }
 
+    /// Into how many parts it is divided for the phases of its conditions, by their changes and by their rates at both ends.
+    fn parts_by_phases(&self) -> f64 {
+        let phases = || (0..self.conditions.len()).filter(|k| self.conditions[*k].is_phase);
+        if phases().next().is_none() {
+            return 1.0;
+        }
+        let length = self.step.length();
+        let [from, to] = [self.step.from, self.step.to].map(|sample| self.look(sample, length));
+        let change = |k: usize| {
+            let by_rates = [&from, &to].map(|look| (length * look.rates[k]).abs());
+            (to.values[k] - from.values[k]).abs().max(by_rates[0]).max(by_rates[1])
+        };
+        let parts = (phases().map(change).fold(0.0, f64::max) / MOST_CHANGE).ceil();
+        if parts >= 1.0 { parts.min(MOST_PARTS) } else { 1.0 }
+    }
+
     /// Searches all parts of the step in turn; where changes have been found, until something comes of them.
     fn search_parts<T>(
         &mut self,
         mut come_of: impl FnMut(&mut Self) -> Result<Option<T>, Failure>,
     ) -> Result<Option<T>, Failure> {
         let [begin, end] = [self.step.from, self.step.to].map(|sample| sample.state.time);
-        let parts = self.step.parts_by_angles().min(self.most_parts());
+        let parts = self.step.parts_by_angles().max(self.parts_by_phases()).min(self.most_parts());
         let length = (end - begin) / parts;
         let mut from = self.look(self.step.from, length);
         for part in 1..=parts as usize {
@@ -157,7 +175,7 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
             let time = if is_last { end } else { begin + part as f64 * length };
             let sample = self.step.sample(time)?;
             let to = self.look(&sample, length);
-            for condition in 0..self.conditions.len() {
+            for condition in (0..self.conditions.len()).filter(|k| !self.conditions[*k].is_phase) {
                 self.search_part(condition, [&from, &to])?;
             }
             if !self.found.is_empty()
@@ -366,31 +384,4 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
         let fraction = find_root(values[0], values[1], tolerance, &mut |fraction| self.value(between, fraction))?;
         Ok(from + fraction * (to - from))
     }
-}
-
-/// A difference of slopes or of second derivatives that is rounding, as a part of what they are over the distance of rows.
-const ROUNDING: f64 = 1e-9;
-
-/// Whether slope and second derivative of a table are the same on both sides of a row.
-fn is_gentle(table: &Table, row: f64) -> bool {
-    let [[_, slope, bend], [_, after, bent]] = [row.next_down(), row].map(|x| table.at::<f64, 3>(x));
-    let apart = (table.next_row(row) - row).min(row - table.last_row(row)).max(f64::MIN_POSITIVE);
-    let size = slope.abs() + after.abs() + apart * (bend.abs() + bent.abs());
-    (after - slope).abs() <= ROUNDING * size && apart * (bent - bend).abs() <= ROUNDING * size
-}
-
-/// The values of a condition, on the way from one to another, at which its load changes its form: of a table the row behind, and
-/// as many ahead as matter.
-fn levels(condition: &Switching, [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
-    let rows = condition.table.map(|table| {
-        let (ahead, behind) = if from <= to {
-            (table.next_row(from), table.last_row(from))
-        } else {
-            (table.last_row(from), table.next_row(from))
-        };
-        let further = move |row: &f64| Some(if from <= to { table.next_row(*row) } else { table.last_row(*row) });
-        std::iter::successors(Some(ahead), further).take(3).chain([behind])
-    });
-    let zero = rows.is_none().then_some(0.0);
-    rows.into_iter().flatten().chain(zero).filter(|level| level.is_finite())
 }

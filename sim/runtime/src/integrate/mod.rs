@@ -27,6 +27,7 @@ mod stability;
 mod step;
 mod stepper;
 mod switching;
+mod table_rows;
 mod tableau;
 mod target;
 mod unseen_work;

@@ -16,7 +16,7 @@ use sim_kernel::Mechanism;
 
 /// The largest change of an angle in a part of a step that is searched as a whole: steps of a motion that is simple may go
 /// through many turns.
-const MOST_CHANGE: f64 = 1.0;
+pub(super) const MOST_CHANGE: f64 = 1.0;
 /// What differs by this part of what the other side of a corner does has the same form.
 const SAME_FORM: f64 = 1e-6;
 /// The largest number of parts.

@@ -72,8 +72,8 @@ fn description(of: &made::Description, tables: &'static [Table]) -> Description 
 }
 
 fn switching(of: &made::Switching, tables: &'static [Table]) -> Switching {
-    let made::Switching { ref table, is_affine, is_smooth, is_flank } = *of;
-    Switching { table: table.as_ref().map(|table| &tables[table.index]), is_affine, is_smooth, is_flank }
+    let made::Switching { ref table, is_affine, is_smooth, is_flank, is_phase } = *of;
+    Switching { table: table.as_ref().map(|table| &tables[table.index]), is_affine, is_smooth, is_flank, is_phase }
 }
 
 /// A table with its pieces, as generated code has it.

@@ -15,6 +15,8 @@ pub struct Mode {
     pub is_neutral: bool,
 }
 
+/// An eigenvalue this small beside the largest is rounding.
+const LEAST: f64 = 1e-13;
 /// Accelerations this small beside the terms that they are a sum of are rounding: they come of a mass matrix that is solved with.
 const ROUNDING: f64 = 1e-12;
 
@@ -45,9 +47,10 @@ pub(super) fn modes(
         let (a, b) = (found.values[*i], found.values[*j]);
         a.im.abs().total_cmp(&b.im.abs()).then(a.im.total_cmp(&b.im)).then(a.re.total_cmp(&b.re))
     });
+    let largest = found.values.iter().map(|value| value.norm()).fold(0.0, f64::max);
     let mode = |k: &usize| {
         let (eigenvalue, vector): (_, DVector<_>) = (found.values[*k], found.vectors.column(*k).into());
-        let is_neutral = is_neutral(a, independent, eigenvalue, &vector);
+        let is_neutral = eigenvalue.norm() <= LEAST * largest || is_neutral(a, independent, eigenvalue, &vector);
         Mode { eigenvalue, shape: normalised(positions(&vector)), is_neutral }
     };
     let shown = order.iter().filter(|k| found.values[**k].im >= 0.0);

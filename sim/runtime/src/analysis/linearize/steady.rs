@@ -144,7 +144,8 @@ impl Beside<'_> {
             let row = |matrix: &DMatrix<f64>, k: usize| matrix[(i, k)] * self.unit(k) * rate(k);
             let all = 0..self.a.ncols();
             let largest = all.clone().fold(0.0, |most: f64, k| most.max(row(self.a, k).abs()).max(row(other, k).abs()));
-            all.into_iter().any(|k| (row(other, k) - row(self.a, k)).abs() > CONSTANT * largest)
+            let least = (CONSTANT * largest).max(ROUNDING * self.unit(i) * self.rate * self.rate);
+            all.into_iter().any(|k| (row(other, k) - row(self.a, k)).abs() > least)
         })
     }
 }
