@@ -253,3 +253,41 @@ fn about_interpreted(text: &str) -> Linearization<tests::any_model::AnyModel> {
     let start = assemble(&model, &declared_start(&model)).unwrap();
     linearize(&model, &start, &[]).unwrap()
 }
+
+/// Straight rolling at a steady speed, started by the speed of the frame: rows of A that are rounding do not change. Of the eigenvalues
+/// one is that of the steering, which swings back as a caster does; the others are 0 and neither grow nor decay.
+#[test]
+fn straight_rolling_is_steady_however_it_starts() {
+    let tricycle = |speed: f64| {
+        format!(
+            "pub Tricycle; coordinates {{ x [m]; y [m]; psi [rad]; delta [rad]; turn [rad]; }}
+            parameters {{ l [m] = 0.7; c [m] = 0.07; r [m] = 0.35; }}
+            let F = [x, y] + l*[cos(psi), sin(psi)];
+            let d = [cos(psi + delta), sin(psi + delta)];
+            let C = F - c*d;
+            bodies {{
+                frame: mass 10 [kg] at [x, y] + 0.3*l*[cos(psi), sin(psi)], inertia 1 [kg*m^2], angle psi;
+                fork: inertia 0.02 [kg*m^2], angle psi + delta;
+                wheel: inertia 0.1 [kg*m^2], angle turn;
+            }}
+            loads {{ spring 2 [N*m], rest 0 on delta; }}
+            constraints {{
+                rear: inner(dot([x, y]), [-sin(psi), cos(psi)]) = 0;
+                front: inner(dot(C), [-sin(psi + delta), cos(psi + delta)]) = 0;
+                rolls: inner(dot(C), d) = r*dot(turn);
+            }}
+            initial {{ x = 0; y = 0; psi = 0; delta = 0; dot(x) = {speed}; dot(delta) = 0; turn = 0; }}"
+        )
+    };
+    for speed in [0.5, 1.0, 3.0, 5.0, 10.0] {
+        let found = about_interpreted(&tricycle(speed));
+        assert!(found.unsteady.is_empty() && found.is_steady, "{speed}: {:?}", found.unsteady);
+        let fastest = found.eigenvalues.iter().fold(0.0, |most: f64, value| most.max(value.norm()));
+        let rounding = found.modes.iter().filter(|mode| mode.eigenvalue.norm() < 1e-9 * fastest);
+        assert!(
+            rounding.clone().count() >= 4 && rounding.clone().all(|mode| mode.is_neutral),
+            "{speed}: {:?}",
+            found.modes
+        );
+    }
+}

@@ -2,7 +2,7 @@
 
 use sim::{Method, Rows, Settings, mechanism};
 use std::f64::consts::PI;
-use tests::any_model::run_with;
+use tests::any_model::{interpreted, run_with};
 
 mechanism! {
     /// A wheel that is pushed at an angle, as an engine fires, by forces that are written in several ways.
@@ -121,4 +121,69 @@ fn equal_steps_over_kinks_are_not_counted() {
     };
     assert_eq!(noted(0.0), None);
     assert_eq!(noted(0.01).unwrap().steps, 18);
+}
+
+/// A wheel with teeth is pushed at each, and a mass at each mark of a bar: the kinetic energy is what as many pushes have done as lie
+/// behind. Of each, its two jumps may be wrong by a tenth of the tolerance.
+#[test]
+fn pushes_that_come_often_in_a_turn_are_not_stepped_over() {
+    let height = 0.9999_f64;
+    let wheel = |teeth: f64| {
+        let load = format!("torque (if sin({teeth}*p) > {height} then 25 [N*m] else 0) on b;");
+        (format!("coordinates {{ p [rad]; }} bodies {{ b: inertia 1 [kg*m^2], angle p; }} loads {{ {load} }}"), teeth)
+    };
+    let bar = |pitch: f64| {
+        let load = format!("force (if sin(2*pi*p/({pitch} [m])) > {height} then 25 [N] else 0) on p;");
+        (
+            format!("coordinates {{ p [m]; }} bodies {{ b: mass 1 [kg] at [p, 0]; }} loads {{ {load} }}"),
+            2.0 * PI / pitch,
+        )
+    };
+    for (declared, frequency) in [wheel(5.0), wheel(12.0), wheel(48.0), bar(0.1), bar(3.0)] {
+        let declared = format!("pub Often; {declared} initial {{ p = 0.01; dot(p) = 50; }}");
+        for method in [Method::Dopri5, Method::Dop853, Method::Radau5] {
+            let settings = Settings { rows: Rows::Even(1), ..Settings::adaptive(method, 0.5, 1e-10) };
+            let run = tests::run_with(interpreted(&declared).unwrap(), &settings).unwrap();
+            let last = &run.trajectory.samples.last().unwrap().state;
+            let width = 2.0 * height.acos() / frequency;
+            let behind = ((frequency * last.positions[0] - PI / 2.0) / (2.0 * PI)).floor() + 1.0;
+            let expected = (2500.0 + 2.0 * 25.0 * width * behind).sqrt();
+            let error = (last.speeds[0] - expected).abs();
+            assert!(behind >= 8.0 && error < 0.2 * behind * 1e-10 * 50.0, "{declared} {}: {error:e}", method.name());
+        }
+    }
+}
+
+/// A mass flies against a wall that repels it by V = k/(1 - x)^12, too weak to be seen from afar, and is thrown back at its own speed:
+/// it turns where V is its energy. The pole itself is no wall for a force that is finite there, as sin(x)/x.
+#[test]
+fn no_step_leads_over_a_pole() {
+    let wall = "pub Wall; coordinates { x [m]; } bodies { b: mass 1 [kg] at [x, 0]; }
+        loads { potential 1e-25 [J*m^12]/(1 [m] - x)^12; } initial { x = -10; dot(x) = 1; }";
+    for (method, rtol) in
+        [(Method::Dopri5, 1e-8), (Method::Dop853, 1e-10), (Method::Dop853, 1e-13), (Method::Radau5, 1e-10)]
+    {
+        let run = tests::run_with(interpreted(wall).unwrap(), &Settings::adaptive(method, 22.0, rtol)).unwrap();
+        let last = &run.trajectory.samples.last().unwrap().state;
+        // By an integration with steps of 1 ms at most, SciPy's DOP853 at 1e-12: the potential is a wall 2.1 mm wide.
+        assert!((last.positions[0] + 10.015380).abs() < 1e-5 && (last.speeds[0] + 1.0).abs() < 1e-5, "{last:?}");
+    }
+    let smooth = "pub Smooth; coordinates { x [m]; } bodies { b: mass 1 [kg] at [x, 0]; }
+        loads { force -3 [N]*sin(x/(1 [m]))*(1 [m])/x on x; } initial { x = -1; dot(x) = 4; }";
+    let run = tests::run_with(interpreted(smooth).unwrap(), &Settings::adaptive(Method::Dop853, 1.0, 1e-11)).unwrap();
+    assert!(run.trajectory.failure.is_none() && run.trajectory.samples.last().unwrap().state.positions[0] > 1.5);
+    assert!(run.steps.accepted < 40, "{}", run.steps.accepted);
+}
+
+/// The angle goes from 1 to 13 rad.
+#[test]
+fn equal_steps_over_the_cut_of_atan2_are_counted() {
+    let declared = "pub Cut; coordinates { p [rad]; x [m]; }
+        bodies { wheel: inertia 1 [kg*m^2], angle p; b: mass 1 [kg] at [x, 0]; }
+        loads { force 1 [N]*atan2(sin(p), cos(p)) on x; } initial { p = 1; dot(p) = 3; x = 0; }";
+    let run = tests::run_with(interpreted(declared).unwrap(), &Settings::equal_steps(Method::Rk4, 4.0, 4001)).unwrap();
+    // pi and 3 pi are passed; at 2 pi and 4 pi nothing jumps.
+    let changes = run.steps.sudden_changes.unwrap();
+    assert_eq!(changes.steps, 2);
+    assert!((changes.first - (PI - 1.0) / 3.0).abs() < 1e-3, "{}", changes.first);
 }

@@ -114,8 +114,21 @@ macro_rules! of_models {
     ($($model:ty),*) => { [$(of_model::<$model>()),*].concat() };
 }
 
+/// By the loops that are compiled for a mechanism: of all with the feature `loops`, of a sample without it, for each costs the compiler
+/// two seconds.
+#[cfg(feature = "loops")]
+fn compiled() -> Vec<Fingerprint> {
+    models::all_models!(of_models)
+}
+#[cfg(not(feature = "loops"))]
+fn compiled() -> Vec<Fingerprint> {
+    use models::{BouncingBall, CamFollower, FourBar, QuickReturn, Skate, Stewart, TumblingQuaternion};
+    of_models!(BouncingBall, CamFollower, FourBar, QuickReturn, Skate, Stewart, TumblingQuaternion)
+}
+
+/// By the loops for any model.
 fn fingerprints() -> Vec<Fingerprint> {
-    let mut found: Vec<Fingerprint> = models::all_models!(of_models);
+    let mut found: Vec<Fingerprint> = models::erased().flat_map(|(_, model)| of_erased(model())).collect();
     found.push(controlled("controlled", &Settings::new(2.0)));
     found.push(controlled("controlled-in-equal-steps", &Settings::equal_steps(Method::Rk4, 2.0, 500)));
     found
@@ -125,54 +138,46 @@ fn file() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/results/results.txt"))
 }
 
+fn accepted() -> Vec<Fingerprint> {
+    fs::read_to_string(file()).unwrap().lines().map(Fingerprint::parsed).collect()
+}
+
 #[test]
 fn shipped_models_give_the_same_bits() {
-    let text = fs::read_to_string(file()).unwrap();
-    let before: Vec<Fingerprint> = text.lines().map(Fingerprint::parsed).collect();
-    let now: Vec<Fingerprint> = fingerprints();
+    let (before, now) = (accepted(), fingerprints());
     let names = |prints: &[Fingerprint]| prints.iter().map(|print| print.run.clone()).collect::<Vec<_>>();
     assert_eq!(names(&now), names(&before));
     let differences: String = now.iter().zip(&before).filter_map(|(now, before)| now.difference(before)).collect();
     assert!(differences.is_empty(), "{differences}`cargo results` accepts the changes");
 }
 
-/// How the results of one in so many models, by loops for any model, differ from the compiled ones.
-fn differences_of_erased(every: usize, form: fn(&Arc<dyn Model>) -> Arc<dyn Model>) -> String {
-    let text = fs::read_to_string(file()).unwrap();
-    let compiled: Vec<Fingerprint> = text.lines().map(Fingerprint::parsed).collect();
-    let models = models::erased().map(|(_, model)| model());
-    let pairs = models.zip(compiled.chunks(3)).step_by(every);
-    let differences = |(model, compiled): (Arc<dyn Model>, &[Fingerprint])| {
-        let erased = of_erased(form(&model));
-        erased.iter().zip(compiled).filter_map(|(now, before)| now.difference(before)).collect::<String>()
-    };
-    pairs.map(differences).collect()
-}
-
 #[test]
-fn every_fourth_model_has_the_same_bits_with_sizes_known_at_run_time() {
-    assert_eq!(differences_of_erased(4, Clone::clone), "");
+fn loops_compiled_for_a_mechanism_give_the_same_bits() {
+    let (before, now) = (accepted(), compiled());
+    let same = |now: &Fingerprint| before.iter().find(|before| before.run == now.run).unwrap();
+    let differences: String = now.iter().filter_map(|now| now.difference(same(now))).collect();
+    assert_eq!(differences, "");
 }
 
-fn interpreted(model: &Arc<dyn Model>) -> Arc<dyn Model> {
-    same_bits::interpreted(&**model).unwrap()
+/// How the results of one in so many models differ where these are interpreted.
+fn differences_of_interpreted(every: usize) -> String {
+    let (before, models) = (accepted(), models::erased().map(|(_, model)| model()));
+    let differences = |(model, before): (Arc<dyn Model>, &[Fingerprint])| {
+        let now = of_erased(same_bits::interpreted(&*model).unwrap());
+        now.iter().zip(before).filter_map(|(now, before)| now.difference(before)).collect::<String>()
+    };
+    models.zip(before.chunks(3)).step_by(every).map(differences).collect()
 }
 
 #[test]
 fn every_seventh_model_has_the_same_bits_interpreted() {
-    assert_eq!(differences_of_erased(7, interpreted), "");
+    assert_eq!(differences_of_interpreted(7), "");
 }
 
 #[test]
 #[ignore = "takes long in a debug build; `.ci/full` runs it"]
 fn every_model_has_the_same_bits_interpreted() {
-    assert_eq!(differences_of_erased(1, interpreted), "");
-}
-
-#[test]
-#[ignore = "takes long in a debug build; `.ci/full` runs it"]
-fn every_model_has_the_same_bits_with_sizes_known_at_run_time() {
-    assert_eq!(differences_of_erased(1, Clone::clone), "");
+    assert_eq!(differences_of_interpreted(1), "");
 }
 
 /// Takes what is computed now as right.

@@ -60,9 +60,10 @@ pub(super) fn of_time(graph: &Graph, model: &Model) -> Vec<Switching> {
 pub(super) fn of_loads(graph: &Graph, model: &Model, rows: &[LoadRow]) -> Vec<Switching> {
     let mut dependences = with_inputs(graph, model);
     let mut found: Vec<Switching> = Vec::new();
-    for node in searched(graph, model, rows) {
-        if let Some((value, table)) = switched_by(node)
-            && is_new(&found, value, table)
+    let poles = graph.reachable(&made_of(rows)).into_iter().flat_map(|expr| poles(graph, graph.node(expr)));
+    let conditions = searched(graph, model, rows).filter_map(switched_by).chain(poles.map(|pole| (pole, None)));
+    for (value, table) in conditions {
+        if is_new(&found, value, table)
             && dependences.of(graph, value).meets(Dependence::COORDINATE.or(Dependence::SPEED))
         {
             let is_affine = is_affine_in_state(graph, model, &mut dependences, value);
@@ -70,6 +71,13 @@ pub(super) fn of_loads(graph: &Graph, model: &Model, rows: &[LoadRow]) -> Vec<Sw
         }
     }
     found
+}
+
+/// The denominators that may change their signs: a motion does not pass a pole, but a long step would.
+fn poles(graph: &Graph, node: &Node) -> Vec<Expr> {
+    let Node::Product { factors, .. } = node else { return Vec::new() };
+    let may_be_crossed = |(base, exponent): &&(Expr, i64)| *exponent < 0 && !graph.is_nonnegative(*base);
+    factors.iter().filter(may_be_crossed).map(|(base, _)| *base).collect()
 }
 
 /// What sines and cosines in these conditions are of, each once: where that changes by much in a step, the conditions go to and fro in
@@ -134,9 +142,14 @@ pub(super) fn searched<'g>(
     model: &Model,
     rows: &[LoadRow],
 ) -> impl Iterator<Item = &'g Node> + use<'g> {
-    let loads = rows.iter().flat_map(|row| row.forces.iter().copied().chain([row.quantity()]));
-    let made_of: Vec<Expr> = loads.chain(model.constraints.iter().map(|constraint| constraint.value)).collect();
-    graph.reachable(&made_of).into_iter().map(|expr| graph.node(expr))
+    let constraints = model.constraints.iter().map(|constraint| constraint.value);
+    let all: Vec<Expr> = made_of(rows).into_iter().chain(constraints).collect();
+    graph.reachable(&all).into_iter().map(|expr| graph.node(expr))
+}
+
+/// Forces, and what they act along.
+fn made_of(rows: &[LoadRow]) -> Vec<Expr> {
+    rows.iter().flat_map(|row| row.forces.iter().copied().chain([row.quantity()])).collect()
 }
 
 /// What a node changes its form by.

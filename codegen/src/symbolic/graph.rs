@@ -67,6 +67,11 @@ impl Graph {
         self.occurring[expr.index()]
     }
 
+    /// Whether it is known never to be below zero where it is defined.
+    pub fn is_nonnegative(&self, expr: Expr) -> bool {
+        self.facts(expr).nonnegative
+    }
+
     pub(super) fn facts(&self, expr: Expr) -> Facts {
         self.facts[expr.index()]
     }

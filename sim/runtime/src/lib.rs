@@ -8,6 +8,7 @@
 
 mod analysis;
 mod batch;
+#[cfg(not(test))]
 mod compiled;
 mod events;
 mod integrate;

@@ -27,12 +27,12 @@ pub(crate) struct KinematicsArguments {
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub(crate) from: Option<String>,
 
-    /// Where it ends [default: one turn further, if it is an angle, or one turn back if --speed is negative].
+    /// Where it ends [default: one turn further, if it is an angle, or one turn back if its speed is negative].
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub(crate) to: Option<String>,
 
     /// How fast it is driven; with 0 it rests in each position, while time stands still at 0, and forces are static [default:
-    /// its speed at the start, or 0 if that gives none].
+    /// its speed at the start, in the direction of the sweep, or 0 if that gives none].
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub(crate) speed: Option<String>,
 

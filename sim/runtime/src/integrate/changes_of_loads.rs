@@ -41,6 +41,9 @@ const NEAR: f64 = 0.01;
 const SEEN: f64 = 1e-6;
 /// The most that a step over a jump may be wrong by, in units of the tolerance: the jumps of a motion mostly go the same way.
 const SLIGHT: f64 = 0.1;
+/// How near to a pole accelerations are compared, as parts of the distance from it, and how much larger they are there at least.
+const NEARER: f64 = 1e-2;
+const GROWN: f64 = 50.0;
 /// A step of so many roundings of its time is not made shorter.
 const SHORTEST: f64 = 64.0;
 
@@ -350,7 +353,7 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
         let beyond = first.time + distance;
         Ok(match () {
             _ if length <= SHORTEST * f64::EPSILON * begin.abs() => None,
-            _ if jump.is_some() && between.is_none() && bound <= SLIGHT => None,
+            _ if jump.is_some() && between.is_none() && bound <= SLIGHT && !self.is_pole(first.time, distance)? => None,
             _ if distance > NEAR * length => Some(before),
             _ if jump.is_none() => between,
             _ if of_crossing <= SLIGHT => Some(between.map_or(beyond, |between| between.min(beyond))),
@@ -362,6 +365,16 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
     fn jump_at(&mut self, time: f64, until: f64) -> Result<Option<M::Q>, Failure> {
         let beside = (time - self.step.from.state.time).min(until - time) / 2.0;
         if beside > 0.0 { Ok(jump(self.step, time, beside)?.as_ref().map(difference)) } else { Ok(None) }
+    }
+
+    /// Whether accelerations grow without end towards a change, which is so far from the beginning: no motion passes there, but a long
+    /// step would.
+    fn is_pole(&mut self, time: f64, distance: f64) -> Result<bool, Failure> {
+        let mut size = |part: f64| {
+            let accelerations = self.step.sample(time - part * distance)?.accelerations;
+            Ok::<f64, Failure>(self.step.motion.size(&accelerations))
+        };
+        Ok(size(NEARER * NEARER)? > GROWN * size(NEARER)?)
     }
 
     /// The most that a step of a length over a jump is wrong by, in units of the tolerance.

@@ -139,7 +139,7 @@ impl<M: Mechanism> Run<M> {
     }
 
     /// The sample of another run at the time of this one, unless that is the time of an event.
-    fn counterpart<'o>(&self, one: &Sample<M>, others: &'o [Sample<M>]) -> Option<&'o Sample<M>> {
+    pub(crate) fn counterpart<'o>(&self, one: &Sample<M>, others: &'o [Sample<M>]) -> Option<&'o Sample<M>> {
         let time = one.state.time;
         let [rounding, at_event] = [4.0 * f64::EPSILON, AT_EVENT].map(|part| part * time.abs());
         let event = self.events.partition_point(|event| event.state.time < time - at_event);

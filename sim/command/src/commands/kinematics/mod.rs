@@ -46,13 +46,17 @@ impl KinematicsArguments {
             (None, Driven::Output(_)) => return Err(needed("--from", quantity)),
         };
         let asked = self.asked_speed(description, driven)?;
-        let is_back = asked.is_some_and(|speed| speed < 0.0);
+        let declared = match driven {
+            Driven::Coordinate(i) => prescribed.filter(|(j, _)| *j == i).map(|(_, speed)| speed).or(speeds[i]),
+            Driven::Output(_) => None,
+        };
+        let speed = asked.or(declared).unwrap_or(0.0);
         let to = match (&self.to, driven.turn(description)) {
             (Some(text), _) => value("--to", text)?,
-            (None, Some(turn)) => from + if is_back { -turn } else { turn },
+            (None, Some(turn)) => from + if speed < 0.0 { -turn } else { turn },
             (None, None) => return Err(needed("--to", quantity)),
         };
-        if is_back && to > from {
+        if asked.is_some_and(|speed| speed < 0.0) && to > from {
             return Err(Stop::Usage(format!(
                 "--speed is negative, and `{}` grows from --from to --to: give a positive speed, or both ends the other way round",
                 quantity.name
@@ -64,11 +68,6 @@ impl KinematicsArguments {
                 quantity.name
             )));
         }
-        let declared = match driven {
-            Driven::Coordinate(i) => prescribed.filter(|(j, _)| *j == i).map(|(_, speed)| speed).or(speeds[i]),
-            Driven::Output(_) => None,
-        };
-        let speed = asked.or(declared).unwrap_or(0.0);
         let held = self.hold.iter().map(|text| hold(description, now, text)).collect::<Result<_, _>>()?;
         Ok(Sweep { driven, from, to, speed, steps: self.steps as usize, held })
     }

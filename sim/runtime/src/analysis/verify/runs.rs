@@ -109,15 +109,21 @@ pub fn runs_agree<M: Mechanism>(name: &'static str, one: &Run<M>, other: &Run<M>
 }
 
 /// The largest difference of any coordinate or speed between two runs with the same rows, relative to its extent, and
-/// its name.
+/// its name. An event at the time of a row, or beside it but for rounding, makes one row more or less: then rows are compared by
+/// their times.
 pub fn difference<M: Mechanism>(one: &Run<M>, other: &Run<M>) -> (f64, &'static str) {
     let (a, b) = (&one.trajectory.samples, &other.trajectory.samples);
-    if a.len() != b.len() {
+    let is_same = a.len() == b.len();
+    if !is_same && one.events.len() != other.events.len() {
         return (f64::INFINITY, "number of rows");
     }
     let sizes = Sizes::of(&one.mechanism, a);
     let mut worst = Worst::default();
-    a.iter().zip(b).for_each(|(a, b)| sizes.compare(&one.mechanism, &a.state, &b.state, &mut worst));
+    for (row, a) in a.iter().enumerate() {
+        if let Some(b) = if is_same { b.get(row) } else { one.counterpart(a, b) } {
+            sizes.compare(&one.mechanism, &a.state, &b.state, &mut worst);
+        }
+    }
     (worst.figure, worst.at)
 }
 
