@@ -168,6 +168,12 @@ fn no_step_leads_over_a_pole() {
         // By an integration with steps of 1 ms at most, SciPy's DOP853 at 1e-12: the potential is a wall 2.1 mm wide.
         assert!((last.positions[0] + 10.015380).abs() < 1e-5 && (last.speeds[0] + 1.0).abs() < 1e-5, "{last:?}");
     }
+    // A wall of 10 micrometres, towards which a steady force drives: back at its start after twice the time that it takes to 1 m.
+    let driven = wall.replace("1e-25", "1e-60").replace("^12;", "^12; force 0.1 [N] on x;");
+    let there = (1.0_f64 + 0.2 * 11.0).sqrt() / 0.1 - 10.0;
+    let run = tests::run_with(interpreted(&driven).unwrap(), &Settings::new(2.0 * there)).unwrap();
+    let last = &run.trajectory.samples.last().unwrap().state;
+    assert!((last.positions[0] + 10.0).abs() < 1e-4 && (last.speeds[0] + 1.0).abs() < 1e-4, "{last:?}");
     let smooth = "pub Smooth; coordinates { x [m]; } bodies { b: mass 1 [kg] at [x, 0]; }
         loads { force -3 [N]*sin(x/(1 [m]))*(1 [m])/x on x; } initial { x = -1; dot(x) = 4; }";
     let run = tests::run_with(interpreted(smooth).unwrap(), &Settings::adaptive(Method::Dop853, 1.0, 1e-11)).unwrap();

@@ -45,8 +45,8 @@ pub fn describe(equations: &EquationsOfMotion, program: &Program, source: &Sourc
 fn switching(EquationsOfMotion { graph, .. }: &EquationsOfMotion, all: &[dynamics::Switching]) -> Vec<Switching> {
     let named = |id: TableId| NamedTable { index: id.index(), name: graph.table(id).name.clone() };
     let described = |each: &dynamics::Switching| {
-        let dynamics::Switching { table, is_affine, is_smooth, is_flank, is_phase, .. } = *each;
-        Switching { table: table.map(named), is_affine, is_smooth, is_flank, is_phase }
+        let dynamics::Switching { table, is_affine, kind, .. } = *each;
+        Switching { table: table.map(named), is_affine, kind }
     };
     all.iter().map(described).collect()
 }

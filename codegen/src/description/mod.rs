@@ -7,6 +7,7 @@ mod describe;
 mod events;
 mod kebab_case;
 
+pub use crate::dynamics::SwitchingKind;
 pub use crate::model::{RunDefault, Target};
 pub use crate::program::SparseRow;
 pub use describe::describe;
@@ -73,12 +74,8 @@ pub struct Switching {
     pub table: Option<NamedTable>,
     /// Whether it is of the first degree in time; where it is one of the state, in positions and speeds too.
     pub is_affine: bool,
-    /// Whether expressions keep their form there, which is the middle of a pulse or a step, or a flank of one.
-    pub is_smooth: bool,
-    /// Whether it is a flank.
-    pub is_flank: bool,
-    /// Whether it is no condition itself, but what a sine or cosine in one is of.
-    pub is_phase: bool,
+    /// What is there.
+    pub kind: SwitchingKind,
 }
 
 /// A table.

@@ -67,7 +67,7 @@ pub use open_tree::OpenTree;
 pub use outputs::Outputs;
 pub use separation::Separation;
 pub use speeds::SpeedEquations;
-pub use switching::Switching;
+pub use switching::{Switching, SwitchingKind};
 pub use tmt::{Tmt, TmtRow};
 pub use turns::{ConstraintForm, ConstraintRows, RowTurn};
 pub use variables::{Differentiated, Variables};

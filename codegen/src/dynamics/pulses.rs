@@ -6,7 +6,9 @@
 //! smooth friction would end a step at each of its turns.
 
 use super::rows::LoadRow;
-use super::switching::{Switching, is_affine, is_affine_in_state, is_new, is_of_time, searched, with_inputs};
+use super::switching::{
+    Switching, SwitchingKind, is_affine, is_affine_in_state, is_new, is_of_time, searched, with_inputs,
+};
 use crate::model::{Dependence, Dependences, Model};
 use crate::symbolic::{Differential, Expr, Function, Graph, Node, Symbol};
 
@@ -94,7 +96,7 @@ fn switchings(
 ) -> Vec<Switching> {
     let mut found: Vec<Switching> = Vec::new();
     for middle in middles {
-        let is_flank = matches!(middle, Middle::Flank(_));
+        let kind = if matches!(middle, Middle::Flank(_)) { SwitchingKind::Flank } else { SwitchingKind::Middle };
         let value = match middle {
             Middle::At(value) => value,
             Middle::AtExtremum(of) => along.of(graph, of),
@@ -103,7 +105,7 @@ fn switchings(
         let changes = dependences.of(graph, value).meets(Dependence::TIME.or(Dependence::COORDINATE));
         if changes && is_new(known, value, None) && is_new(&found, value, None) {
             let is_affine = is_affine_in_state(graph, model, &mut dependences, value);
-            found.push(Switching { value, table: None, is_affine, is_smooth: true, is_flank, is_phase: false });
+            found.push(Switching { value, table: None, is_affine, kind });
         }
     }
     found

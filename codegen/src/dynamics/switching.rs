@@ -17,12 +17,24 @@ pub struct Switching {
     pub table: Option<TableId>,
     /// Whether it is of the first degree in time; where it is one of the state, in positions and speeds too.
     pub is_affine: bool,
-    /// Whether expressions keep their form there, which is the middle of a pulse or a step, or a flank of one.
-    pub is_smooth: bool,
-    /// Whether it is a flank.
-    pub is_flank: bool,
-    /// Whether it is no condition itself, but what a sine or cosine in one is of.
-    pub is_phase: bool,
+    /// What is there.
+    pub kind: SwitchingKind,
+}
+
+/// What is where a [`Switching`] is zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SwitchingKind {
+    /// Expressions change their form.
+    Form,
+    /// A load may be infinite.
+    Pole,
+    /// The middle of a smooth pulse or step, which a long step might not see; expressions keep their form.
+    Middle,
+    /// A flank of one.
+    Flank,
+    /// Nothing: it is what a sine or cosine in one of the others is of, in radians. Where that changes by much in a step, the other goes
+    /// to and fro.
+    Phase,
 }
 
 /// What expressions depend on, with each input as what its declared course is made of: one that is held is a parameter.
@@ -47,9 +59,7 @@ pub(super) fn of_time(graph: &Graph, model: &Model) -> Vec<Switching> {
                 value,
                 table,
                 is_affine: is_affine(graph, &mut dependences, value, Dependence::TIME),
-                is_smooth: false,
-                is_flank: false,
-                is_phase: false,
+                kind: SwitchingKind::Form,
             });
         }
     }
@@ -61,13 +71,14 @@ pub(super) fn of_loads(graph: &Graph, model: &Model, rows: &[LoadRow]) -> Vec<Sw
     let mut dependences = with_inputs(graph, model);
     let mut found: Vec<Switching> = Vec::new();
     let poles = graph.reachable(&made_of(rows)).into_iter().flat_map(|expr| poles(graph, graph.node(expr)));
-    let conditions = searched(graph, model, rows).filter_map(switched_by).chain(poles.map(|pole| (pole, None)));
-    for (value, table) in conditions {
+    let forms = searched(graph, model, rows).filter_map(switched_by);
+    let forms = forms.map(|(value, table)| (value, table, SwitchingKind::Form));
+    for (value, table, kind) in forms.chain(poles.map(|pole| (pole, None, SwitchingKind::Pole))) {
         if is_new(&found, value, table)
             && dependences.of(graph, value).meets(Dependence::COORDINATE.or(Dependence::SPEED))
         {
             let is_affine = is_affine_in_state(graph, model, &mut dependences, value);
-            found.push(Switching { value, table, is_affine, is_smooth: false, is_flank: false, is_phase: false });
+            found.push(Switching { value, table, is_affine, kind });
         }
     }
     found
@@ -93,14 +104,7 @@ pub(super) fn phases(graph: &Graph, model: &Model, conditions: &[Switching]) -> 
             && !is_of_two_angles(graph, model, *argument)
         {
             let value = *argument;
-            found.push(Switching {
-                value,
-                table: None,
-                is_affine: false,
-                is_smooth: true,
-                is_flank: false,
-                is_phase: true,
-            });
+            found.push(Switching { value, table: None, is_affine: false, kind: SwitchingKind::Phase });
         }
     }
     found

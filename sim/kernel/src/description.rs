@@ -69,14 +69,31 @@ pub struct Switching {
     pub table: Option<&'static Table>,
     /// Whether it is of the first degree in time; where it is one of the state, in positions and speeds too.
     pub is_affine: bool,
-    /// Whether expressions keep their form there: it is the middle of a smooth pulse or step, which a long step might not see, or a
-    /// flank of one.
-    pub is_smooth: bool,
-    /// Whether it is a flank.
-    pub is_flank: bool,
-    /// Whether it is no condition itself, but what a sine or cosine in one is of, in radians: where that changes by much in a step,
-    /// the condition goes to and fro.
-    pub is_phase: bool,
+    /// What is where it is zero.
+    pub kind: SwitchingKind,
+}
+
+/// What is where a [`Switching`] is zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SwitchingKind {
+    /// Expressions change their form.
+    Form,
+    /// A load may be infinite.
+    Pole,
+    /// The middle of a smooth pulse or step, which a long step might not see; expressions keep their form.
+    Middle,
+    /// A flank of one.
+    Flank,
+    /// Nothing: it is what a sine or cosine in one of the others is of, in radians. Where that changes by much in a step, the other goes
+    /// to and fro.
+    Phase,
+}
+
+impl SwitchingKind {
+    /// Whether expressions keep their form there.
+    pub fn is_smooth(self) -> bool {
+        !matches!(self, SwitchingKind::Form | SwitchingKind::Pole)
+    }
 }
 
 /// A setting of a run, as a program takes it on its command line.

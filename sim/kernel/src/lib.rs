@@ -24,7 +24,9 @@ mod wave;
 
 pub use array::{Array, Element, FixedArray};
 pub use columns::{ColumnsStep, solve_columns};
-pub use description::{Coordinate, Description, Figure, Quantity, RunDefault, Shape, SparseRow, Start, Switching};
+pub use description::{
+    Coordinate, Description, Figure, Quantity, RunDefault, Shape, SparseRow, Start, Switching, SwitchingKind,
+};
 pub use dual::Dual;
 pub use input::Input;
 pub use interval::{Interval, Possible};

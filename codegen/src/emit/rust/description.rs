@@ -74,11 +74,9 @@ fn switching(each: &Switching, path: &TokenStream) -> TokenStream {
         }
         None => quote! { ::core::option::Option::None },
     };
-    let Switching { is_affine, is_smooth, is_flank, is_phase, .. } = each;
+    let (Switching { is_affine, .. }, kind) = (each, super::ident(&format!("{:?}", each.kind)));
     quote! {
-        #path::Switching {
-            table: #table, is_affine: #is_affine, is_smooth: #is_smooth, is_flank: #is_flank, is_phase: #is_phase,
-        }
+        #path::Switching { table: #table, is_affine: #is_affine, kind: #path::SwitchingKind::#kind }
     }
 }
 

@@ -27,7 +27,7 @@ pub(super) fn moved<M: Mechanism<Dual>>(mechanism: &M, [from, to]: [f64; 2]) -> 
     let (before, after) = (values(Dual::constant(from)), values(Dual::constant(to)));
     let with_time = values(Dual::variable(to));
     let changes = |k: &usize| {
-        functions[*k].table.is_none() && !functions[*k].is_smooth && before[*k].value * after[*k].value < 0.0
+        functions[*k].table.is_none() && !functions[*k].kind.is_smooth() && before[*k].value * after[*k].value < 0.0
     };
     let move_of = |k: usize| -after[k].derivative / (with_time[k].derivative - after[k].derivative);
     let mut moves = (0..functions.len()).filter(changes).map(move_of);

@@ -5,7 +5,7 @@
 //! So no change is missed, however short the time is until it is taken back.
 
 use crate::model::exactly;
-use sim_kernel::{Dual, Interval, Mechanism, Switching};
+use sim_kernel::{Dual, Interval, Mechanism, Switching, SwitchingKind};
 
 /// The most intervals of a search, and the least part of the whole that is then enough for a step: conditions that are zero
 /// but for rounding keep none.
@@ -67,7 +67,7 @@ pub(super) fn first_change<M: Mechanism>(
 /// Whether a condition that may jump is zero at the first of these times and not at the second.
 fn changes_at_once<M: Mechanism>(mechanism: &M, functions: &[Switching], times: [f64; 2]) -> bool {
     let [now, soon] = times.map(|time| mechanism.switching_functions(time));
-    let jumps = |function: &Switching| function.table.is_none() && !function.is_smooth && !function.is_flank;
+    let jumps = |function: &Switching| function.table.is_none() && !function.kind.is_smooth();
     functions.iter().enumerate().any(|(k, function)| jumps(function) && now[k] == 0.0 && soon[k] != 0.0)
 }
 
@@ -124,8 +124,10 @@ impl<M: Mechanism> Search<'_, M> {
             let time = change.time(|time| values(time)[k], self.tick)?;
             Some(match function.table {
                 Some(_) => First { time, what: What::Row },
-                None if function.is_flank => First { time: time + ASIDE * self.tick, what: What::Flank },
-                None if function.is_smooth => First { time: time + ASIDE * self.tick, what: What::Middle },
+                None if function.kind == SwitchingKind::Flank => {
+                    First { time: time + ASIDE * self.tick, what: What::Flank }
+                }
+                None if function.kind.is_smooth() => First { time: time + ASIDE * self.tick, what: What::Middle },
                 None => First { time, what: What::Zero },
             })
         });

@@ -21,7 +21,7 @@ use crate::numerics::signs::{crosses, is_foretold, may_reach_zero, turns_back};
 use crate::state::failure::Failure;
 use crate::state::settings::Tolerance;
 use crate::state::trajectory::Sample;
-use sim_kernel::{Array, Mechanism, Switching};
+use sim_kernel::{Array, Mechanism, Switching, SwitchingKind};
 
 /// Rates are differences over this part of the interval that is searched.
 const BESIDE: f64 = 1e-4;
@@ -42,7 +42,7 @@ const SEEN: f64 = 1e-6;
 /// The most that a step over a jump may be wrong by, in units of the tolerance: the jumps of a motion mostly go the same way.
 const SLIGHT: f64 = 0.1;
 /// How near to a pole accelerations are compared, as parts of the distance from it, and how much larger they are there at least.
-const NEARER: f64 = 1e-2;
+const NEARER: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
 const GROWN: f64 = 50.0;
 /// A step of so many roundings of its time is not made shorter.
 const SHORTEST: f64 = 64.0;
@@ -66,9 +66,8 @@ pub(super) struct Change {
     pub(super) is_row: bool,
     /// Whether second derivatives are continuous too: what a step over one such row leads through, its ends have seen.
     is_gentle: bool,
-    /// Whether it is the middle of a smooth pulse or a flank of one, where the load keeps its form.
-    pub(super) is_smooth: bool,
-    pub(super) is_flank: bool,
+    /// What is there.
+    pub(super) kind: SwitchingKind,
 }
 
 /// The changes of form of loads within a step, and the middles of smooth pulses, in order; those at one time are one.
@@ -135,8 +134,7 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
         changes.sort_by(|a, b| a.time.total_cmp(&b.time));
         let least = SAME * self.step.length();
         changes.dedup_by(|next, kept| {
-            let is_same =
-                next.time - kept.time <= least && [next.is_smooth, next.is_flank] == [kept.is_smooth, kept.is_flank];
+            let is_same = next.time - kept.time <= least && next.kind == kept.kind;
             kept.is_row &= next.is_row || !is_same;
             is_same
         });
@@ -150,7 +148,7 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
 
     /// Into how many parts it is divided for the phases of its conditions, by their changes and by their rates at both ends.
     fn parts_by_phases(&self) -> f64 {
-        let phases = || (0..self.conditions.len()).filter(|k| self.conditions[*k].is_phase);
+        let phases = || (0..self.conditions.len()).filter(|k| self.conditions[*k].kind == SwitchingKind::Phase);
         if phases().next().is_none() {
             return 1.0;
         }
@@ -178,7 +176,7 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
             let time = if is_last { end } else { begin + part as f64 * length };
             let sample = self.step.sample(time)?;
             let to = self.look(&sample, length);
-            for condition in (0..self.conditions.len()).filter(|k| !self.conditions[*k].is_phase) {
+            for condition in (0..self.conditions.len()).filter(|k| self.conditions[*k].kind != SwitchingKind::Phase) {
                 self.search_part(condition, [&from, &to])?;
             }
             if !self.found.is_empty()
@@ -321,10 +319,10 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
         self.found.extend(found.into_iter().take(1));
         changes.sort_by(|a, b| a.time.total_cmp(&b.time));
         let unseen = (begin + SEEN * length)..(self.step.to.state.time - SEEN * length);
-        changes.retain(|change| !change.is_smooth || unseen.contains(&change.time));
+        changes.retain(|change| !change.kind.is_smooth() || unseen.contains(&change.time));
         let is_long = length > SHORTEST * f64::EPSILON * begin.abs();
-        let middle = changes.iter().find(|change| change.is_smooth && is_long).map(|change| change.time);
-        changes.retain(|change| !change.is_smooth);
+        let middle = changes.iter().find(|change| change.kind.is_smooth() && is_long).map(|change| change.time);
+        changes.retain(|change| !change.kind.is_smooth());
         if matches!(changes.as_slice(), [only] if only.is_gentle) {
             return Ok(middle);
         }
@@ -350,13 +348,15 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
         };
         let error = |length: f64| jump.as_ref().map_or(0.0, |jump| self.error_over(jump, length, tolerance));
         let [bound, of_crossing] = [length, 2.0 * distance].map(error);
-        let beyond = first.time + distance;
+        let is_there = |change: &Change| change.time - first.time <= apart;
+        let is_denominator = changes.iter().any(|change| change.kind == SwitchingKind::Pole && is_there(change));
         Ok(match () {
             _ if length <= SHORTEST * f64::EPSILON * begin.abs() => None,
-            _ if jump.is_some() && between.is_none() && bound <= SLIGHT && !self.is_pole(first.time, distance)? => None,
+            _ if is_denominator && self.is_pole(first.time, distance) => Some(before),
+            _ if jump.is_some() && between.is_none() && bound <= SLIGHT => None,
             _ if distance > NEAR * length => Some(before),
             _ if jump.is_none() => between,
-            _ if of_crossing <= SLIGHT => Some(between.map_or(beyond, |between| between.min(beyond))),
+            _ if of_crossing <= SLIGHT => Some(between.unwrap_or(f64::INFINITY).min(first.time + distance)),
             _ => Some(before),
         })
     }
@@ -368,13 +368,13 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
     }
 
     /// Whether accelerations grow without end towards a change, which is so far from the beginning: no motion passes there, but a long
-    /// step would.
-    fn is_pole(&mut self, time: f64, distance: f64) -> Result<bool, Failure> {
-        let mut size = |part: f64| {
-            let accelerations = self.step.sample(time - part * distance)?.accelerations;
-            Ok::<f64, Failure>(self.step.motion.size(&accelerations))
-        };
-        Ok(size(NEARER * NEARER)? > GROWN * size(NEARER)?)
+    /// step would. They are infinite where they have no value.
+    fn is_pole(&mut self, time: f64, distance: f64) -> bool {
+        let sizes = NEARER.map(|part| {
+            let there = self.step.sample(time - part * distance);
+            there.map_or(f64::INFINITY, |there| self.step.motion.size(&there.accelerations))
+        });
+        sizes.windows(2).any(|pair| pair[1] > GROWN * pair[0])
     }
 
     /// The most that a step of a length over a jump is wrong by, in units of the tolerance.
@@ -385,9 +385,9 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
     }
 
     fn change(&mut self, between: &Between) -> Result<Change, Failure> {
-        let Switching { table, is_smooth, is_flank, .. } = self.conditions[between.condition];
+        let Switching { table, kind, .. } = self.conditions[between.condition];
         let is_gentle = table.is_some_and(|table| is_gentle(table, between.level));
-        Ok(Change { time: self.locate(between)?, is_row: table.is_some(), is_gentle, is_smooth, is_flank })
+        Ok(Change { time: self.locate(between)?, is_row: table.is_some(), is_gentle, kind })
     }
 
     /// The time of a change, to a small part of the step.

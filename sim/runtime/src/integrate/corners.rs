@@ -55,7 +55,7 @@ pub(super) fn check_equal_step<M: Mechanism>(
 ) -> Result<(), Failure> {
     let mechanism = motion.mechanism();
     let functions = mechanism.description().switching;
-    if functions.iter().all(|function| function.is_smooth) {
+    if functions.iter().all(|function| function.kind.is_smooth()) {
         return Ok(());
     }
     let (mut from, aside) = (now, ASIDE * tick(now, until));

@@ -10,7 +10,7 @@ use super::jump::jump;
 use super::short_pulses::short_pulse;
 use super::switching::SuddenChanges;
 use crate::state::failure::Failure;
-use sim_kernel::{Array, Mechanism};
+use sim_kernel::{Array, Mechanism, SwitchingKind};
 
 /// How far beside a change accelerations are compared, as a part of the step, and of the distance of another change.
 const BESIDE: f64 = 1e-4;
@@ -23,7 +23,8 @@ const BEYOND: f64 = 0.02;
 #[inline]
 pub(super) fn note_jump<M: Mechanism>(step: &mut Step<M>, noted: &mut Option<SuddenChanges>) {
     let description = step.motion.mechanism().description();
-    if !description.load_conditions.is_empty() || description.switching.iter().any(|function| function.is_smooth) {
+    if !description.load_conditions.is_empty() || description.switching.iter().any(|function| function.kind.is_smooth())
+    {
         note(step, noted);
     }
 }
@@ -40,9 +41,11 @@ fn note<M: Mechanism>(step: &mut Step<M>, noted: &mut Option<SuddenChanges>) {
 /// The time of the first pulse within a step that is too short for it, or of the first change that is sudden.
 fn sudden_change<M: Mechanism>(step: &mut Step<M>) -> Result<Option<f64>, Failure> {
     let (middles, changes): (Vec<Change>, Vec<Change>) =
-        changes(step)?.into_iter().partition(|change| change.is_smooth);
-    if let Some(middle) = short_pulse(step, middles.iter().filter(|middle| !middle.is_flank).map(|middle| middle.time))?
-    {
+        changes(step)?.into_iter().partition(|change| change.kind.is_smooth());
+    if let Some(middle) = short_pulse(
+        step,
+        middles.iter().filter(|middle| middle.kind != SwitchingKind::Flank).map(|middle| middle.time),
+    )? {
         return Ok(Some(middle));
     }
     for (place, Change { time, is_row, .. }) in changes.iter().enumerate() {

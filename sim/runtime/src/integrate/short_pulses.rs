@@ -36,7 +36,7 @@ pub(super) fn short_pulse<M: Mechanism>(
 /// The middles of pulses of time alone between two times. There may be many: each is found when it is asked for.
 fn middles_in_time<M: Mechanism>(mechanism: &M, [mut from, until]: [f64; 2]) -> impl Iterator<Item = f64> {
     let functions: &[Switching] = mechanism.description().switching;
-    let has_middles = functions.iter().any(|function| function.is_smooth);
+    let has_middles = functions.iter().any(|function| function.kind.is_smooth());
     let changes = std::iter::from_fn(move || {
         let first = has_middles.then(|| first_change(mechanism, functions, from, until)).flatten()?;
         from = first.time;

@@ -88,7 +88,7 @@ pub(super) fn note_change<M: Mechanism>(
     changes: &mut Option<SuddenChanges>,
 ) {
     let functions = motion.mechanism().description().switching;
-    if functions.iter().all(|function| function.is_smooth) {
+    if functions.iter().all(|function| function.kind.is_smooth()) {
         return;
     }
     if let Some(first) = sudden_change(motion, functions, from, until) {

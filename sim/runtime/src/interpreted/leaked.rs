@@ -6,7 +6,9 @@
 use codegen::description as made;
 use codegen::{Derived, symbolic};
 use sim_kernel::event::{Assignment, Conditional, Direction, Event, Hit, Step, Switch, Target};
-use sim_kernel::{Coordinate, Description, Figure, Quantity, RunDefault, Shape, SparseRow, Start, Switching, Table};
+use sim_kernel::{
+    Coordinate, Description, Figure, Quantity, RunDefault, Shape, SparseRow, Start, Switching, SwitchingKind, Table,
+};
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
@@ -72,8 +74,15 @@ fn description(of: &made::Description, tables: &'static [Table]) -> Description 
 }
 
 fn switching(of: &made::Switching, tables: &'static [Table]) -> Switching {
-    let made::Switching { ref table, is_affine, is_smooth, is_flank, is_phase } = *of;
-    Switching { table: table.as_ref().map(|table| &tables[table.index]), is_affine, is_smooth, is_flank, is_phase }
+    let made::Switching { ref table, is_affine, kind } = *of;
+    let kind = match kind {
+        made::SwitchingKind::Form => SwitchingKind::Form,
+        made::SwitchingKind::Pole => SwitchingKind::Pole,
+        made::SwitchingKind::Middle => SwitchingKind::Middle,
+        made::SwitchingKind::Flank => SwitchingKind::Flank,
+        made::SwitchingKind::Phase => SwitchingKind::Phase,
+    };
+    Switching { table: table.as_ref().map(|table| &tables[table.index]), is_affine, kind }
 }
 
 /// A table with its pieces, as generated code has it.

@@ -48,7 +48,7 @@ pub(super) fn has_corner(mechanism: &dyn Differentiable, at: At<f64>, sizes: &[f
 /// Whether a condition that is no middle of a pulse lies at a zero, or at a row of its table.
 fn lies_at_zero(mechanism: &dyn Differentiable, conditions: &dyn Fn(usize, f64) -> Vec<f64>, changes: usize) -> bool {
     let functions = mechanism.description().load_conditions;
-    let sudden = |i: &usize| !functions[*i].is_smooth;
+    let sudden = |i: &usize| !functions[*i].kind.is_smooth();
     if !(0..functions.len()).any(|i| sudden(&i)) {
         return false;
     }
