@@ -5,6 +5,7 @@ mod accumulating;
 mod at_times;
 mod bouncing;
 mod pulled;
+mod resting;
 
 use sim::{Compiled, Mechanism, Method, Run, Settings, Stabilisation, What, mechanism};
 use std::f64::consts::PI;

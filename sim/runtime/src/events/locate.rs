@@ -132,6 +132,24 @@ impl<M: Mechanism> EventSearch<M> {
         Ok(())
     }
 
+    /// Enters the time at which a condition that was zero goes beyond a value.
+    pub(super) fn locate_leaving(
+        &mut self,
+        step: &mut Step<M>,
+        event: usize,
+        [from, to]: [f64; 2],
+        beyond: f64,
+    ) -> Result<(), Failure> {
+        let (h, tolerance) = (to - from, tolerance(to, self.span));
+        let mut at = |fraction: f64| value(step, from + fraction * h, event).map(|value| value / beyond - 1.0);
+        let last = at(1.0)?;
+        let fraction = find_root(-1.0, last, tolerance / h, &mut at)?;
+        let state = step.at(from + h * fraction)?;
+        let crossing = if beyond > 0.0 { Crossing::Rising } else { Crossing::Falling };
+        self.push(step.motion.mechanism(), event, crossing, state);
+        Ok(())
+    }
+
     fn push(&mut self, mechanism: &M, event: usize, crossing: Crossing, state: State<M>) {
         let described = &mechanism.description().events[event];
         let counts = match described.direction {

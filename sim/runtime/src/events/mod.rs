@@ -28,8 +28,9 @@ use crate::numerics::signs::crosses;
 use crate::state::failure::{Failure, What};
 use crate::state::saved::{Bytes, Damaged};
 use conditions::{Point, ends, may_reach_zero, value};
+use described::{minds_leaving, through};
 use onset::{OFFSET, Onset, sizes};
-use sim_kernel::event::Direction;
+use sim_kernel::event::{Direction, Event};
 use sim_kernel::{Array, Mechanism};
 use undefined::is_defined;
 use waves::{DIVIDED_AGAIN, point};
@@ -279,6 +280,10 @@ impl<M: Mechanism> EventSearch<M> {
             }
             self.largest[event] = to.values[event].abs().max(from.values[event].abs()).max(self.largest[event]);
             let name = mechanism.description().events[event].name;
+            if let Some(beyond) = self.leaves(&mechanism.description().events[event], event, from, &to) {
+                self.locate_leaving(step, event, [from.time, to.time], beyond)?;
+                continue;
+            }
             if is_defined(event, from, &to) && !may_reach_zero(event, from, &to) {
                 continue;
             }
@@ -296,6 +301,15 @@ impl<M: Mechanism> EventSearch<M> {
         }
         sort_few(&mut self.found[first..], |a, b| a.state.time.total_cmp(&b.state.time));
         Ok(to)
+    }
+
+    /// Whether a condition that has been nothing but zero is left in the direction of an event that minds it, and the value beyond which
+    /// it is no rounding.
+    fn leaves(&self, described: &Event, event: usize, from: &Point<M>, to: &Point<M>) -> Option<f64> {
+        let noise = self.onset.as_ref().map_or(0.0, |onset| onset.noise[event]).max(f64::MIN_POSITIVE);
+        let beyond = through(described)? * noise;
+        let is_left = from.values[event] == 0.0 && to.values[event] / beyond > 1.0;
+        (is_left && minds_leaving(described)).then_some(beyond)
     }
 
     /// Whether a crossing at the very start is the return of a condition that was left there, and not how it leaves: it has a
@@ -331,6 +345,7 @@ fn started<M: Mechanism>(point: &Point<M>, event: usize, onset: Option<&Onset<M>
     let is_zero = point.values[event].is_finite()
         && point.values[event].abs() <= 2.0 * tolerance(point.time, span) * point.rates[event].abs();
     let sign = match onset {
+        Some(onset) if onset.holds(event) && onset.leaving(event) == 0.0 && onset.is_noise(event) => return 0.0,
         Some(onset) if onset.holds(event) => onset.leaving(event),
         _ if is_zero => point.rates[event],
         _ => 0.0,
