@@ -5,6 +5,7 @@
 //! stand still there while time goes on.
 
 use super::method::{Advance, Attempt};
+use super::sticking::sticks;
 use crate::motion::Motion;
 use crate::motion::generalized_speeds::has_generalized_speeds;
 use crate::motion::gimbal;
@@ -100,8 +101,8 @@ const NEARLY_SINGULAR: f64 = 1e-2;
 
 /// Why no step is small enough: a singular position, the failure of the last attempt, or the tolerance.
 pub(super) fn too_small<M: Mechanism>(motion: &Motion<M>, at: &State<M>, step: f64, cause: Option<Failure>) -> Failure {
-    let cause =
-        cause.unwrap_or_else(|| Failure::at(motion.mechanism(), What::StepTooSmall { step }, at.time, &at.positions));
+    let too_small = || if sticks(motion, at) { What::Sticks } else { What::StepTooSmall { step } };
+    let cause = cause.unwrap_or_else(|| Failure::at(motion.mechanism(), too_small(), at.time, &at.positions));
     gimbal::explained(explained(motion, at, cause), motion.mechanism(), at.time, &at.positions)
 }
 

@@ -26,6 +26,7 @@ mod short_pulses;
 mod stability;
 mod step;
 mod stepper;
+mod sticking;
 mod switching;
 mod table_rows;
 mod tableau;

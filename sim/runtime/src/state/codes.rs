@@ -34,6 +34,7 @@ impl What {
             What::TooManyRows { .. } => "E-TOO-MANY-ROWS",
             What::NoErrorEstimate => "E-NO-ERROR-ESTIMATE",
             What::StepTooSmall { .. } => "E-STEP-TOO-SMALL",
+            What::Sticks => "E-STICKS",
             What::Driven { .. } => "E-DRIVEN",
             What::Jump { .. } => "E-JUMP",
             What::CornerInEqualStep { .. } => "E-CORNER",

@@ -237,6 +237,13 @@ pub enum What {
         /// The step that was refused, in seconds.
         step: f64,
     },
+    /// A load that jumps with a speed holds the motion at the jump.
+    #[error(
+        "a load that jumps with a speed drives it back to the jump from both sides, as dry friction `-F*sign(dot(x))` does that \
+             sticks, and no step is small enough. Smooth it, as `friction F, smooth v0 on x` does, or let an event hold the body by a \
+             constraint and let it go when the reaction exceeds F"
+    )]
+    Sticks,
     /// Nothing is at rest on a constraint that time moves.
     #[error(
         "constraint `{constraint}` moves with time, so nothing is at rest. `linearize --at initial` and `--at TIME` take a state \
