@@ -66,22 +66,22 @@ fn what_is_wrong_with_a_sweep_is_said() {
     }
 }
 
-/// A negative speed alone turns the crank back, from where it is.
+/// A negative speed alone turns the crank back, from where it is, if it is asked for and if it is that of the start.
 #[test]
 fn a_negative_speed_turns_back() {
-    let directory = fresh("kinematics-back");
-    let out = directory.to_str().unwrap();
-    let words =
-        ["kinematics", "quick-return", "--speed", "-3", "--steps", "4", "--no-report", "--no-figures", "--out", out];
-    let output = sim(&words);
-    assert!(output.status.success(), "{}", stderr(&output));
-    let (angles, speeds) = (crate::column(&directory, "alpha [rad]"), crate::column(&directory, "alpha_dot [rad/s]"));
-    // A turn back, in quarters.
-    assert!(
-        angles.windows(2).all(|pair| (pair[0] - pair[1] - std::f64::consts::FRAC_PI_2).abs() < 1e-12),
-        "{angles:?}"
-    );
-    assert!(speeds.iter().all(|speed| *speed == -3.0), "{speeds:?}");
+    for (name, speed) in [("asked", ["--speed", "-3"]), ("begun", ["--initial", "alpha_dot=-3"])] {
+        let directory = fresh(&format!("kinematics-back-{name}"));
+        let out = directory.to_str().unwrap();
+        let words = ["kinematics", "quick-return", "--steps", "4", "--no-report", "--no-figures", "--out", out];
+        let output = sim(&[&words[..], &speed].concat());
+        assert!(output.status.success(), "{}", stderr(&output));
+        let angles = crate::column(&directory, "alpha [rad]");
+        // A turn back, in quarters.
+        let is_quarter = |pair: &[f64]| (pair[0] - pair[1] - std::f64::consts::FRAC_PI_2).abs() < 1e-12;
+        assert!(angles.windows(2).all(is_quarter), "{angles:?}");
+        let speeds = crate::column(&directory, "alpha_dot [rad/s]");
+        assert!(speeds.iter().all(|speed| *speed == -3.0), "{speeds:?}");
+    }
 }
 
 #[test]

@@ -174,6 +174,19 @@ fn no_step_leads_over_a_pole() {
     let run = tests::run_with(interpreted(&driven).unwrap(), &Settings::new(2.0 * there)).unwrap();
     let last = &run.trajectory.samples.last().unwrap().state;
     assert!((last.positions[0] + 10.0).abs() < 1e-4 && (last.speeds[0] + 1.0).abs() < 1e-4, "{last:?}");
+    // A pole where the load has a condition too, as it is written for both directions.
+    let both = "pub Both; coordinates { x [m]; } bodies { b: mass 1 [kg] at [x, 0]; }
+        loads { spring 10 [N/m], rest 0 on x; force 1e-9 [N*m^2]/x^2*sign(x) on x; } initial { x = 1; }";
+    let run = tests::run_with(interpreted(both).unwrap(), &Settings::adaptive(Method::Dopri5, 20.0, 1e-8)).unwrap();
+    let all = || run.trajectory.samples.iter().map(|sample| sample.state.positions[0]);
+    assert!(run.trajectory.failure.is_none() && all().all(|x| x > 0.0) && all().any(|x| x < 0.1));
+    // A denominator that is never zero costs nothing, however far a step turns.
+    let turning = "pub Turning; coordinates { a [rad]; g [rad]; } bodies { b: inertia 1 [kg*m^2], angle a; c: inertia 1 [kg*m^2], angle g; }
+        loads { torque 0 [N*m]/(1 - sin(g)^2*cos(a)^2) on b; torque 1e-30 [N*m]*tan(a - g)/(1 - sin(g)^2*cos(a)^2) on c; }
+        initial { a = 0; g = 0; dot(a) = 3000; dot(g) = 3000; }";
+    let run = tests::run_with(interpreted(turning).unwrap(), &Settings { rows: Rows::Even(1), ..Settings::new(600.0) })
+        .unwrap();
+    assert!(run.evaluations < 1000, "{}", run.evaluations);
     let smooth = "pub Smooth; coordinates { x [m]; } bodies { b: mass 1 [kg] at [x, 0]; }
         loads { force -3 [N]*sin(x/(1 [m]))*(1 [m])/x on x; } initial { x = -1; dot(x) = 4; }";
     let run = tests::run_with(interpreted(smooth).unwrap(), &Settings::adaptive(Method::Dop853, 1.0, 1e-11)).unwrap();

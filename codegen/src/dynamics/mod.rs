@@ -142,11 +142,15 @@ fn switching_in_time(graph: &mut Graph, model: &Model) -> Vec<Switching> {
     all
 }
 
-/// The functions of positions and speeds in loads for whose zeros, or the rows of whose tables, each step is searched.
+/// The functions of positions and speeds in loads for whose zeros, or the rows of whose tables, each step is searched, and those of
+/// outputs, for which sweeps are.
 fn load_conditions(graph: &mut Graph, model: &Model, rows: &[LoadRow]) -> Vec<Switching> {
     let mut all = switching::of_loads(graph, model, rows);
-    all.extend(pulses::middles_of_loads(graph, model, rows, &all));
+    all.extend(pulses::middles_by_positions(graph, model, &switching::searched(model, rows), &all));
     all.extend(switching::phases(graph, model, &all));
+    all.extend(switching::of_outputs(graph, model, &all));
+    let pulses = pulses::middles_by_positions(graph, model, &switching::output_values(model), &all);
+    all.extend(pulses.into_iter().map(|pulse| Switching { kind: SwitchingKind::Output, ..pulse }));
     all
 }
 

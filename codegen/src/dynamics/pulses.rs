@@ -5,10 +5,7 @@
 //! it, these places are known before the motion is; in loads by positions each step is searched for them. By speeds there are none:
 //! smooth friction would end a step at each of its turns.
 
-use super::rows::LoadRow;
-use super::switching::{
-    Switching, SwitchingKind, is_affine, is_affine_in_state, is_new, is_of_time, searched, with_inputs,
-};
+use super::switching::{Switching, SwitchingKind, is_affine, is_affine_in_state, is_new, is_of_time, with_inputs};
 use crate::model::{Dependence, Dependences, Model};
 use crate::symbolic::{Differential, Expr, Function, Graph, Node, Symbol};
 
@@ -63,16 +60,16 @@ pub(super) fn middles_in_time(graph: &mut Graph, model: &Model, known: &[Switchi
     switchings(graph, model, dependences, (middles, along), known)
 }
 
-/// Those by positions in loads.
-pub(super) fn middles_of_loads(
+/// Those by positions in what is made of these, but for those known already.
+pub(super) fn middles_by_positions(
     graph: &mut Graph,
     model: &Model,
-    rows: &[LoadRow],
+    made_of: &[Expr],
     known: &[Switching],
 ) -> Vec<Switching> {
     let mut dependences = with_inputs(graph, model);
-    let of_node = |node| of_node(graph, &mut dependences, node, Course::Positions);
-    let middles: Vec<Middle> = searched(graph, model, rows).flat_map(of_node).collect();
+    let of_node = |expr| of_node(graph, &mut dependences, graph.node(expr), Course::Positions);
+    let middles: Vec<Middle> = graph.reachable(made_of).into_iter().flat_map(of_node).collect();
     let mut rates = rates_in_time(graph, model);
     rates.extend(model.coordinates.iter().map(|c| (c.position, graph.variable(c.speed))));
     switchings(graph, model, dependences, (middles, Differential::along(rates)), known)

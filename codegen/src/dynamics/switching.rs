@@ -32,9 +32,11 @@ pub enum SwitchingKind {
     Middle,
     /// A flank of one.
     Flank,
-    /// Nothing: it is what a sine or cosine in one of the others is of, in radians. Where that changes by much in a step, the other goes
+    /// Nothing: it is what a sine, cosine or tangent in one of the others is of, in radians. Where that changes by much in a step, the other goes
     /// to and fro.
     Phase,
+    /// An output changes its form, or has the middle of a pulse or a flank of one; what acts does not.
+    Output,
 }
 
 /// What expressions depend on, with each input as what its declared course is made of: one that is held is a parameter.
@@ -47,14 +49,13 @@ pub(super) fn with_inputs(graph: &Graph, model: &Model) -> Dependences {
 }
 
 /// Those of time alone in a graph, each once.
-pub(super) fn of_time(graph: &Graph, model: &Model) -> Vec<Switching> {
+pub(super) fn of_time(graph: &mut Graph, model: &Model) -> Vec<Switching> {
+    let all: Vec<Expr> = graph.expressions().collect();
+    let switched = switched(graph, all);
     let mut dependences = with_inputs(graph, model);
     let mut found: Vec<Switching> = Vec::new();
-    for node in graph.nodes() {
-        if let Some((value, table)) = switched_by(node)
-            && is_new(&found, value, table)
-            && is_of_time(graph, &mut dependences, value)
-        {
+    for (value, table) in switched {
+        if is_new(&found, value, table) && is_of_time(graph, &mut dependences, value) {
             found.push(Switching {
                 value,
                 table,
@@ -67,31 +68,59 @@ pub(super) fn of_time(graph: &Graph, model: &Model) -> Vec<Switching> {
 }
 
 /// Those of loads that depend on positions or speeds, each once.
-pub(super) fn of_loads(graph: &Graph, model: &Model, rows: &[LoadRow]) -> Vec<Switching> {
+pub(super) fn of_loads(graph: &mut Graph, model: &Model, rows: &[LoadRow]) -> Vec<Switching> {
+    let searched = graph.reachable(&searched(model, rows));
+    let switched = switched(graph, searched).into_iter();
+    let forms = switched.map(|(value, table)| (value, table, SwitchingKind::Form));
     let mut dependences = with_inputs(graph, model);
     let mut found: Vec<Switching> = Vec::new();
-    let poles = graph.reachable(&made_of(rows)).into_iter().flat_map(|expr| poles(graph, graph.node(expr)));
-    let forms = searched(graph, model, rows).filter_map(switched_by);
-    let forms = forms.map(|(value, table)| (value, table, SwitchingKind::Form));
-    for (value, table, kind) in forms.chain(poles.map(|pole| (pole, None, SwitchingKind::Pole))) {
+    let poles = graph.reachable(&made_of(rows)).into_iter().flat_map(|expr| denominators(graph, graph.node(expr)));
+    // First, as a condition may be that of a pole: `if x > 0 then k/x^2 else 0`.
+    for (value, table, kind) in poles.map(|pole| (pole, None, SwitchingKind::Pole)).chain(forms) {
         if is_new(&found, value, table)
             && dependences.of(graph, value).meets(Dependence::COORDINATE.or(Dependence::SPEED))
         {
             let is_affine = is_affine_in_state(graph, model, &mut dependences, value);
-            found.push(Switching { value, table, is_affine, kind });
+            if is_affine || kind != SwitchingKind::Pole {
+                found.push(Switching { value, table, is_affine, kind });
+            }
         }
     }
     found
 }
 
-/// The denominators that may change their signs: a motion does not pass a pole, but a long step would.
-fn poles(graph: &Graph, node: &Node) -> Vec<Expr> {
+/// Those of outputs that are known from positions and speeds, but for those known already, each once.
+pub(super) fn of_outputs(graph: &mut Graph, model: &Model, known: &[Switching]) -> Vec<Switching> {
+    let made_of = graph.reachable(&output_values(model));
+    let switched = switched(graph, made_of);
+    let (mut dependences, mut found) = (with_inputs(graph, model), Vec::new());
+    let unknown = Dependence::ACCELERATION.or(Dependence::MULTIPLIER);
+    for (value, table) in switched {
+        if is_new(known, value, table)
+            && is_new(&found, value, table)
+            && dependences.of(graph, value).meets(Dependence::COORDINATE.or(Dependence::SPEED))
+            && !dependences.of(graph, value).meets(unknown)
+        {
+            let is_affine = is_affine_in_state(graph, model, &mut dependences, value);
+            found.push(Switching { value, table, is_affine, kind: SwitchingKind::Output });
+        }
+    }
+    found
+}
+
+pub(super) fn output_values(model: &Model) -> Vec<Expr> {
+    model.outputs.iter().map(|output| output.value).collect()
+}
+
+/// The denominators that may change their signs. Where one of the first degree is zero may be a pole, which no motion passes, but a long
+/// step would; others, as of angles, mostly are never zero.
+fn denominators(graph: &Graph, node: &Node) -> Vec<Expr> {
     let Node::Product { factors, .. } = node else { return Vec::new() };
     let may_be_crossed = |(base, exponent): &&(Expr, i64)| *exponent < 0 && !graph.is_nonnegative(*base);
     factors.iter().filter(may_be_crossed).map(|(base, _)| *base).collect()
 }
 
-/// What sines and cosines in these conditions are of, each once: where that changes by much in a step, the conditions go to and fro in
+/// What sines, cosines and tangents in these conditions are of, each once: where that changes by much in a step, the conditions go to and fro in
 /// it. Angles themselves, and the sums of two, change little more than the coordinates, which the runtime knows.
 pub(super) fn phases(graph: &Graph, model: &Model, conditions: &[Switching]) -> Vec<Switching> {
     let mut dependences = with_inputs(graph, model);
@@ -110,7 +139,7 @@ pub(super) fn phases(graph: &Graph, model: &Model, conditions: &[Switching]) -> 
     found
 }
 
-/// Whether it is an angle, or a sum or a difference of two, but for a constant.
+/// Whether it is an angle, or a sum or a difference of two, one of which may be a parameter, but for a number.
 fn is_of_two_angles(graph: &Graph, model: &Model, expr: Expr) -> bool {
     let is_known = |term: Expr| match graph.node(term) {
         Node::Symbol(symbol) => {
@@ -141,19 +170,29 @@ pub(super) fn is_affine_in_state(graph: &Graph, model: &Model, dependences: &mut
 }
 
 /// All that forces and what they act along are made of, since a potential is one of -1 along itself, and constraints.
-pub(super) fn searched<'g>(
-    graph: &'g Graph,
-    model: &Model,
-    rows: &[LoadRow],
-) -> impl Iterator<Item = &'g Node> + use<'g> {
-    let constraints = model.constraints.iter().map(|constraint| constraint.value);
-    let all: Vec<Expr> = made_of(rows).into_iter().chain(constraints).collect();
-    graph.reachable(&all).into_iter().map(|expr| graph.node(expr))
+pub(super) fn searched(model: &Model, rows: &[LoadRow]) -> Vec<Expr> {
+    made_of(rows).into_iter().chain(model.constraints.iter().map(|constraint| constraint.value)).collect()
 }
 
 /// Forces, and what they act along.
 fn made_of(rows: &[LoadRow]) -> Vec<Expr> {
     rows.iter().flat_map(|row| row.forces.iter().copied().chain([row.quantity()])).collect()
+}
+
+/// What expressions change their form by.
+fn switched(graph: &mut Graph, exprs: Vec<Expr>) -> Vec<(Expr, Option<TableId>)> {
+    let by = |graph: &mut Graph, expr: Expr| match *graph.node(expr) {
+        Node::Atan2(y, x) => Some((cut(graph, y, x), None)),
+        ref node => switched_by(node),
+    };
+    exprs.into_iter().filter_map(|expr| by(graph, expr)).collect()
+}
+
+/// What is zero at the cut of `atan2(y, x)` alone: y, where x is negative, and -1 elsewhere. The sign changes at x = 0 too, where y is
+/// positive, and nothing jumps.
+fn cut(graph: &mut Graph, y: Expr, x: Expr) -> Expr {
+    let (behind, elsewhere) = (graph.neg(x), graph.integer(-1));
+    graph.choice(behind, y, elsewhere)
 }
 
 /// What a node changes its form by.
@@ -162,8 +201,6 @@ fn switched_by(node: &Node) -> Option<(Expr, Option<TableId>)> {
         Node::Choice(difference, _, _) => Some((*difference, None)),
         Node::Call(Function::Abs | Function::Sign, argument) => Some((*argument, None)),
         Node::Table(table, _, argument) => Some((*argument, Some(*table))),
-        // Its cut; where x is positive nothing jumps.
-        Node::Atan2(y, _) => Some((*y, None)),
         _ => None,
     }
 }

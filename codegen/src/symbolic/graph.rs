@@ -67,6 +67,11 @@ impl Graph {
         self.occurring[expr.index()]
     }
 
+    /// All expressions so far, operands before their results.
+    pub fn expressions(&self) -> impl Iterator<Item = Expr> + use<> {
+        (0..self.nodes.len()).map(Expr::at)
+    }
+
     /// Whether it is known never to be below zero where it is defined.
     pub fn is_nonnegative(&self, expr: Expr) -> bool {
         self.facts(expr).nonnegative

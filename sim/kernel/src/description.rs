@@ -58,8 +58,15 @@ pub struct Description {
     /// changes its form or has the middle of a pulse: there the steps end that a method chooses.
     pub switching: &'static [Switching],
     /// The functions of positions and speeds, in the order of [`crate::Mechanism::load_conditions`], where loads change their form:
-    /// a step in which they do so more than once may miss what is between.
+    /// a step in which they do so more than once may miss what is between. Then those of outputs, likewise for sweeps.
     pub load_conditions: &'static [Switching],
+}
+
+impl Description {
+    /// Whether loads have conditions, and not only outputs.
+    pub fn has_load_conditions(&self) -> bool {
+        self.load_conditions.iter().any(|condition| condition.kind.is_of_loads())
+    }
 }
 
 /// A function where expressions change their form: the condition of an `if`, or the argument of a table.
@@ -84,15 +91,22 @@ pub enum SwitchingKind {
     Middle,
     /// A flank of one.
     Flank,
-    /// Nothing: it is what a sine or cosine in one of the others is of, in radians. Where that changes by much in a step, the other goes
+    /// Nothing: it is what a sine, cosine or tangent in one of the others is of, in radians. Where that changes by much in a step, the other goes
     /// to and fro.
     Phase,
+    /// An output changes its form, or has the middle of a pulse or a flank of one; what acts does not.
+    Output,
 }
 
 impl SwitchingKind {
     /// Whether expressions keep their form there.
     pub fn is_smooth(self) -> bool {
         !matches!(self, SwitchingKind::Form | SwitchingKind::Pole)
+    }
+
+    /// Whether what acts on the mechanism is another there, or may be seen badly from afar.
+    pub fn is_of_loads(self) -> bool {
+        !matches!(self, SwitchingKind::Phase | SwitchingKind::Output)
     }
 }
 

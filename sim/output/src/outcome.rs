@@ -297,9 +297,9 @@ fn farthest_unmeasured<M: Mechanism>(run: &Run<M>) -> Option<f64> {
 
 /// So few rows say nothing of how far a coordinate comes.
 const FEW: usize = 10;
-/// A start that is this part of what counts as 1 is rounding: one that was assembled, and one that is given, as `cos(90 [deg])`.
+/// A start that is this part of what counts as 1 is rounding: one that was assembled, and one that is given, as `sin(20*pi)`.
 const ASSEMBLED: f64 = 1e-12;
-const GIVEN: f64 = 1e-15;
+const GIVEN: f64 = 1e-14;
 /// Errors carry what starts within the absolute tolerance to a few times this.
 const CARRIED: f64 = 10.0;
 

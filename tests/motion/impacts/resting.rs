@@ -44,22 +44,24 @@ fn what_is_pressed_against_its_stop_later_does_not_go_through() {
     }
 }
 
-/// A rope that is just taut holds what is pulled later, and a magnet that nothing has pulled lets go then.
+/// A rope that is just taut holds what is pulled later, and a magnet that nothing has pulled lets go then, at any size.
 #[test]
 fn what_is_pulled_later_is_held_or_let_go() {
-    let rope = "coordinates { x [m]; } bodies { b: mass 1 [kg] at [x, 0]; } loads { force 3 [N]*LATER on x; }
-        constraints { rope: x = 1 [m] initially released; } initial { x = 1; dot(x) = 0; }
-        events { taut: x = 1 [m] rising { impact rope restitution 0; activate rope; } }";
-    let magnet = "coordinates { x [m]; } bodies { b: mass 1 [kg] at [x, 0]; } loads { force 3 [N]*LATER on x; }
-        constraints { held: x = 1 [m] initially active; } initial { guess x = 1; }
+    let rope = "constraints { rope: x = SIZE initially released; } initial { x = SIZE; dot(x) = 0; }
+        events { taut: x = SIZE rising { impact rope restitution 0; activate rope; } }";
+    let magnet = "constraints { held: x = SIZE initially active; } initial { guess x = SIZE; }
         events { off: reaction(held) = 0 [N] rising { release held; } }";
-    for begins in [SUDDEN, GENTLE] {
-        // 3 N for 1.5 s, or growing by 3 N/s.
+    for (size, begins) in [1e-3, 1.0, 100.0].into_iter().flat_map(|size| [(size, SUDDEN), (size, GENTLE)]) {
+        // 3 N for each metre for 1.5 s, or growing by 3 N/s.
         let free = if begins == SUDDEN { 1.5 * 1.5 * 1.5 } else { 1.5f64.powi(3) / 2.0 };
         for (declared, place) in [(rope, 1.0), (magnet, 1.0 + free)] {
-            let run = run(declared, begins, &Settings::new(2.0));
+            let body = "coordinates { x [m]; } parameters { l [m] = 1; } bodies { b: mass 1 [kg] at [x, 0]; }
+                loads { force 3 [N/m]*l*LATER on x; }";
+            let declared =
+                format!("{body} {declared}").replace("l [m] = 1", &format!("l [m] = {size}")).replace("SIZE", "l");
+            let run = run(&declared, begins, &Settings::new(2.0));
             assert_eq!((run.trajectory.failure, run.events.len()), (None, 1), "{declared}");
-            let found = run.trajectory.samples.last().unwrap().state.positions[0];
+            let found = run.trajectory.samples.last().unwrap().state.positions[0] / size;
             assert!((found - place).abs() < 1e-9, "{declared} {begins}: {found} for {place}");
         }
     }

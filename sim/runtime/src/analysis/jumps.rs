@@ -87,7 +87,8 @@ pub(super) fn changed<M: Mechanism<Dual>>(mechanism: &M, ends: [&Sample<M, Dual>
     }
     let [before, after] =
         ends.map(|end| mechanism.load_conditions(end.state.time, &end.state.positions, &end.state.speeds));
-    let changes = |k: &usize| conditions[*k].table.is_none() && crosses([before[*k].value, after[*k].value]);
+    let of_loads = |k: &usize| conditions[*k].table.is_none() && conditions[*k].kind.is_of_loads();
+    let changes = |k: &usize| of_loads(k) && crosses([before[*k].value, after[*k].value]);
     (0..conditions.len()).filter(changes).collect()
 }
 

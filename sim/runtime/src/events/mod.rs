@@ -30,7 +30,7 @@ use crate::state::saved::{Bytes, Damaged};
 use conditions::{Point, ends, may_reach_zero, value};
 use described::{minds_leaving, through};
 use onset::{OFFSET, Onset, sizes};
-use sim_kernel::event::{Direction, Event};
+use sim_kernel::event::Direction;
 use sim_kernel::{Array, Mechanism};
 use undefined::is_defined;
 use waves::{DIVIDED_AGAIN, point};
@@ -280,7 +280,7 @@ impl<M: Mechanism> EventSearch<M> {
             }
             self.largest[event] = to.values[event].abs().max(from.values[event].abs()).max(self.largest[event]);
             let name = mechanism.description().events[event].name;
-            if let Some(beyond) = self.leaves(&mechanism.description().events[event], event, from, &to) {
+            if let Some(beyond) = self.left_beyond(step, event, from, &to)? {
                 self.locate_leaving(step, event, [from.time, to.time], beyond)?;
                 continue;
             }
@@ -303,13 +303,31 @@ impl<M: Mechanism> EventSearch<M> {
         Ok(to)
     }
 
-    /// Whether a condition that has been nothing but zero is left in the direction of an event that minds it, and the value beyond which
-    /// it is no rounding.
-    fn leaves(&self, described: &Event, event: usize, from: &Point<M>, to: &Point<M>) -> Option<f64> {
-        let noise = self.onset.as_ref().map_or(0.0, |onset| onset.noise[event]).max(f64::MIN_POSITIVE);
-        let beyond = through(described)? * noise;
-        let is_left = from.values[event] == 0.0 && to.values[event] / beyond > 1.0;
-        (is_left && minds_leaving(described)).then_some(beyond)
+    /// The value beyond which it is no rounding that a condition, which has been nothing but zero, is left in the direction of an event
+    /// that minds it, if it is.
+    fn left_beyond(
+        &self,
+        step: &mut Step<M>,
+        event: usize,
+        from: &Point<M>,
+        to: &Point<M>,
+    ) -> Result<Option<f64>, Failure> {
+        let described = &step.motion.mechanism().description().events[event];
+        let Some(through) = through(described).filter(|_| from.values[event] == 0.0 && minds_leaving(described)) else {
+            return Ok(None);
+        };
+        let noise = match &self.onset {
+            Some(onset) => onset.noise[event].min(self.rounding(step, to.time, event)?),
+            None => 0.0,
+        };
+        let beyond = through * noise.max(f64::MIN_POSITIVE);
+        Ok((to.values[event] / beyond > 1.0).then_some(beyond))
+    }
+
+    /// What is rounding of a condition at a time in a step, by its terms there.
+    fn rounding(&self, step: &mut Step<M>, time: f64, event: usize) -> Result<f64, Failure> {
+        let there = step.sample(time)?;
+        Ok(OFFSET * sizes(step.motion, &there, self.span)?[event])
     }
 
     /// Whether a crossing at the very start is the return of a condition that was left there, and not how it leaves: it has a
@@ -332,8 +350,7 @@ impl<M: Mechanism> EventSearch<M> {
             largest if largest <= f64::MIN_POSITIVE => Ok(true),
             largest if largest <= at_start => {
                 // Where the phase has begun, the terms may have been much larger than here.
-                let end = step.sample(to.time)?;
-                Ok(largest <= OFFSET * sizes(step.motion, &end, self.span)?[event])
+                Ok(largest <= self.rounding(step, to.time, event)?)
             }
             _ => Ok(false),
         }

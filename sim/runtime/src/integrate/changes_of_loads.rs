@@ -13,7 +13,7 @@
 //! The middle of a smooth pulse by positions is the end of a step, which sees it.
 
 use super::Step;
-use super::jump::{difference, jump};
+use super::jump::{difference, is_pole, jump};
 use super::step::{MOST_CHANGE, MOST_PARTS};
 use super::table_rows::{is_gentle, levels};
 use crate::numerics::root::{find_minimum, find_root};
@@ -41,9 +41,6 @@ const NEAR: f64 = 0.01;
 const SEEN: f64 = 1e-6;
 /// The most that a step over a jump may be wrong by, in units of the tolerance: the jumps of a motion mostly go the same way.
 const SLIGHT: f64 = 0.1;
-/// How near to a pole accelerations are compared, as parts of the distance from it, and how much larger they are there at least.
-const NEARER: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
-const GROWN: f64 = 50.0;
 /// A step of so many roundings of its time is not made shorter.
 const SHORTEST: f64 = 64.0;
 
@@ -53,8 +50,11 @@ const SHORTEST: f64 = 64.0;
 /// As the dense output.
 #[inline]
 pub(super) fn before_change<M: Mechanism>(step: &mut Step<M>, tolerance: &Tolerance) -> Result<Option<f64>, Failure> {
-    let conditions = step.motion.mechanism().description().load_conditions;
-    if conditions.is_empty() { Ok(None) } else { Search::new(step, conditions).before_change(tolerance) }
+    let description = step.motion.mechanism().description();
+    if !description.has_load_conditions() {
+        return Ok(None);
+    }
+    Search::new(step, description.load_conditions).before_change(tolerance)
 }
 
 /// A change of form of a load within a step.
@@ -143,7 +143,13 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
 
     /// Into how many parts a step is divided at most. Turns count where conditions are periodic in them.
     fn most_parts(&self) -> f64 {
-        if self.conditions.iter().all(|condition| condition.is_affine) { MOST_AFFINE_PARTS } else { f64::INFINITY }
+        let searched = || self.conditions.iter().filter(|condition| condition.kind.is_of_loads());
+        match () {
+            // A pole is not passed to and fro.
+            _ if searched().all(|condition| condition.kind == SwitchingKind::Pole) => 1.0,
+            _ if searched().all(|condition| condition.is_affine) => MOST_AFFINE_PARTS,
+            _ => f64::INFINITY,
+        }
     }
 
     /// Into how many parts it is divided for the phases of its conditions, by their changes and by their rates at both ends.
@@ -176,7 +182,7 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
             let time = if is_last { end } else { begin + part as f64 * length };
             let sample = self.step.sample(time)?;
             let to = self.look(&sample, length);
-            for condition in (0..self.conditions.len()).filter(|k| self.conditions[*k].kind != SwitchingKind::Phase) {
+            for condition in (0..self.conditions.len()).filter(|k| self.conditions[*k].kind.is_of_loads()) {
                 self.search_part(condition, [&from, &to])?;
             }
             if !self.found.is_empty()
@@ -349,10 +355,10 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
         let error = |length: f64| jump.as_ref().map_or(0.0, |jump| self.error_over(jump, length, tolerance));
         let [bound, of_crossing] = [length, 2.0 * distance].map(error);
         let is_there = |change: &Change| change.time - first.time <= apart;
-        let is_denominator = changes.iter().any(|change| change.kind == SwitchingKind::Pole && is_there(change));
+        let is_at_pole = changes.iter().any(|change| change.kind == SwitchingKind::Pole && is_there(change));
         Ok(match () {
             _ if length <= SHORTEST * f64::EPSILON * begin.abs() => None,
-            _ if is_denominator && self.is_pole(first.time, distance) => Some(before),
+            _ if is_at_pole && is_pole(self.step, first.time, distance) => Some(before),
             _ if jump.is_some() && between.is_none() && bound <= SLIGHT => None,
             _ if distance > NEAR * length => Some(before),
             _ if jump.is_none() => between,
@@ -365,16 +371,6 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
     fn jump_at(&mut self, time: f64, until: f64) -> Result<Option<M::Q>, Failure> {
         let beside = (time - self.step.from.state.time).min(until - time) / 2.0;
         if beside > 0.0 { Ok(jump(self.step, time, beside)?.as_ref().map(difference)) } else { Ok(None) }
-    }
-
-    /// Whether accelerations grow without end towards a change, which is so far from the beginning: no motion passes there, but a long
-    /// step would. They are infinite where they have no value.
-    fn is_pole(&mut self, time: f64, distance: f64) -> bool {
-        let sizes = NEARER.map(|part| {
-            let there = self.step.sample(time - part * distance);
-            there.map_or(f64::INFINITY, |there| self.step.motion.size(&there.accelerations))
-        });
-        sizes.windows(2).any(|pair| pair[1] > GROWN * pair[0])
     }
 
     /// The most that a step of a length over a jump is wrong by, in units of the tolerance.

@@ -88,3 +88,18 @@ fn jump_over<M: Mechanism>(step: &Step<M>) -> Result<Option<[Sample<M>; 2]>, Fai
     let far = [moved(step.from, -aside)?, moved(step.to, aside)?];
     Ok(is_jump(step, &far, &near).then_some(near))
 }
+
+/// How near to a pole accelerations are compared, as parts of the distance from it, and how much larger they are there at least.
+const TOWARDS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
+const GROWN: f64 = 50.0;
+
+/// Whether accelerations grow without end towards a time in a step, which is so far from its beginning: no motion passes there, but a
+/// long step would. They are infinite where they have no value.
+pub(super) fn is_pole<M: Mechanism>(step: &mut Step<M>, time: f64, distance: f64) -> bool {
+    let sizes = TOWARDS.map(|part| {
+        let there = step.sample(time - part * distance);
+        there.map_or(f64::INFINITY, |there| step.motion.size(&there.accelerations))
+    });
+    let farther = step.motion.size(&step.from.accelerations);
+    sizes.windows(2).any(|pair| pair[1] > GROWN * pair[0].max(farther))
+}

@@ -23,8 +23,7 @@ const BEYOND: f64 = 0.02;
 #[inline]
 pub(super) fn note_jump<M: Mechanism>(step: &mut Step<M>, noted: &mut Option<SuddenChanges>) {
     let description = step.motion.mechanism().description();
-    if !description.load_conditions.is_empty() || description.switching.iter().any(|function| function.kind.is_smooth())
-    {
+    if description.has_load_conditions() || description.switching.iter().any(|function| function.kind.is_smooth()) {
         note(step, noted);
     }
 }

@@ -81,6 +81,7 @@ fn switching(of: &made::Switching, tables: &'static [Table]) -> Switching {
         made::SwitchingKind::Middle => SwitchingKind::Middle,
         made::SwitchingKind::Flank => SwitchingKind::Flank,
         made::SwitchingKind::Phase => SwitchingKind::Phase,
+        made::SwitchingKind::Output => SwitchingKind::Output,
     };
     Switching { table: table.as_ref().map(|table| &tables[table.index]), is_affine, kind }
 }

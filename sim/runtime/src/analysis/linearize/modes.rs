@@ -16,7 +16,7 @@ pub struct Mode {
 }
 
 /// An eigenvalue this small beside the largest is rounding.
-const LEAST: f64 = 1e-13;
+const LEAST: f64 = 64.0 * f64::EPSILON;
 /// Accelerations this small beside the terms that they are a sum of are rounding: they come of a mass matrix that is solved with.
 const ROUNDING: f64 = 1e-12;
 

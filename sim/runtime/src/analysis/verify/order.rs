@@ -77,10 +77,10 @@ pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
         }
     }
     let (Some((coarse, error)), Some((fine, left))) = (first, last) else {
-        return match floor > ROUNDING {
-            true => check(0.0, format!("not checked: equal steps tell the motion itself to {floor:.1e} alone")),
-            false => check(f64::INFINITY, "no step is small enough for the method to converge".into()),
-        };
+        if floor > ROUNDING {
+            return check(0.0, format!("not checked: equal steps tell the motion itself to {floor:.1e} alone"));
+        }
+        return check(f64::INFINITY, "no step is small enough for the method to converge".into());
     };
     let halvings = fine - coarse;
     let observed = (error / left).log2() / f64::from(halvings);
