@@ -91,8 +91,8 @@ pub enum SwitchingKind {
     Middle,
     /// A flank of one.
     Flank,
-    /// Nothing: it is what a sine, cosine or tangent in one of the others is of, in radians. Where that changes by much in a step, the other goes
-    /// to and fro.
+    /// Nothing: it is what a sine, cosine or tangent in one of the others is of, in radians. Where that changes by much in a step, the
+    /// other goes to and fro.
     Phase,
     /// An output changes its form, or has the middle of a pulse or a flank of one; what acts does not.
     Output,

@@ -1,10 +1,10 @@
 //! The results of a run without the type of its mechanism, so that all code for text, tables and pictures is compiled
 //! once.
 
-use sim_kernel::{Array, Description, Mechanism, Quantity, Start};
+use sim_kernel::{Array, Description, Mechanism, Quantity};
 use sim_runtime::{
-    Apart, Crossing, DOUBTFUL_BALANCE, Erased, Failure, Kinematics, Measures, Mobility, Occurrence, OnHeap, Run,
-    Sample, Settings, Small, Stepping, Steps, SuddenChanges, known_length,
+    Apart, Crossing, DOUBTFUL_BALANCE, Erased, Failure, Kinematics, Mobility, Occurrence, OnHeap, Run, Sample,
+    Settings, Small, Stepping, Steps, SuddenChanges, Unresolved,
 };
 
 /// A run without its samples; all in SI units.
@@ -55,23 +55,10 @@ pub struct Outcome {
     pub apart: Option<Apart>,
     /// As [`Run::integration_time`], in seconds.
     pub integration_seconds: f64,
-    /// Where nothing tells the mechanism's own length, the farthest that a length comes from 0, in metres.
+    /// As [`Run::farthest_unmeasured`].
     pub farthest_unmeasured: Option<f64>,
-    /// A coordinate that starts and stays within the absolute tolerance, if there is one.
+    /// As [`Run::unresolved`].
     pub unresolved: Option<Unresolved>,
-}
-
-/// A coordinate whose motion is no larger than what a step may be wrong by.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Unresolved {
-    /// Which, by index.
-    pub coordinate: usize,
-    /// How far from 0 it starts, in SI units.
-    pub begins: f64,
-    /// How far from 0 it comes.
-    pub farthest: f64,
-    /// The change that counts as 1, which the absolute tolerance is a part of.
-    pub scale: f64,
 }
 
 /// The event that is to end a run.
@@ -273,61 +260,14 @@ impl<M: Mechanism> Recorded for Run<M> {
             compared: self.compared,
             apart: self.apart,
             integration_seconds: self.integration_time.as_secs_f64(),
-            farthest_unmeasured: farthest_unmeasured(self),
-            unresolved: unresolved(self),
+            farthest_unmeasured: self.farthest_unmeasured(),
+            unresolved: self.unresolved(),
         }
     }
 }
 
 /// The absolute tolerance is large beside this many times what is allowed relative to the largest length.
 const SMALL: f64 = 1e3;
-
-fn farthest_unmeasured<M: Mechanism>(run: &Run<M>) -> Option<f64> {
-    let samples = &run.trajectory.samples;
-    let start = &samples.first()?.state;
-    let coordinates = run.mechanism.description().coordinates;
-    let lengths: Vec<usize> = (0..coordinates.len()).filter(|j| coordinates[*j].position.is_length).collect();
-    let is_known = known_length(&run.mechanism, start.time, &start.positions).is_some();
-    if lengths.is_empty() || is_known {
-        return None;
-    }
-    let all = samples.iter().flat_map(|sample| lengths.iter().map(|j| sample.state.positions[*j].abs()));
-    Some(all.fold(0.0, f64::max))
-}
-
-/// So few rows say nothing of how far a coordinate comes.
-const FEW: usize = 10;
-/// A start that is this part of what counts as 1 is rounding: one that was assembled, and one that is given, as `sin(20*pi)`.
-const ASSEMBLED: f64 = 1e-12;
-const GIVEN: f64 = 1e-14;
-/// Errors carry what starts within the absolute tolerance to a few times this.
-const CARRIED: f64 = 10.0;
-
-fn unresolved<M: Mechanism>(run: &Run<M>) -> Option<Unresolved> {
-    let (Stepping::Adaptive(tolerance), samples) = (run.settings.stepping, &run.trajectory.samples) else {
-        return None;
-    };
-    let start = &samples.first()?.state;
-    if samples.len() < FEW {
-        return None;
-    }
-    let measures = Measures::at(&run.mechanism, start.time, &start.positions);
-    let has_length = known_length(&run.mechanism, start.time, &start.positions).is_some();
-    let coordinates = run.mechanism.description().coordinates.iter().enumerate();
-    let mut measured = coordinates.filter(|(_, coordinate)| has_length || !coordinate.position.is_length);
-    measured.find_map(|(coordinate, declared)| {
-        let scale = measures.coordinates()[coordinate];
-        let farthest = samples.iter().map(|sample| sample.state.positions[coordinate].abs()).fold(0.0, f64::max);
-        let begins = start.positions[coordinate];
-        let way = |sample: &Sample<M>| (sample.state.positions[coordinate] - begins).abs();
-        let rounding = if declared.start == Start::Given { GIVEN } else { ASSEMBLED };
-        // What stays where it is, as a lock holds it, is no motion.
-        let moves = begins.abs() > rounding * scale && samples.iter().map(way).fold(0.0, f64::max) > begins.abs() / 2.0;
-        let most = tolerance.absolute * scale;
-        let is_within = begins.abs() <= most && farthest <= CARRIED * most;
-        (moves && is_within).then_some(Unresolved { coordinate, begins: begins.abs(), farthest, scale })
-    })
-}
 
 impl<M: Mechanism> Rows for Run<M> {
     fn row(&self, index: usize) -> Row {

@@ -8,10 +8,10 @@ use crate::analysis::kinematics::{Driven, Kinematics, kinematics_until, prescrib
 use crate::analysis::linearize::{linearize, quaternions};
 use crate::analysis::poincare::poincare_while;
 use crate::model::erased::{Erased, OnHeap, Small};
-use crate::motion::measured::{check_bodies, known_length, mobility};
+use crate::motion::measured::{check_bodies, mobility};
 use crate::motion::residuals::residuals;
 use crate::record::table::Table;
-use crate::run::{Simulation, run_compared, run_while};
+use crate::run::{Run, Simulation, run_compared, run_while};
 use crate::start::assemble::{assemble, branches, declared_start};
 use sim_kernel::Mechanism;
 use std::hint::black_box;
@@ -33,7 +33,8 @@ fn runs<M: Mechanism>() {
         assemble::<M>,
         declared_start::<M>,
         check_bodies::<M>,
-        known_length::<M>,
+        Run::<M>::farthest_unmeasured,
+        Run::<M>::unresolved,
         mobility::<M>,
         Simulation::<M>::new,
         Simulation::<M>::sample,

@@ -60,8 +60,8 @@ pub use numerics::eigen::{Eigen, NoEigenvalues, eigen};
 pub use record::DeadPoint;
 pub use record::table::{Column, Table};
 pub use run::{
-    Apart, Controller, DOUBTFUL_BALANCE, NotRestored, Run, Simulation, dead_points, run, run_compared, run_controlled,
-    run_while,
+    Apart, Controller, DOUBTFUL_BALANCE, NotRestored, Run, Simulation, Unresolved, dead_points, run, run_compared,
+    run_controlled, run_while,
 };
 /// Other formats to declarations.
 #[cfg(feature = "analysis")]
@@ -84,7 +84,5 @@ pub use state::trajectory::{Phase, Rates, Sample, State, Trajectory};
 pub use analysis::kinematics::{prescribed_coordinate, quotient};
 #[doc(hidden)]
 pub use analysis::linearize::quaternions;
-#[doc(hidden)]
-pub use motion::measured::known_length;
 #[doc(hidden)]
 pub use state::digest::Digest;

@@ -357,7 +357,8 @@ impl<M: Mechanism> EventSearch<M> {
     }
 }
 
-/// The value of a condition where a search starts: a condition that holds there is being left, not crossed.
+/// The value of a condition where a search starts: a condition that holds there is being left, not crossed. One that is nothing but
+/// rounding there is zero, on neither side.
 fn started<M: Mechanism>(point: &Point<M>, event: usize, onset: Option<&Onset<M>>, span: f64) -> f64 {
     let is_zero = point.values[event].is_finite()
         && point.values[event].abs() <= 2.0 * tolerance(point.time, span) * point.rates[event].abs();

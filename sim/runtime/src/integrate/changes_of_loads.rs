@@ -4,16 +4,10 @@
 //! method evaluates it. And what an estimate of the error says of a single change depends on where in the step it is: for some
 //! places it is nothing. So a step with a change in it is repeated up to there. One that begins beside a change is repeated if
 //! there is another one, up to between both: all methods with an estimate evaluate at the end, and see it.
-//!
-//! Where accelerations jump at the change, an estimate is too small there too: where a jump lies before the second stage of dopri5,
-//! by a factor of 75. But no method is wrong by more than the jump of the accelerations times the length of the step. So a step
-//! over a jump is so short that this is a part of the tolerance, and steps come up to the jump until one that goes as far beyond
-//! it is.
-//!
-//! The middle of a smooth pulse by positions is the end of a step, which sees it.
 
 use super::Step;
-use super::jump::{difference, is_pole, jump};
+use super::better_end::better_end;
+use super::change_of_load::{Change, merge};
 use super::step::{MOST_CHANGE, MOST_PARTS};
 use super::table_rows::{is_gentle, levels};
 use crate::numerics::root::{find_minimum, find_root};
@@ -32,17 +26,6 @@ const MOST_AFFINE_PARTS: f64 = 1e3;
 const MOST_HALVINGS: usize = 8;
 /// A change of a coordinate, in its scale, that is rounding.
 const NOISE: f64 = 1e-12;
-/// Changes within this part of a step are one.
-const SAME: f64 = 1e-9;
-/// A step begins beside a change that is within this part of its length, and one that is to come up to a change ends before it by
-/// this part.
-const NEAR: f64 = 0.01;
-/// The middle of a pulse is seen from an end of a step within this part of its length.
-const SEEN: f64 = 1e-6;
-/// The most that a step over a jump may be wrong by, in units of the tolerance: the jumps of a motion mostly go the same way.
-const SLIGHT: f64 = 0.1;
-/// A step of so many roundings of its time is not made shorter.
-const SHORTEST: f64 = 64.0;
 
 /// Where a step ends better in which loads change their form; nothing if they do not, or at its beginning alone.
 ///
@@ -55,19 +38,6 @@ pub(super) fn before_change<M: Mechanism>(step: &mut Step<M>, tolerance: &Tolera
         return Ok(None);
     }
     Search::new(step, description.load_conditions).before_change(tolerance)
-}
-
-/// A change of form of a load within a step.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Change {
-    /// Its time, in seconds.
-    pub(super) time: f64,
-    /// Whether it is a row of a table: there the load is continuous.
-    pub(super) is_row: bool,
-    /// Whether second derivatives are continuous too: what a step over one such row leads through, its ends have seen.
-    is_gentle: bool,
-    /// What is there.
-    pub(super) kind: SwitchingKind,
 }
 
 /// The changes of form of loads within a step, and the middles of smooth pulses, in order; those at one time are one.
@@ -123,21 +93,26 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
 
     #[cold]
     fn before_change(mut self, tolerance: &Tolerance) -> Result<Option<f64>, Failure> {
-        self.search_parts(|search| search.better_end(tolerance))
+        self.search_parts(|search| {
+            let changes = search.changes_found()?;
+            better_end(search.step, changes, tolerance)
+        })
     }
 
     #[cold]
     fn changes(mut self) -> Result<Vec<Change>, Failure> {
         self.search_parts(|_| Ok(None::<()>))?;
+        let mut changes = self.changes_found()?;
+        merge(&mut changes, self.step.length());
+        Ok(changes)
+    }
+
+    /// The changes found, in order. One stays found: what comes after it in the step is looked at beside it.
+    fn changes_found(&mut self) -> Result<Vec<Change>, Failure> {
         let found = std::mem::take(&mut self.found);
         let mut changes = found.iter().map(|between| self.change(between)).collect::<Result<Vec<Change>, Failure>>()?;
+        self.found.extend(found.into_iter().take(1));
         changes.sort_by(|a, b| a.time.total_cmp(&b.time));
-        let least = SAME * self.step.length();
-        changes.dedup_by(|next, kept| {
-            let is_same = next.time - kept.time <= least && next.kind == kept.kind;
-            kept.is_row &= next.is_row || !is_same;
-            is_same
-        });
         Ok(changes)
     }
 
@@ -315,69 +290,6 @@ impl<'a, 's, M: Mechanism> Search<'a, 's, M> {
             moved.abs() + faster.abs()
         };
         (0..scales.len()).map(of).sum()
-    }
-
-    /// Up to the first change, or between that and the next one.
-    fn better_end(&mut self, tolerance: &Tolerance) -> Result<Option<f64>, Failure> {
-        let (begin, length) = (self.step.from.state.time, self.step.length());
-        let found = std::mem::take(&mut self.found);
-        let mut changes = found.iter().map(|between| self.change(between)).collect::<Result<Vec<Change>, Failure>>()?;
-        self.found.extend(found.into_iter().take(1));
-        changes.sort_by(|a, b| a.time.total_cmp(&b.time));
-        let unseen = (begin + SEEN * length)..(self.step.to.state.time - SEEN * length);
-        changes.retain(|change| !change.kind.is_smooth() || unseen.contains(&change.time));
-        let is_long = length > SHORTEST * f64::EPSILON * begin.abs();
-        let middle = changes.iter().find(|change| change.kind.is_smooth() && is_long).map(|change| change.time);
-        changes.retain(|change| !change.kind.is_smooth());
-        if matches!(changes.as_slice(), [only] if only.is_gentle) {
-            return Ok(middle);
-        }
-        match changes.first().copied() {
-            Some(first) if middle.is_none_or(|middle| first.time < middle) => {
-                Ok(self.end_before(first, &changes, tolerance)?.or(middle))
-            }
-            _ => Ok(middle),
-        }
-    }
-
-    /// The better end of a step in which loads change their form, at first here. Several conditions may say the same.
-    fn end_before(&mut self, first: Change, changes: &[Change], tolerance: &Tolerance) -> Result<Option<f64>, Failure> {
-        let (begin, length) = (self.step.from.state.time, self.step.length());
-        let apart = SAME * length;
-        let second = changes.iter().find(|change| change.time - first.time > apart).map(|change| change.time);
-        let between = second.map(|second| first.time + (second - first.time) / 2.0);
-        let distance = first.time - begin;
-        let before = first.time - NEAR * distance;
-        let jump = match changes.iter().all(|change| change.is_row || change.time - first.time > apart) {
-            true => None,
-            false => self.jump_at(first.time, between.unwrap_or(self.step.to.state.time))?,
-        };
-        let error = |length: f64| jump.as_ref().map_or(0.0, |jump| self.error_over(jump, length, tolerance));
-        let [bound, of_crossing] = [length, 2.0 * distance].map(error);
-        let is_there = |change: &Change| change.time - first.time <= apart;
-        let is_at_pole = changes.iter().any(|change| change.kind == SwitchingKind::Pole && is_there(change));
-        Ok(match () {
-            _ if length <= SHORTEST * f64::EPSILON * begin.abs() => None,
-            _ if is_at_pole && is_pole(self.step, first.time, distance) => Some(before),
-            _ if jump.is_some() && between.is_none() && bound <= SLIGHT => None,
-            _ if distance > NEAR * length => Some(before),
-            _ if jump.is_none() => between,
-            _ if of_crossing <= SLIGHT => Some(between.unwrap_or(f64::INFINITY).min(first.time + distance)),
-            _ => Some(before),
-        })
-    }
-
-    /// The jump of accelerations at a change, before which nothing else changes in the step, and after it nothing until a time.
-    fn jump_at(&mut self, time: f64, until: f64) -> Result<Option<M::Q>, Failure> {
-        let beside = (time - self.step.from.state.time).min(until - time) / 2.0;
-        if beside > 0.0 { Ok(jump(self.step, time, beside)?.as_ref().map(difference)) } else { Ok(None) }
-    }
-
-    /// The most that a step of a length over a jump is wrong by, in units of the tolerance.
-    fn error_over(&self, jump: &M::Q, length: f64, tolerance: &Tolerance) -> f64 {
-        let [from, to] = [self.step.from, self.step.to].map(|sample| &sample.state);
-        let [of_positions, of_speeds] = [length * length / 2.0, length].map(|factor| jump.like(|i| factor * jump[i]));
-        tolerance.norm(self.step.motion.measures(), from, to, [&of_positions, &of_speeds])
     }
 
     fn change(&mut self, between: &Between) -> Result<Change, Failure> {

@@ -5,7 +5,8 @@
 //! it.
 
 use super::Step;
-use super::changes_of_loads::{Change, changes};
+use super::change_of_load::Change;
+use super::changes_of_loads::changes;
 use super::jump::jump;
 use super::short_pulses::short_pulse;
 use super::switching::SuddenChanges;

@@ -2,6 +2,8 @@
 
 mod attempt;
 mod beside;
+mod better_end;
+mod change_of_load;
 mod changes_in_time;
 mod changes_of_loads;
 mod control;

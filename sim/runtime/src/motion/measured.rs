@@ -44,7 +44,7 @@ pub fn mobility<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Mobility {
 
 /// The length that a mechanism is measured by, in metres, if anything tells it.
 #[inline(never)]
-pub fn known_length<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Option<f64> {
+pub(crate) fn known_length<M: Mechanism>(mechanism: &M, time: f64, q: &M::Q) -> Option<f64> {
     lengths::known_length(&Any(mechanism), time, q.as_ref())
 }
 

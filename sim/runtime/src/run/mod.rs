@@ -6,12 +6,14 @@ mod change;
 mod control;
 mod save;
 mod simulation;
+mod unresolved;
 
 pub use apart::{Apart, run_compared};
 pub(crate) use attempt::Attempted;
 pub use control::Controller;
 pub use save::NotRestored;
 pub use simulation::Simulation;
+pub use unresolved::Unresolved;
 
 use crate::events::Occurrence;
 use crate::integrate::Steps;
