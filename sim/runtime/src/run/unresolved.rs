@@ -5,7 +5,7 @@ use crate::motion::measured::known_length;
 use crate::motion::measures::Measures;
 use crate::state::settings::Stepping;
 use crate::state::trajectory::Sample;
-use sim_kernel::{Array, Mechanism, Start};
+use sim_kernel::{Mechanism, Start};
 
 /// So few rows say nothing of how far a coordinate comes.
 const FEW: usize = 10;
