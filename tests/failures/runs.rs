@@ -102,6 +102,9 @@ fn a_start_that_makes_no_sense() {
         assert!(parts.iter().all(|part| said.contains(part)), "{said}");
         assert!(!directory.join("trajectory.csv").exists());
     }
+    // What is verified starts as what is run.
+    let said = stderr(&failing(&["verify", "flat"]));
+    assert!(said.contains("cannot start in a singular position"), "{said}");
     for value in ["nan", "inf", "1e999"] {
         let output = failing(&["run", "root", "--set", &format!("m={value}")]);
         assert_eq!(output.status.code(), Some(2), "{value}");

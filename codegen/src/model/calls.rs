@@ -192,9 +192,17 @@ impl Interpreter {
         let Kind::Name(name) = &argument.kind else {
             return self.refuse(argument.region, "`reaction(..)` takes the name of a constraint");
         };
-        match &self.reactions {
-            Some(reactions) => reactions.find(name, &mut self.mistakes),
-            None => self.refuse(region, "`reaction(..)` can stand only in outputs"),
+        let Some(reactions) = &self.reactions else {
+            return self.refuse(region, "`reaction(..)` can stand only in outputs");
+        };
+        let text = plain(name);
+        let of_vector = |(whole, component): (&str, &str)| {
+            let is_component = ["x", "y", "z"].contains(&component) && reactions.get(whole).is_some();
+            is_component.then(|| format!("no constraint is called `{text}`; write `reaction({whole}).{component}`"))
+        };
+        match text.rsplit_once('_').filter(|_| reactions.get(&text).is_none()).and_then(of_vector) {
+            Some(message) => self.refuse(argument.region, message),
+            None => reactions.find(name, &mut self.mistakes),
         }
     }
 }

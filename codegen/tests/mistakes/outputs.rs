@@ -9,6 +9,11 @@ fn outputs() {
         "pull [N] = reaction(stop)",
         &["8:31 no constraint is called `stop`; no constraint is declared"],
     );
+    check(
+        "phi [rad]; }",
+        "phi [rad]; x [m]; y [m]; } constraints { pin: [x, y] = P; } outputs { pull [N] = reaction(pin_x); }",
+        &["2:105 no constraint is called `pin_x`; write `reaction(pin).x`"],
+    );
     check("height [m] = P.y", "pull [N] = reaction(P.y)", &["8:31 `reaction(..)` takes the name of a constraint"]);
     check(
         "height [m] = P.y",

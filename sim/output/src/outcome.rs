@@ -4,7 +4,7 @@
 use sim_kernel::{Array, Description, Mechanism, Quantity};
 use sim_runtime::{
     Apart, Crossing, DOUBTFUL_BALANCE, Erased, Failure, Kinematics, Mobility, Occurrence, OnHeap, Run, Sample,
-    Settings, Small, Stepping, Steps, SuddenChanges, Unresolved,
+    Settings, Small, Stepping, Steps, SuddenChanges, Unresolved, readable,
 };
 
 /// A run without its samples; all in SI units.
@@ -123,13 +123,15 @@ impl Outcome {
         let Quantity { name, unit, factor, .. } = &self.description.coordinates[coordinate].position;
         let [by, extent] = [by, extent].map(|value| value / factor);
         let unit = if *unit == "1" { String::new() } else { format!(" {unit}") };
-        let off = format!("`{name}` is off by {by:.1e}{unit} at {time:.6} s, on a way of {extent:.1e}{unit}");
+        let off =
+            format!("`{name}` is off by {by:.1e}{unit} at {} s, on a way of {extent:.1e}{unit}", readable(time, 6));
         let beside = format!("{off}, beside a run with a tolerance of {tolerance:.0e}");
         Some(match self.settings.stepping {
             Stepping::Equal(_) => format!("{beside}: take more steps, or a tolerance (`--rtol`)"),
             Stepping::Adaptive(_) => format!(
-                "{beside}: rows from {since:.6} s on are off by more than a thousandth of the way; take a smaller tolerance (`--rtol`), or \
-                 fewer seconds where small errors grow"
+                "{beside}: rows from {} s on are off by more than a thousandth of the way; take a smaller tolerance (`--rtol`), or \
+                 fewer seconds where small errors grow",
+                readable(since, 6)
             ),
         })
     }
@@ -138,7 +140,7 @@ impl Outcome {
     pub fn corners(&self) -> Option<String> {
         let SuddenChanges { steps, first, .. } = self.steps.corners?;
         let times = if steps == 1 { String::new() } else { format!(", the first of {steps} times") };
-        let at = format!("speeds jump at {first:.9} s{times}, where what time drives has a corner");
+        let at = format!("speeds jump at {} s{times}, where what time drives has a corner", readable(first, 9));
         Some(format!("{at}: by an impulse, which reactions do not show"))
     }
 
@@ -179,7 +181,8 @@ impl Outcome {
         let SuddenChanges { steps, first, .. } = self.steps.sudden_changes?;
         let led = if steps == 1 { "one equal step leads".to_owned() } else { format!("{steps} equal steps lead") };
         Some(format!(
-            "{led} over a sudden change or a short pulse of what acts on the mechanism, the first at {first:.9} s: such a step is less accurate, and does not see what begins and ends within it; steps with a tolerance (`--rtol`) end where such changes are"
+            "{led} over a sudden change or a short pulse of what acts on the mechanism, the first at {} s: such a step is less accurate, and does not see what begins and ends within it; steps with a tolerance (`--rtol`) end where such changes are",
+            readable(first, 9)
         ))
     }
 }

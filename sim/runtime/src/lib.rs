@@ -76,6 +76,7 @@ pub use start::dyads::{Branches, Form, Loop};
 pub use state::failure::{Failure, What};
 pub use state::interpolate::hermite;
 pub use state::provenance::{COMMIT, Provenance, VERSION};
+pub use state::readable::readable;
 pub use state::settings::{Method, Rows, Settings, Stabilisation, Stepping, StopAt, Tolerance};
 pub use state::trajectory::{Phase, Rates, Sample, State, Trajectory};
 

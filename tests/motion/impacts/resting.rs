@@ -44,17 +44,19 @@ fn what_is_pressed_against_its_stop_later_does_not_go_through() {
     }
 }
 
-/// A rope that is just taut holds what is pulled later, and a magnet that nothing has pulled lets go then, at any size.
+/// A rope that is just taut holds what is pulled later, as does a latch, and a magnet that nothing has pulled lets go then, at any size.
 #[test]
 fn what_is_pulled_later_is_held_or_let_go() {
     let rope = "constraints { rope: x = SIZE initially released; } initial { x = SIZE; dot(x) = 0; }
         events { taut: x = SIZE rising { impact rope restitution 0; activate rope; } }";
+    let latch = "constraints { lock: x = SIZE initially released; } initial { x = SIZE; dot(x) = 0; }
+        events { snap: x = SIZE rising { activate lock; } }";
     let magnet = "constraints { held: x = SIZE initially active; } initial { guess x = SIZE; }
         events { off: reaction(held) = 0 [N] rising { release held; } }";
     for (size, begins) in [1e-3, 1.0, 100.0].into_iter().flat_map(|size| [(size, SUDDEN), (size, GENTLE)]) {
         // 3 N for each metre for 1.5 s, or growing by 3 N/s.
         let free = if begins == SUDDEN { 1.5 * 1.5 * 1.5 } else { 1.5f64.powi(3) / 2.0 };
-        for (declared, place) in [(rope, 1.0), (magnet, 1.0 + free)] {
+        for (declared, place) in [(rope, 1.0), (latch, 1.0), (magnet, 1.0 + free)] {
             let body = "coordinates { x [m]; } parameters { l [m] = 1; } bodies { b: mass 1 [kg] at [x, 0]; }
                 loads { force 3 [N/m]*l*LATER on x; }";
             let declared =

@@ -12,7 +12,9 @@ use serde_json::{Value, json};
 use sim_kernel::{Description, Input, Mechanism, Quantity};
 use sim_output::show::{self, About};
 use sim_output::{Outcome, Recorded, Until, impulses, summary_of, write_json};
-use sim_runtime::{Failure, Run, Settings, Start, Stepping, Table, What, assemble, mobility, run_compared, run_while};
+use sim_runtime::{
+    Failure, Run, Settings, Start, Stepping, Table, What, assemble, mobility, readable, run_compared, run_while,
+};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -166,7 +168,7 @@ fn never(run: &Outcome) -> Option<String> {
     let Until { event, asked, happened } = run.until().filter(|_| run.failure.is_none())?;
     let count = counted(happened, "time");
     let ended = match run.reached < run.settings.end {
-        true => format!("the run has ended at {:.6} s", run.reached),
+        true => format!("the run has ended at {} s", readable(run.reached, 6)),
         false => "the run went on to its end".to_owned(),
     };
     (happened < asked).then(|| format!("`{event}` has happened {count}, not {asked}: {ended}"))

@@ -51,10 +51,10 @@ pub(super) fn releases(event: &Event) -> bool {
     event.on_forces && switched(event).any(|switch| !switch.active)
 }
 
-/// Whether an event minds that its condition leaves zero, and not only that it comes there: what rests at what it strikes is pressed
-/// against it, and what nothing has held is pulled.
-pub(super) fn minds_leaving(event: &Event) -> bool {
-    !struck(event).is_empty() || releases(event)
+/// Whether an event minds that its condition leaves zero, and not only that it comes there: what rests at what it strikes or is caught
+/// by is pressed against it, and what nothing has held is pulled.
+pub(super) fn minds_leaving<M: Mechanism>(mechanism: &M, event: &Event) -> bool {
+    !struck(event).is_empty() || releases(event) || switches(mechanism, event, true)
 }
 
 /// The sign of the rate with which a condition crosses zero in an event's direction, if it has one.

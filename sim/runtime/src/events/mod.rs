@@ -312,10 +312,10 @@ impl<M: Mechanism> EventSearch<M> {
         from: &Point<M>,
         to: &Point<M>,
     ) -> Result<Option<f64>, Failure> {
-        let described = &step.motion.mechanism().description().events[event];
-        let Some(through) = through(described).filter(|_| from.values[event] == 0.0 && minds_leaving(described)) else {
-            return Ok(None);
-        };
+        let mechanism = step.motion.mechanism();
+        let described = &mechanism.description().events[event];
+        let minds = |_: &f64| from.values[event] == 0.0 && minds_leaving(mechanism, described);
+        let Some(through) = through(described).filter(minds) else { return Ok(None) };
         let noise = match &self.onset {
             Some(onset) => onset.noise[event].min(self.rounding(step, to.time, event)?),
             None => 0.0,

@@ -1,5 +1,6 @@
 //! Failures of a motion, with place and time.
 
+use super::readable::readable;
 pub use super::what::What;
 use sim_kernel::{Description, Mechanism, Scalar};
 use std::fmt;
@@ -47,25 +48,17 @@ impl fmt::Display for Failure {
         let mut state: Vec<String> = coordinates
             .map(|((name, value), (unit, factor))| {
                 let unit = if *unit == "1" { String::new() } else { format!(" {unit}") };
-                format!("{name} = {}{unit}", readable(value / factor))
+                format!("{name} = {}{unit}", readable(value / factor, 6))
             })
             .collect();
         if self.state.len() > MOST_SHOWN {
             state.push(format!("and {} others", self.state.len() - MOST_SHOWN));
         }
-        write!(f, "at t = {:.6} s, {}: {}", self.time, state.join(", "), self.what)
+        write!(f, "at t = {} s, {}: {}", readable(self.time, 6), state.join(", "), self.what)
     }
 }
 
 impl std::error::Error for Failure {}
-
-/// Six decimals, or six digits if that would be too long or all zeros.
-fn readable(value: f64) -> String {
-    // Zero has no sign here.
-    let value = value + 0.0;
-    let plain = value == 0.0 || (1e-3..1e6).contains(&value.abs());
-    if plain { format!("{value:.6}") } else { format!("{value:.6e}") }
-}
 
 /// The name of a constraint row.
 pub(crate) fn constraint_name<S: Scalar, M: Mechanism<S>>(mechanism: &M, row: usize) -> &'static str {

@@ -5,6 +5,7 @@ pub(crate) mod digest;
 pub(crate) mod failure;
 pub(crate) mod interpolate;
 pub(crate) mod provenance;
+pub(crate) mod readable;
 pub(crate) mod saved;
 pub(crate) mod settings;
 pub(crate) mod slot;

@@ -1,5 +1,6 @@
 //! Kinds of failures, with messages and codes.
 
+use super::readable::readable;
 use crate::numerics::eigen::NoEigenvalues;
 
 /// The kind of failure.
@@ -266,8 +267,9 @@ pub enum What {
     },
     /// An equal step leads over a jump of speeds.
     #[error(
-        "speeds jump at {time:.9} s, where what time drives has a corner, and equal steps do not see where: choose a tolerance \
-             (`--rtol`), or a drive without corners"
+        "speeds jump at {} s, where what time drives has a corner, and equal steps do not see where: choose a tolerance \
+             (`--rtol`), or a drive without corners",
+        readable(*time, 9)
     )]
     CornerInEqualStep {
         /// The time of the corner, in seconds.

@@ -28,6 +28,7 @@ use oracle::compare_with_oracle;
 use crate::integrate::{Course, Dop853, ExplicitRungeKutta, RK4, Steps, integrate};
 use crate::model::{At, Differentiable};
 use crate::motion::Motion;
+use crate::motion::measured::mobility;
 use crate::motion::measures::Measures;
 use crate::motion::typed::Any;
 use crate::run::{Run, run_while};
@@ -164,7 +165,9 @@ fn places<M: Mechanism>(samples: &[Sample<M>]) -> Vec<At<'_, f64>> {
 /// `end`, or the time that so many steps take.
 fn span<M: Mechanism>(mechanism: &M, start: &Start<M>, end: f64) -> Result<f64, Failure> {
     let first = assemble(mechanism, start)?;
-    let measures = Measures::at(mechanism, first.time, &first.positions);
+    let mobility = mobility(mechanism, first.time, &first.positions);
+    mobility.check_regular(mechanism, first.time, &first.positions)?;
+    let measures = Measures::with_mobility(mechanism, first.time, &first.positions, &mobility);
     let motion = Motion::new(mechanism.clone(), Stabilisation::Projection, measures);
     let course = Course { begin: 0.0, end, stepping: Stepping::Adaptive(Tolerance::new(TOLERANCE)) };
     let (mut steps, mut count, mut reached) = (Steps::default(), 0, first.time);

@@ -1,0 +1,23 @@
+//! Numbers in messages.
+
+/// A number with so many decimals, or with so many digits and an exponent if that would be too long or mostly zeros.
+pub fn readable(value: f64, decimals: usize) -> String {
+    // Zero has no sign here.
+    let value = value + 0.0;
+    let plain = value == 0.0 || (1e-3..1e6).contains(&value.abs());
+    if plain { format!("{value:.decimals$}") } else { format!("{value:.decimals$e}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::readable;
+
+    #[test]
+    fn small_and_large_numbers_have_exponents() {
+        let rows =
+            [(0.0, "0.000000"), (-0.0, "0.000000"), (-2.5, "-2.500000"), (2.5e-8, "2.500000e-8"), (3e7, "3.000000e7")];
+        for (value, expected) in rows {
+            assert_eq!(readable(value, 6), expected);
+        }
+    }
+}
