@@ -55,15 +55,6 @@ impl<M: Mechanism> Dop853<M> {
         )
     }
 
-    /// The coefficients of the interpolant, which are computed once for a step.
-    fn interpolant(&mut self, motion: &Motion<M>, from: &Sample<M>, to: &Sample<M>) -> Result<&[Rates<M>; 7], Failure> {
-        let coefficients = match self.interpolant.take() {
-            Some(coefficients) => coefficients,
-            None => self.coefficients(motion, from, to)?,
-        };
-        Ok(self.interpolant.insert(coefficients))
-    }
-
     fn coefficients(&mut self, motion: &Motion<M>, from: &Sample<M>, to: &Sample<M>) -> Result<[Rates<M>; 7], Failure> {
         let h = to.state.time - from.state.time;
         let (start, rates) = (motion.integrated(&from.state), [from, to].map(|sample| motion.rates(sample)));
@@ -108,8 +99,11 @@ impl<M: Mechanism> Advance<M> for Dop853<M> {
         to: &Sample<M>,
         fraction: f64,
     ) -> Result<State<M>, Failure> {
-        let coefficients = self.interpolant(motion, from, to)?;
-        let change = nested(coefficients, fraction);
+        // Computed once for a step, and left where it is: a copy would take as long as its use.
+        if self.interpolant.is_none() {
+            self.interpolant = Some(self.coefficients(motion, from, to)?);
+        }
+        let change = nested(self.interpolant.as_ref().map_or(&[], |coefficients| &coefficients[..]), fraction);
         let time = from.state.time + fraction * (to.state.time - from.state.time);
         motion.state(motion.integrated(&from.state).changed(time, 1.0, &change))
     }

@@ -152,12 +152,36 @@ pub(crate) struct Definite<A, R, S = f64> {
 impl<S: Scalar, A: Array<R>, R: Array<S>> Definite<A, R, S> {
     /// Factorises a matrix of which the lower triangle is given.
     ///
-    /// A row whose pivot has lost all but a few digits to cancellation depends on those before.
+    /// # Errors
+    /// As [`factorise`](Definite::factorise).
     #[inline]
-    pub(crate) fn new(mut lower: A) -> Result<Definite<A, R, S>, Undefined> {
+    pub(crate) fn new(lower: A) -> Result<Definite<A, R, S>, Undefined> {
         let n = lower.len();
-        let mut inverse_pivots = R::repeat(n, S::ZERO);
-        for k in 0..n {
+        let mut factors = Definite { lower, inverse_pivots: R::repeat(n, S::ZERO), numbers: PhantomData };
+        factors.eliminate()?;
+        Ok(factors)
+    }
+
+    /// Factorises the matrix of these entries below the diagonal and on it, in place of factors of the same size.
+    ///
+    /// A row whose pivot has lost all but a few digits to cancellation depends on those before.
+    ///
+    /// # Errors
+    /// If a pivot is not finite; the factors are then not valid.
+    #[inline(always)]
+    pub(crate) fn factorise(&mut self, entry: impl Fn(usize, usize) -> S) -> Result<(), Undefined> {
+        for i in 0..self.lower.len() {
+            for j in 0..=i {
+                self.lower[i][j] = entry(i, j);
+            }
+        }
+        self.eliminate()
+    }
+
+    #[inline(always)]
+    fn eliminate(&mut self) -> Result<(), Undefined> {
+        let Definite { lower, inverse_pivots, .. } = self;
+        for k in 0..lower.len() {
             let mut pivot = lower[k][k];
             for j in 0..k {
                 let known = sum((0..j).map(|i| lower[k][i] * lower[j][i]));
@@ -170,7 +194,7 @@ impl<S: Scalar, A: Array<R>, R: Array<S>> Definite<A, R, S> {
             }
             inverse_pivots[k] = inverse_pivot(pivot, lower[k][k]).ok_or(Undefined { row: k })?;
         }
-        Ok(Definite { lower, inverse_pivots, numbers: PhantomData })
+        Ok(())
     }
 
     /// Factors of nothing yet.

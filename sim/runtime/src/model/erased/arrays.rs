@@ -56,13 +56,10 @@ impl<T: Element, const MOST: usize> Array<T> for Bounded<T, MOST> {
         array
     }
 
-    // A loop of constant length is straight-line code, and takes less time than one of two elements that has to count.
     #[inline(always)]
     fn apply(&self, f: impl Fn(&T) -> T) -> Self {
         let mut array = self.clone();
-        for element in &mut array.elements {
-            *element = f(element);
-        }
+        array.update(self, |element, _| f(element));
         array
     }
 
@@ -73,10 +70,17 @@ impl<T: Element, const MOST: usize> Array<T> for Bounded<T, MOST> {
         array
     }
 
+    // Loops of constant length are straight-line code, and take less time than one of two elements that has to count.
     #[inline(always)]
     fn update(&mut self, other: &Self, f: impl Fn(&T, &T) -> T) {
-        for i in 0..MOST {
+        let half = MOST / 2;
+        for i in 0..half {
             self.elements[i] = f(&self.elements[i], &other.elements[i]);
+        }
+        if self.len > half {
+            for i in half..MOST {
+                self.elements[i] = f(&self.elements[i], &other.elements[i]);
+            }
         }
     }
 }

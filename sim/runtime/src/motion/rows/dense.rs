@@ -46,15 +46,8 @@ impl<S: Scalar, M: Mechanism<S>> Rows<S, M> for Dense {
     }
 
     #[inline(always)]
-    fn factorise(mechanism: &M, jacobian: &M::LQ, factors: &mut Definite<M::LL, M::L, S>) -> Result<(), Undefined> {
-        let mut gram = M::LL::repeat(mechanism.m(), M::L::repeat(mechanism.m(), S::ZERO));
-        for i in 0..mechanism.m() {
-            for j in 0..=i {
-                gram[i][j] = inner(&jacobian[i], &jacobian[j]);
-            }
-        }
-        *factors = Definite::new(gram)?;
-        Ok(())
+    fn factorise(_mechanism: &M, jacobian: &M::LQ, factors: &mut Definite<M::LL, M::L, S>) -> Result<(), Undefined> {
+        factors.factorise(|i, j| inner(&jacobian[i], &jacobian[j]))
     }
 
     #[inline(always)]
