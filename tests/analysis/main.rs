@@ -11,6 +11,7 @@ mod limits;
 mod linear;
 mod neutral;
 mod peaks;
+mod poles;
 mod pulses;
 mod ratios;
 mod sections;

@@ -68,3 +68,33 @@ fn what_is_slow_is_not_neutral() {
         }
     }
 }
+
+/// Rolling: rates that depend on positions alone grow or decay, also beside what swings a hundred million times as fast. A trailer that is
+/// pushed jackknifes with v/L; one that is pulled straight, free to head anywhere, only comes back with its own rates.
+#[test]
+fn what_rolls_grows_or_decays() {
+    let rates = |text: &str| {
+        let model = interpreted(text).unwrap();
+        let state = sim::assemble(&model, &declared_start(&model)).unwrap();
+        let mut found = linearize(&model, &state, &[]).unwrap().modes;
+        found.retain(|mode| !mode.is_neutral);
+        found.into_iter().map(|mode| mode.eigenvalue).collect::<Vec<_>>()
+    };
+    for k in [1.0, 1e16] {
+        let found = rates(&format!(
+            "pub Rates; coordinates {{ x [m]; y [m]; z [m]; }}
+             bodies {{ b: mass 1 [kg] at [x, y]; c: mass 1 [kg] at [z, 0]; }} loads {{ spring {k:e} [N/m], rest 0 on z; }}
+             constraints {{ c1: dot(x) = 2 [1/s]*x; c2: dot(y) = -3 [1/s]*y; }} initial {{ x = 0; y = 0; z = 0; dot(z) = 0; }}"
+        ));
+        let mut real: Vec<f64> = found.iter().filter(|value| value.im == 0.0).map(|value| value.re).collect();
+        real.sort_by(f64::total_cmp);
+        assert_eq!((real.as_slice(), found.len()), ([-3.0, 2.0].as_slice(), 3), "{found:?}");
+    }
+    let trailer = "pub Trailer; coordinates { x [m]; y [m]; b [rad]; } parameters { L [m] = 1.5; v [m/s] = -2; }
+        let H = [x, y]; let Q = H - L*[cos(b), sin(b)];
+        bodies { t: mass 1 [kg] at H; r: mass 1 [kg] at Q, inertia 1 [kg*m^2], angle b; }
+        constraints { hitch: dot(H) = [v, 0]; wheel: inner(dot(Q), [-sin(b), cos(b)]) = 0; }
+        initial { x = 0; y = 0; b = 0; }";
+    let found = rates(trailer);
+    assert!(found.len() == 1 && (found[0].re - 2.0 / 1.5).abs() < 1e-12, "{found:?}");
+}

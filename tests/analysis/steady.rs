@@ -233,6 +233,9 @@ fn corners_are_told() {
         ("force -k*x - 1 [N]*sign(dot(x)) on x;", true),
         ("force -k*x - (if x < 0.1 [m] then 0 else 9*k*(x - 0.1 [m])) on x;", false),
         ("force -k*x - k*max(x, 0)^2/(1 [m]) on x;", false),
+        ("force -k*x - 2 [kg/m]*dot(x)*abs(dot(x)) on x;", false),
+        ("force -k*x - 100*k*(1 [m])*max(0, x/(1 [m]))^1.5 on x;", false),
+        ("spring k, rest 0 on x; dissipation 0.1 [kg/m]*norm(dot([x, 0]))^3;", false),
         ("force -k*x on x;", false),
     ];
     for (load, has_corner) in cases {
@@ -246,6 +249,41 @@ fn corners_are_told() {
         let start = declared_start(&model);
         assert_eq!(sim::equilibrium(&model, &start).unwrap().has_corner, has_corner, "{load}");
     }
+}
+
+/// Laws that have a slope at rest but no second derivative, of a mass whose place is a coordinate twice: elimination refuses the pivot of
+/// the second, and derivatives are differences.
+#[test]
+fn laws_that_are_smooth_once_have_their_slopes_beside_constraints() {
+    // The stiffness of the monotone cubic through three rows with slopes 2 and 6 N/mm is their harmonic mean.
+    let cases = [
+        ("force -F(x) on x;", 3000.0, 0.0),
+        ("spring 100 [N/m], rest 0 on x; force -1e4 [N/m^2]*x*abs(x) on x;", 100.0, 0.0),
+        ("spring 4 [N/m], rest 0 on x; damper 1 [N*s/m] on x; damper 300 [kg/m]*rate*abs(rate) on x;", 4.0, 1.0),
+        ("spring 25 [N/m], rest 0 on x; potential 1e3 [N/m^2]*max(0, x)^3;", 25.0, 0.0),
+    ];
+    for (loads, stiffness, damping) in cases {
+        let text = format!(
+            "pub Twice; coordinates {{ x [mm]; r [mm]; }}
+             tables {{ F [N] over [mm] = monotone {{ -10, -20; 0, 0; 10, 60; }} }}
+             bodies {{ b: mass 1 [kg] at [x, 0]; }} loads {{ {loads} }} constraints {{ k: r = x; }}"
+        );
+        let model = interpreted(&text).unwrap();
+        let found = sim::equilibrium(&model, &declared_start(&model)).unwrap();
+        let [sum, product] = [found.eigenvalues[0] + found.eigenvalues[1], found.eigenvalues[0] * found.eigenvalues[1]];
+        // Differences are accurate to 1e-8 of a law whose second derivative jumps.
+        assert!((product.re - stiffness).abs() < 1e-6 * stiffness, "{loads}: {product}");
+        assert!((sum.re + damping).abs() < 1e-6, "{loads}: {sum}");
+    }
+}
+
+/// A spring that stiffens with the cube of its way has no stiffness at rest, and nothing changes with time.
+#[test]
+fn what_rests_on_a_cubic_spring_is_steady() {
+    let text = "pub Cubic; coordinates { x [m]; } bodies { b: mass 2 [kg] at [x, 0]; }
+        loads { force -30 [N/m^3]*x^3 on x; } initial { x = 1; }";
+    let model = interpreted(text).unwrap();
+    assert!(sim::equilibrium(&model, &declared_start(&model)).unwrap().is_steady);
 }
 
 fn about_interpreted(text: &str) -> Linearization<tests::any_model::AnyModel> {

@@ -124,6 +124,35 @@ fn no_smooth_pulse_by_position_is_passed_over() {
     }
 }
 
+/// A step that ends in the middle of a pulse, or at its flank, is not drawn on to the end of the run just behind it.
+#[test]
+fn a_pulse_just_before_the_end_does_not_stop_a_run() {
+    for (force, middle) in
+        [("1e-9 [N]*exp(-((x - 0.5 [m])/0.1 [m])^2)", 0.5), ("1e-9 [N]*tanh((x - 0.5 [m])/0.1 [m])", 0.5)]
+    {
+        let text = format!(
+            "pub Beside; coordinates {{ x [m]; }} bodies {{ b: mass 1 [kg] at [x, 0]; }}
+             loads {{ force {force} on x; }} initial {{ dot(x) = 1; }}"
+        );
+        for (place, behind) in
+            [-0.1, 0.0, 0.1].into_iter().flat_map(|off| [1e-6, 1e-5, 1e-4, 1e-3].map(|d| (middle + off, d)))
+        {
+            for method in [Method::Dop853, Method::Dopri5, Method::Radau5] {
+                let run =
+                    run_with(interpreted(&text).unwrap(), &Settings::adaptive(method, place + behind, 1e-10)).unwrap();
+                assert_eq!(run.trajectory.failure, None, "{force} to {place} + {behind} by {method:?}");
+                assert!(
+                    run.steps.accepted < 50 && run.steps.rejected < 50,
+                    "{force} to {place} + {behind}: {:?}",
+                    run.steps
+                );
+                let end = run.trajectory.samples.last().unwrap().state.positions[0];
+                assert!((end - place - behind).abs() < 1e-9, "{end}");
+            }
+        }
+    }
+}
+
 /// What a mass of 2 kg at about 1 m/s gains in momentum from a push of 1 N by equal steps of 1 ms, as a part of the push's impulse,
 /// and whether a step is counted as too long for it.
 fn by_equal_steps(force: &str, impulse: f64, [w, a]: [f64; 2], method: Method) -> (f64, bool) {

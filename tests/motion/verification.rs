@@ -209,6 +209,19 @@ fn lost_convective_terms_fail_between_projection_and_partitioning() {
     assert!(runs_agree(PARTITIONING, &one, &other).passes());
 }
 
+/// A spring without length, at its own end, and a motor by the straight lines of a table, whose corners no method passes with its order.
+#[test]
+fn springs_of_no_length_and_straight_tables_pass() {
+    let spring = "pub Spring; coordinates { x [m]; } bodies { b: mass 2 [kg] at [x, 0]; }
+        loads { spring 30 [N/m], length 0 from [0, 0] to [x, 0]; } initial { x = 0; dot(x) = 1; }";
+    let motor = "pub Motor; coordinates { w [rad]; } parameters { J [kg*m^2] = 2; }
+        tables { mo [N*m] over [rad/s] = linear { 0, 10; 5, 4; 20, 0; } }
+        bodies { r: inertia J, angle w; } loads { torque mo(dot(w)) on w; } initial { w = 0; dot(w) = 0.1; }";
+    for text in [spring, motor] {
+        assert_eq!(failing(interpreted(text).unwrap(), 4.0), Vec::<&str>::new(), "{text}");
+    }
+}
+
 #[test]
 fn a_row_has_been_seen_to_fail_for_each_that_is_printed() {
     let rows: Vec<&str> = checks(any(QuickReturn::default()), 0.5).iter().map(|check| check.name).collect();

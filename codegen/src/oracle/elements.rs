@@ -34,11 +34,15 @@ pub(super) fn element(
     match extent {
         Extent::Distance(from, to) => {
             let way = way(from, to, motion)?;
+            let places = self::way(from, to, positions)?;
+            if let Some(stiffness) = of_no_length(law, motion)? {
+                let pulls = way.into_iter().map(|component| (-&(&stiffness * &component)).value());
+                return Ok(pulls.zip(places).map(|(force, place)| Effort { force, place }).collect());
+            }
             let length = inner(&way, &way)?.call("sqrt").ok_or_else(|| OracleError::new("no length"))?;
             let force = force(law, &length, motion)?;
             // The force on B as a vector: its size along the unit vector from A to B.
             let vector: Vec<Measured> = way.iter().map(|component| (&(&force * component) / &length).value()).collect();
-            let places = self::way(from, to, positions)?;
             Ok(vector.into_iter().zip(places).map(|(force, place)| Effort { force, place }).collect())
         }
         Extent::Difference(from, to) => {
@@ -51,6 +55,14 @@ pub(super) fn element(
             Ok(vec![Effort { force: force(law, &along, motion)?.value(), place: positions.scalar(x)? }])
         }
     }
+}
+
+/// The stiffness of a linear spring that has no length at rest: its force has a direction wherever its ends are.
+fn of_no_length(law: &Law, motion: &mut Interpreter) -> Result<Option<Jet>> {
+    let Law::Spring(law, rest) = law else { return Ok(None) };
+    let is_linear = !law.mentions("stretch") && !law.mentions("rate");
+    let has_no_length = is_linear && motion.scalar(rest)?.value() == Measured::ZERO;
+    has_no_length.then(|| motion.scalar(law)).transpose()
 }
 
 /// B - A.

@@ -41,7 +41,12 @@ pub(super) struct Adaptive {
     /// Where a step has ended at such a jump, and whether the next one leads over it.
     jumped: f64,
     is_across: bool,
+    /// Whether the next step ends where that length says, and not a little further on, where a stop or the end of the run is.
+    ends_there: bool,
 }
+
+/// A step goes on to a stop or the end of the run that is so much further away: no tiny one follows it.
+const MARGIN: f64 = 1.01;
 
 impl Pace {
     /// At the start; of adaptive steps the length is still to be found.
@@ -59,6 +64,7 @@ impl Pace {
                     rows_jump: false,
                     jumped: f64::NEG_INFINITY,
                     is_across: false,
+                    ends_there: false,
                 })
             }
         }
@@ -185,9 +191,10 @@ impl Adaptive {
         }
         // The last step is not followed by a tiny one.
         let h = self.h.max(shortest(now));
+        let reach = if std::mem::take(&mut self.ends_there) { h } else { MARGIN * h };
         let stop = match self.is_across {
             true => Some(Stop::Across(now + ASIDE * tick(now, course.end))),
-            false => next_stop(motion, now, course.end.min(now + 1.01 * h), self.rows_jump),
+            false => next_stop(motion, now, course.end.min(now + reach), self.rows_jump),
         };
         if let Some(Stop::Across(time)) = stop
             && self.leads_over_corner(motion, [&mut *from, &mut *to], time.min(course.end), steps)?
@@ -202,7 +209,7 @@ impl Adaptive {
         }
         let wanted = match stop {
             Some(Stop::Before(time) | Stop::Across(time)) => time.min(course.end),
-            None if now + 1.01 * h >= course.end => course.end,
+            None if now + reach >= course.end => course.end,
             None => now + h,
         };
         let way = match crossing.may_be_ahead(motion) {
@@ -254,7 +261,7 @@ impl Adaptive {
         let (now, time) = (from.state.time, target.time);
         match (attempted, better_end) {
             (Ok(error), Some(better)) if error <= 1.0 => {
-                self.h = better - now;
+                (self.h, self.ends_there) = (better - now, true);
                 Ok(false)
             }
             (Ok(error), None) if error <= 1.0 => {

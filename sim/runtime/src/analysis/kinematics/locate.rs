@@ -13,6 +13,13 @@ const CORNER: f64 = 1e-12;
 /// place that is found by comparison, which is as close as comparison comes.
 const TOWARDS: [f64; 5] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5];
 const UNBOUNDED: f64 = 1e6;
+/// Distances from a place, in half steps, over which a quantity is asked whether it has a bound there; by what part its growth from one
+/// to the next may shrink if it has none, as that of a logarithm does not, and the growth that is no rounding, as a part of it.
+const DECADES: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
+const LASTS: f64 = 0.9;
+const KNOWN: f64 = 1e-6;
+/// A peak so many times as high as the ends of its step may be a pole that the polynomials of what is far lower do not show.
+const HIGH: f64 = 1e4;
 
 impl Search<'_> {
     /// A candidate at its place, the least of `sign` times the quantity; nothing at a pole.
@@ -28,11 +35,54 @@ impl Search<'_> {
         // A quantity worse than its polynomial has a corner there.
         let is_worse = sign * (found.value - candidate.value) > CORNER * candidate.value.abs();
         if !is_worse && candidate.kind != Kind::Rough {
-            return Some(found);
+            return (!self.has_no_bound(k, candidate, sign, (x, found.value))).then_some(found);
         }
         let better = self.corner(k, candidate, sign).filter(|(_, better)| sign * better.value < sign * found.value);
         let (x, found) = better.unwrap_or((x, found));
-        (!self.is_pole(k, candidate, (x, found.value))).then_some(found)
+        let is_pole = || {
+            self.is_pole(k, candidate, (x, found.value))
+                || self.is_growing(k, candidate, sign, self.summit(k, candidate, sign, x))
+        };
+        (!is_pole()).then_some(found)
+    }
+
+    /// Whether a quantity has no bound at an end of an interval, or about a peak that is high above the ends of its step.
+    fn has_no_bound(&self, k: usize, candidate: &Candidate, sign: f64, (x, value): (f64, f64)) -> bool {
+        if candidate.kind == Kind::End {
+            return self.is_growing(k, candidate, sign, x);
+        }
+        let at = |x: f64| self.values_at(&candidate.piece, x).map_or(f64::INFINITY, |values| values[k].abs());
+        let [begin, end] = candidate.within.map(at);
+        value.abs() > HIGH * begin.min(end) && self.is_growing(k, candidate, sign, self.summit(k, candidate, sign, x))
+    }
+
+    /// The place about another where a quantity is farthest.
+    fn summit(&self, k: usize, candidate: &Candidate, sign: f64, mut x: f64) -> f64 {
+        let Candidate { piece, within, reach, .. } = candidate;
+        for width in [1.0, 1.0, 1.0, 1e-3, 1e-6].map(|part| part * reach) {
+            let [from, to] = [(x - width).max(within[0]), (x + width).min(within[1])];
+            let place = |s: f64| from + s * (to - from);
+            let value = |x: f64| Ok::<f64, Failure>(sign * self.values_at(piece, x)?[k]);
+            x = find_minimum(&mut |s| value(place(s))).map_or(x, |(s, _)| place(s));
+        }
+        x
+    }
+
+    /// Whether the growth of a quantity towards a place goes on from one decade of the distance to the next, on either side.
+    fn is_growing(&self, k: usize, candidate: &Candidate, sign: f64, x: f64) -> bool {
+        let Candidate { piece, within, .. } = candidate;
+        let grows = |side: f64| {
+            let places = DECADES.map(|distance| x + side * distance);
+            let is_inside = places.iter().all(|place| (within[0]..=within[1]).contains(place));
+            let values: Vec<f64> = match is_inside {
+                true => places.iter().map(|x| Some(self.values_at(piece, *x).ok()?[k])).collect::<Option<_>>()?,
+                false => return None,
+            };
+            let growth: Vec<f64> = values.windows(2).map(|pair| sign * (pair[0] - pair[1])).collect();
+            let is_known = growth[0] > KNOWN * values[0].abs();
+            Some(is_known && growth.windows(2).all(|pair| pair[1] >= LASTS * pair[0]))
+        };
+        [-1.0, 1.0].into_iter().filter_map(grows).any(|grows| grows)
     }
 
     /// Whether a quantity grows without bound towards a place at which it has this value, as tan(x) does towards a right angle.

@@ -8,9 +8,10 @@ use nalgebra::DVector;
 const BESIDE: f64 = 1e-7;
 const AROUND: f64 = 1e-5;
 const NEARER: f64 = 0.1;
-/// By which part the changes to both sides differ at a corner, and those to one side at a jump; and rounding, as a part of the
-/// accelerations.
+/// By which part the changes to both sides differ at a corner, and those to one side at a jump; by what part of it they do so near by,
+/// where what has a derivative differs the less; and rounding, as a part of the accelerations.
 const DIFFERENT: f64 = 1e-2;
+const LASTS: f64 = 0.5;
 const ROUNDING: f64 = 1e-9;
 
 /// Whether loads or constraints change their form at a state, and accelerations with it: small motions differ to either side.
@@ -36,11 +37,13 @@ pub(super) fn has_corner(mechanism: &dyn Differentiable, at: At<f64>, sizes: &[f
     };
     let Some(here) = accelerations(0, 0.0) else { return false };
     let differs = |k: usize| {
-        let ahead = accelerations(k, AROUND)? - &here;
-        let nearer = accelerations(k, NEARER * AROUND)? - &here;
-        let behind = &here - accelerations(k, -AROUND)?;
+        let changes = |by: f64| Some([accelerations(k, by)? - &here, &here - accelerations(k, -by)?]);
+        let ([ahead, behind], [nearer, nearer_behind]) = (changes(AROUND)?, changes(NEARER * AROUND)?);
         let least = DIFFERENT * ahead.amax().max(behind.amax()) + ROUNDING * here.amax();
-        Some((&ahead - behind).amax() > least || (ahead - nearer / NEARER).amax() > least)
+        // A jump is as large near by; what is smooth has only a smaller part of it there than of the distance.
+        let jumps = ahead.iter().zip(&nearer).any(|(ahead, nearer)| nearer.abs() / NEARER > ahead.abs() + least);
+        let (bends, bends_nearer) = ((ahead - behind).amax(), (nearer - nearer_behind).amax() / NEARER);
+        Some(jumps || bends > least && bends_nearer > LASTS * bends)
     };
     (0..2 * n).any(|k| differs(k).unwrap_or(false))
 }

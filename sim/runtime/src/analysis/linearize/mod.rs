@@ -132,7 +132,7 @@ fn linearize_any(mechanism: &dyn Differentiable, at: At<f64>, inputs: &[Control]
         forced.iter().zip(inputs).map(|(change, input)| slopes(change, Some(*input))).collect();
     let outputs = description.outputs.len();
     let a = matrix(&reduction, &columns);
-    let (eigenvalues, modes) = modes::modes(&a, reduction.independent().len(), |x| reduction.positions(x))
+    let (eigenvalues, modes) = modes::modes(&a, |x| reduction.positions(x))
         .map_err(|why| mechanism.failure(What::NoEigenvalues { why }, at.time, at.positions))?;
     Ok(AnyLinearization {
         has_corner: corner::has_corner(mechanism, at, &sizes),

@@ -1,6 +1,6 @@
 //! Eigenvalues and modes.
 
-use crate::numerics::eigen::{NoEigenvalues, eigen};
+use crate::numerics::eigen::{Eigen, NoEigenvalues, eigen};
 use nalgebra::{Complex, DMatrix, DVector};
 
 /// A small motion that keeps its shape: dq = Re(shape e^(eigenvalue t)).
@@ -17,8 +17,11 @@ pub struct Mode {
 
 /// An eigenvalue this small beside the largest is rounding.
 const LEAST: f64 = 64.0 * f64::EPSILON;
-/// Accelerations this small beside the terms that they are a sum of are rounding: they come of a mass matrix that is solved with.
+/// The rounding of an entry of A, as a part of it: accelerations come of a mass matrix that is solved with.
 const ROUNDING: f64 = 1e-12;
+/// |y'x| beside the products of its terms, up to which an eigenvalue of y and x is one of a defective cluster of three: it is known to
+/// the cube root of rounding.
+const DEFECTIVE: f64 = 1e-8;
 
 impl Mode {
     /// The frequency of the motion in Hz: |Im| / 2 pi; 0 if it does not oscillate.
@@ -34,14 +37,12 @@ impl Mode {
 }
 
 /// The eigenvalues of a matrix, by imaginary part, and its modes: one for each pair of conjugate eigenvalues and each real one.
-/// The first so many of its unknowns are positions, the others speeds; `positions` makes the changes of all coordinates of an
-/// eigenvector.
+/// `positions` makes the changes of all coordinates of an eigenvector.
 pub(super) fn modes(
     a: &DMatrix<f64>,
-    independent: usize,
     positions: impl Fn(&DVector<Complex<f64>>) -> DVector<Complex<f64>>,
 ) -> Result<(Vec<Complex<f64>>, Vec<Mode>), NoEigenvalues> {
-    let found = eigen(a)?;
+    let (found, left) = (eigen(a)?, eigen(&a.transpose())?);
     let mut order: Vec<usize> = (0..found.values.len()).collect();
     order.sort_by(|i, j| {
         let (a, b) = (found.values[*i], found.values[*j]);
@@ -50,24 +51,24 @@ pub(super) fn modes(
     let largest = found.values.iter().map(|value| value.norm()).fold(0.0, f64::max);
     let mode = |k: &usize| {
         let (eigenvalue, vector): (_, DVector<_>) = (found.values[*k], found.vectors.column(*k).into());
-        let is_neutral = eigenvalue.norm() <= LEAST * largest || is_neutral(a, independent, eigenvalue, &vector);
+        let is_neutral = eigenvalue.norm() <= LEAST * largest || is_rounding(a, &left, eigenvalue, &vector);
         Mode { eigenvalue, shape: normalised(positions(&vector)), is_neutral }
     };
     let shown = order.iter().filter(|k| found.values[**k].im >= 0.0);
     Ok((order.iter().map(|k| found.values[*k]).collect(), shown.map(mode).collect()))
 }
 
-/// Whether the accelerations of an eigenvector and the forces upon its displacement are both rounding. A double eigenvalue 0, which
-/// belongs to a body that nothing holds, is found with an error of the root of the rounding of A.
-fn is_neutral(a: &DMatrix<f64>, independent: usize, value: Complex<f64>, vector: &DVector<Complex<f64>>) -> bool {
-    let is_rounding = |row: usize| {
-        let terms = (0..independent).map(|j| vector[j] * a[(row, j)]);
-        let (sum, size) =
-            terms.fold((Complex::new(0.0, 0.0), 0.0), |(sum, size), term| (sum + term, size + term.norm()));
-        sum.norm().max((value * vector[row]).norm()) <= ROUNDING * size
-    };
-    let acts = |row: &usize| a.row(*row).iter().any(|entry| *entry != 0.0);
-    value.norm() == 0.0 || (independent..a.nrows()).filter(acts).all(is_rounding)
+/// Whether the rounding of the entries of A makes an eigenvalue of 0: by |y|'|A||x| / |y'x|, with the left eigenvector y (Golub and Van
+/// Loan, Matrix Computations, 2013, section 7.2.2, with the rounding of each entry in place of that of the norm). A double eigenvalue 0,
+/// which belongs to a body that nothing holds, is found with an error of the root of the rounding, and then y'x is as small.
+fn is_rounding(a: &DMatrix<f64>, left: &Eigen, value: Complex<f64>, x: &DVector<Complex<f64>>) -> bool {
+    let apart = |k: &usize| (left.values[*k] - value).norm();
+    let Some(k) = (0..left.values.len()).min_by(|i, j| apart(i).total_cmp(&apart(j))) else { return false };
+    let y = left.vectors.column(k);
+    let sum = |term: &dyn Fn(usize) -> f64| (0..x.len()).map(term).sum::<f64>();
+    let change = sum(&|i| y[i].norm() * sum(&|j| a[(i, j)].abs() * x[j].norm()));
+    let (product, terms) = (y.dot(x).norm(), sum(&|i| y[i].norm() * x[i].norm()));
+    value.norm() * product.max(DEFECTIVE * terms) <= ROUNDING * change
 }
 
 /// The largest entry 1.

@@ -54,7 +54,9 @@ pub(super) fn unsteady(
     if rate == 0.0 || a.is_empty() {
         return Ok(None);
     }
-    let [before, after] = [-STEP, STEP].map(|part| later(mechanism, derivatives, reduction, part / rate));
+    // What rests stays where it is, however its accelerations are rounded.
+    let bending = if is_at_rest { 0.0 } else { 1.0 };
+    let [before, after] = [-STEP, STEP].map(|part| later(mechanism, derivatives, reduction, (part / rate, bending)));
     let (before, after) = (before?, after?);
     let h = reduction.independent().len();
     let unit = |k: usize| beside.unit(k) * if k < h { 1.0 } else { rate };
@@ -131,7 +133,7 @@ impl Beside<'_> {
         if !step.is_finite() {
             return Ok(false);
         }
-        let along = |step: f64| later(self.derivatives.mechanism(), self.derivatives, self.reduction, step);
+        let along = |step: f64| later(self.derivatives.mechanism(), self.derivatives, self.reduction, (step, 1.0));
         Ok(self.differs(&along(step)?) || self.differs(&along(-step)?))
     }
 
@@ -177,15 +179,15 @@ fn quaternions_of(mechanism: &dyn AnyMechanism) -> Vec<[usize; 4]> {
     description.norm_constraints.iter().filter_map(four).collect()
 }
 
-/// A a little later along the motion, or earlier, in the same coordinates.
+/// A a little later along the motion, or earlier, in the same coordinates; with this part of the accelerations.
 fn later(
     mechanism: &dyn Differentiable,
     derivatives: &Derivatives,
     reduction: &Reduction,
-    step: f64,
+    (step, bending): (f64, f64),
 ) -> Result<DMatrix<f64>, Failure> {
     let At { time, positions, speeds, .. } = derivatives.state();
-    let accelerations = derivatives.accelerations();
+    let accelerations: Vec<f64> = derivatives.accelerations().iter().map(|a| bending * a).collect();
     let mut q: Vec<f64> =
         (0..positions.len()).map(|j| positions[j] + step * (speeds[j] + step / 2.0 * accelerations[j])).collect();
     let mut qd: Vec<f64> = (0..positions.len()).map(|j| speeds[j] + step * accelerations[j]).collect();

@@ -35,8 +35,8 @@ use crate::run::{Run, run_while};
 use crate::start::assemble::{Start, assemble};
 use crate::state::failure::Failure;
 use crate::state::settings::{Method, Settings, Stabilisation, Stepping, Tolerance};
-use crate::state::trajectory::{Sample, Trajectory};
-use sim_kernel::Mechanism;
+use crate::state::trajectory::{Sample, State, Trajectory};
+use sim_kernel::{Array, Description, Mechanism, Switching};
 use std::ops::ControlFlow;
 
 /// The result of a check.
@@ -147,14 +147,35 @@ fn kernels_agree(declared: &Declared, parts: &[Part]) -> Result<Vec<Check>, Veri
     ])
 }
 
-/// The time until which a run is smooth: its first event that changes something, and well before its first singular
-/// position, where the amplification of rounding and step errors has a pole.
+/// The time until which a run is smooth: its first event that changes something, the last sample before a load changes its form, and
+/// well before its first singular position, where the amplification of rounding and step errors has a pole.
 fn smooth<M: Mechanism>(run: &Run<M>, end: f64) -> f64 {
     let Trajectory { samples, phases, .. } = &run.trajectory;
     let event = phases.get(1).map_or(end, |phase| samples[phase.first].state.time);
+    let event = event.min(before_change_of_form(&run.mechanism, samples).unwrap_or(event));
     let begin = samples[0].state.time;
     let before = |singular: f64| begin + 0.75 * (singular - begin);
     run.steps.singularities.first().map_or(event, |singular| event.min(before(singular.time)))
+}
+
+/// The last sample before a load or what time drives changes its form, as at a row of a table.
+fn before_change_of_form<M: Mechanism>(mechanism: &M, samples: &[Sample<M>]) -> Option<f64> {
+    let Description { load_conditions, switching, .. } = mechanism.description();
+    let side = |described: &Switching, value: f64| match described.table {
+        Some(table) => table.next_row(value),
+        None => f64::from(u8::from(value > 0.0)),
+    };
+    let sides = |sample: &Sample<M>| {
+        let State { time, positions, speeds, .. } = &sample.state;
+        let of_loads = mechanism.load_conditions(*time, positions, speeds);
+        let of_time = mechanism.switching_functions(*time);
+        let all = load_conditions.iter().zip(of_loads.iter()).chain(switching.iter().zip(of_time.iter()));
+        all.filter(|(described, _)| !described.kind.is_smooth())
+            .map(|(of, value)| side(of, *value))
+            .collect::<Vec<f64>>()
+    };
+    let changed = samples.windows(2).find(|pair| sides(&pair[0]) != sides(&pair[1]));
+    changed.map(|pair| pair[0].state.time)
 }
 
 /// Samples of a mechanism of any type.
