@@ -1,7 +1,7 @@
 //! The order of convergence that a method shows.
 
 use super::Check;
-use super::runs::Sizes;
+use super::runs::{RESTS, Sizes};
 use super::worst::Worst;
 use crate::integrate::{Advance, Course, Dop853, Steps, integrate};
 use crate::motion::Motion;
@@ -48,7 +48,7 @@ pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
     let reference = states(mechanism, start.clone(), end, &mut Dop853::new(mechanism), 4096)?;
     let sizes = Sizes::of(mechanism, &reference);
     if sizes.at_rest {
-        return check(0.0, "not checked: the mechanism is at rest, or moves by too little beside its size".into());
+        return check(0.0, RESTS.into());
     }
     let distance = |found: &[Sample<M>]| {
         let mut worst = Worst::default();

@@ -95,14 +95,23 @@ fn residuals(
     [(0..values.len()).map(position).collect(), (0..values.len()).map(velocity).collect()]
 }
 
+/// What is said of a check that compares motions, where there is none.
+pub(super) const RESTS: &str = "not checked: the mechanism is at rest, or moves by too little beside its size";
+
 /// Kinetic energy less the work of loads and drives.
 pub fn energy_balance<M: Mechanism>(run: &Run<M>) -> Check {
+    if Sizes::of(&run.mechanism, &run.trajectory.samples).at_rest {
+        return Check::new("energy and work", 0.0, 1e-7, RESTS.into());
+    }
     let meaning = "change of kinetic energy less work and what events take, relative to the largest of them".into();
     Check::new("energy and work", run.energy_balance, 1e-7, meaning)
 }
 
 /// Two runs of one mechanism.
 pub fn runs_agree<M: Mechanism>(name: &'static str, one: &Run<M>, other: &Run<M>) -> Check {
+    if Sizes::of(&one.mechanism, &one.trajectory.samples).at_rest {
+        return Check::new(name, 0.0, 1e-6, RESTS.into());
+    }
     let (figure, worst) = difference(one, other);
     let meaning = format!("largest difference of a coordinate or speed, relative to its largest: `{worst}`");
     Check::new(name, figure, 1e-6, meaning)
