@@ -277,6 +277,30 @@ fn laws_that_are_smooth_once_have_their_slopes_beside_constraints() {
     }
 }
 
+/// A pendulum by position whose rod is written twice: no kernel has the derivatives, and those by differences keep a damping and an input
+/// that are small beside the weight. A = -(c/m)(1 - x^2/l^2) for the speed of x, and B = (1 - x^2/l^2)/m.
+#[test]
+fn small_damping_and_inputs_are_kept_beside_redundant_constraints() {
+    for (m, k, c, l) in
+        [(5.0, 50.0, 0.01, 1.0), (5.0, 50.0, 1e-5, 1.0), (200.0, 4000.0, 1.0, 0.5), (200.0, 6000.0, 1.0, 0.5)]
+    {
+        let text = format!(
+            "pub Rod; coordinates {{ x [m]; y [m]; }} inputs {{ F [N] = 0; }}
+             bodies {{ b: mass {m} [kg] at [x, y]; }}
+             loads {{ gravity [0, -9.81 [m/s^2]]; spring {k} [N/m], rest 0.1 [m] on x; damper {c} [N*s/m] on x; force F on x; }}
+             constraints {{ rod: norm([x, y]) = {l} [m]; dup: x^2 + y^2 = ({l} [m])^2; }}
+             initial {{ guess x = 0.1; guess y = -{l}; }}"
+        );
+        let model = interpreted(&text).unwrap();
+        let state = sim::equilibrium(&model, &declared_start(&model)).unwrap().state;
+        let found = linearize(&model, &state, &[Control::Input(0)]).unwrap();
+        let part = 1.0 - (state.positions[0] / l).powi(2);
+        // Both by differences: 1e-11 of the weight.
+        assert!((found.a[(1, 1)] + c / m * part).abs() < 1e-8, "{m} {k} {c}: {}", found.a);
+        assert!((found.b[(1, 0)] - part / m).abs() < 1e-8, "{m} {k} {c}: {}", found.b);
+    }
+}
+
 /// A spring that stiffens with the cube of its way has no stiffness at rest, and nothing changes with time.
 #[test]
 fn what_rests_on_a_cubic_spring_is_steady() {

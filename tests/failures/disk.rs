@@ -20,6 +20,17 @@ fn a_path_below_a_regular_file() {
     assert_eq!(fs::read_to_string(&file).unwrap(), "in the way");
 }
 
+/// Where nobody can hear what is wrong, the exit status tells.
+#[cfg(target_os = "linux")]
+#[test]
+fn errors_that_cannot_be_told() {
+    for (words, status) in [(["run", "no-such-model"], 2), (["check", "no-such-file.urdf"], 1)] {
+        let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_failing"));
+        assert_eq!(command.args(words).stderr(full).status().unwrap().code(), Some(status), "{words:?}");
+    }
+}
+
 /// A full disk is an error that names the file; every other file is written, whole.
 #[cfg(target_os = "linux")]
 #[test]

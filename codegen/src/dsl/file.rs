@@ -116,7 +116,10 @@ fn rows(name: &str, folder: &Path, span: Span, count: &mut usize) -> std::result
     for (at, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
         let line = line.split('#').next().unwrap_or_default().trim();
         let cells: Vec<&str> = cells(line);
-        let is_heading = std::mem::take(&mut is_first) && cells.iter().all(|cell| cell.parse::<f64>().is_err());
+        let is_name = |cell: &&str| cell.parse::<f64>().is_err();
+        let is_heading = std::mem::take(&mut is_first)
+            && cells.iter().all(is_name)
+            && !(cells.len() == 2 && cells.iter().all(|cell| is_spoilt_number(cell)));
         match cells.as_slice() {
             [] => is_first = words.is_empty(),
             cells if is_heading => match headings(cells).as_slice() {
@@ -147,6 +150,12 @@ fn rows(name: &str, folder: &Path, span: Span, count: &mut usize) -> std::result
     let mut rows = Group::new(Delimiter::Brace, words.into_iter().collect());
     rows.set_span(span);
     Ok(rows.into())
+}
+
+/// Whether a cell is meant as a number, though it is none here: with another minus or a currency before it, or a unit behind it.
+fn is_spoilt_number(cell: &str) -> bool {
+    let digits = cell.trim_start_matches(|c: char| !c.is_alphanumeric() && c != '[');
+    digits.starts_with(|c: char| c.is_ascii_digit())
 }
 
 /// The cells of a line, without the quotes that a spreadsheet may write around them, and without empty ones at its end.

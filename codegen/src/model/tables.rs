@@ -111,16 +111,20 @@ fn check_headings(
     Some(())
 }
 
-/// The unit at the end of a heading: `F [kN]`, `F (kN)`, `F/kN` or `F in kN`. Words without brackets need not be one.
+/// The unit of a heading: `F [kN]`, `F (kN)`, whatever else is said around it, or `F/kN` or `F in kN` at its end. Words without brackets
+/// need not be one.
 fn said_unit(heading: &str) -> Option<Result<Unit, String>> {
     let heading = heading.trim();
-    let within = |open, close| Some(heading.strip_suffix(close)?.rsplit_once(open)?.1.trim());
-    if let Some(text) = within('[', ']') {
+    let within = |open: char, close: char| {
+        let parts = heading.split(open).skip(1);
+        parts.filter_map(move |part| part.split_once(close)).map(|(text, _)| text.trim())
+    };
+    if let Some(text) = within('[', ']').next() {
         let is_pure = matches!(text, "" | "-");
         return Some(if is_pure { Ok(Unit::none()) } else { Unit::parse(text).map_err(|_| text.to_owned()) });
     }
     let after = heading.rsplit_once(" in ").or_else(|| heading.split_once('/')).map(|(_, text)| text.trim());
-    within('(', ')').or(after).and_then(|text| Unit::parse(text).ok()).map(Ok)
+    within('(', ')').chain(after).find_map(|text| Unit::parse(text).ok()).map(Ok)
 }
 
 /// An argument or a value of a row in SI units; plain numbers are in the unit of the column.

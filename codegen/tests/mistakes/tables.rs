@@ -142,6 +142,8 @@ fn headings() {
     headed(r#""angle (rad)", "lift""#, &[&format!("4:42 {}", declared("arguments", "rad", "deg"))]);
     headed(r#""angle/rad", "lift/mm""#, &[&format!("4:42 {}", declared("arguments", "rad", "deg"))]);
     headed(r#""angle in deg", "lift in m""#, &[&format!("4:58 {}", declared("values", "m", "mm"))]);
+    headed(r#""angle [rad] since the start", "lift""#, &[&format!("4:42 {}", declared("arguments", "rad", "deg"))]);
+    headed(r#""angle", "lift (m) (smoothed)*""#, &[&format!("4:51 {}", declared("values", "m", "mm"))]);
     headed(r#""angle [-]", "lift""#, &[&format!("4:42 {}", declared("arguments", "1", "deg"))]);
     headed(
         r#""angle [°]", "lift""#,
@@ -255,6 +257,11 @@ fn files() {
     refused("0,0\n90,inf\n", &format!("{place}, line 2: `inf` is not a number"));
     refused("0,0\n90\n", &format!("{place}, line 2: a row has two numbers, an argument and a value; this one has 1"));
     refused("a,b\nc,d\n", &format!("{place}, line 2: `c` is not a number"));
+    // With another minus, a currency, a unit.
+    for [argument, value] in [["\u{2212}0.5", "\u{2212}3"], ["$0", "$7"], ["0s", "0N"], ["(0)", "(7)"], ["1D0", "1D0"]]
+    {
+        refused(&format!("{argument},{value}\n1,1\n2,4\n"), &format!("{place}, line 1: `{argument}` is not a number"));
+    }
     refused("0,0,3\n", &format!("{place}, line 1: a row has two numbers, an argument and a value; this one has 3"));
     refused("0,,0\n", &format!("{place}, line 1: a row has two numbers, an argument and a value; this one has 3"));
     refused("0,0\n", "4:10 table `lift` has one row; a function is given by two or more");

@@ -2,6 +2,7 @@
 
 use crate::Stop;
 use crate::entry::{Entry, RunCommand, find};
+use crate::tell::tell;
 use sim_runtime::{DeclarationFile, Model};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -36,7 +37,7 @@ fn declared(path: &Path, name: Option<&str>, quiet: bool) -> Result<Chosen, Stop
 
 /// Tells what is doubtful.
 pub(super) fn warn(warnings: &[String]) {
-    warnings.iter().for_each(|warning| eprintln!("warning: {warning}"));
+    warnings.iter().for_each(|warning| tell!("warning: {warning}"));
 }
 
 /// `FILE` or `FILE:Name`, where the word is a file's: it ends in `.mech`, `.rs` or `.urdf`, or has a separator in it.

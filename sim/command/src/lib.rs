@@ -32,7 +32,9 @@ mod settings;
 mod signals;
 mod simulated;
 mod sizes;
+mod tell;
 
+use crate::tell::tell;
 pub use answer::{Answer, Problem, Refusal, answer, with_values};
 use arguments::{Arguments, Command};
 use chosen::{Chosen, chosen, file as file_named};
@@ -87,16 +89,16 @@ pub fn main_of(mechanisms: &[Entry], words: Vec<OsString>) -> u8 {
     match with_run_file(mechanisms, arguments, &words) {
         Ok(()) => 0,
         Err(Stop::Usage(message)) => {
-            eprintln!("error: {message}");
+            tell!("error: {message}");
             2
         }
         Err(Stop::Failed(error)) => {
-            eprintln!("error: {error:#}");
+            tell!("error: {error:#}");
             1
         }
         Err(Stop::Told) => 1,
         Err(Stop::Interrupted(error)) => {
-            eprintln!("{error:#}");
+            tell!("{error:#}");
             130
         }
     }
@@ -119,7 +121,7 @@ fn with_run_file(mechanisms: &[Entry], arguments: Arguments, words: &[OsString])
     let model = file.declaration().and_then(|(model, _)| chosen(mechanisms, model, true).ok());
     let difference = model.and_then(|chosen| file.difference(chosen.model.description()));
     if let Some(difference) = difference.filter(|_| !arguments.voice.quiet) {
-        eprintln!("warning: {difference}");
+        tell!("warning: {difference}");
     }
     let arguments = Arguments::try_parse_from(file.expand(words)?).map_err(|error| {
         let said = error.to_string();

@@ -5,6 +5,7 @@
 //! are among them, and exits.
 
 use crate::files::folder;
+use crate::tell::tell;
 #[cfg(unix)]
 use signal_hook::{
     consts::{SIGINT, SIGTERM},
@@ -67,7 +68,7 @@ fn end_after(time: Duration) {
     std::thread::spawn(move || {
         std::thread::sleep(time);
         if folder::is_awaited() && !IS_WARNED.swap(true, Ordering::SeqCst) {
-            eprintln!("interrupted; writing what was computed: another signal ends this at once, and loses it");
+            tell!("interrupted; writing what was computed: another signal ends this at once, and loses it");
         }
         while folder::is_awaited() {
             std::thread::sleep(Duration::from_millis(5));
@@ -78,10 +79,10 @@ fn end_after(time: Duration) {
 
 fn end() {
     let ended = folder::end();
-    ended.failures.iter().for_each(|failure| eprintln!("{failure}"));
+    ended.failures.iter().for_each(|failure| tell!("{failure}"));
     match ended.names.is_empty() {
-        true => eprintln!("interrupted; nothing was written"),
-        false => eprintln!("interrupted; written until then: {}", ended.names.join(", ")),
+        true => tell!("interrupted; nothing was written"),
+        false => tell!("interrupted; written until then: {}", ended.names.join(", ")),
     }
     std::process::exit(130);
 }

@@ -8,6 +8,7 @@ use crate::files::written::Files;
 use crate::given::{as_given, held_at};
 use crate::progress;
 use crate::said::{counted, decimals, short};
+use crate::tell::tell;
 use serde_json::{Value, json};
 use sim_kernel::{Description, Input, Mechanism, Quantity};
 use sim_output::show::{self, About};
@@ -145,7 +146,7 @@ fn warn_of_redundancy<M: Mechanism>(mechanism: &M, start: &Start<M>, voice: Voic
     let Ok(first) = assemble(mechanism, start) else { return };
     if !voice.quiet {
         let found = mobility(mechanism, first.time, &first.positions);
-        found.redundancies().iter().for_each(|line| eprintln!("redundant constraint: {line}"));
+        found.redundancies().iter().for_each(|line| tell!("redundant constraint: {line}"));
     }
 }
 

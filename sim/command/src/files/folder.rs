@@ -7,6 +7,7 @@
 
 use crate::Stop;
 use crate::files::identity;
+use crate::tell::tell;
 use serde_json::{Map, Value};
 use sim_output::{WriteError, whole, write_json};
 use std::fs::{self, File, TryLockError};
@@ -101,7 +102,7 @@ fn lock(directory: &Path) -> Result<Option<File>, Stop> {
             directory.display()
         ))),
         Err(TryLockError::Error(why)) => {
-            eprintln!(
+            tell!(
                 "warning: {} cannot be locked ({why}): make sure that nothing else writes there",
                 directory.display()
             );

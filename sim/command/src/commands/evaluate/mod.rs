@@ -5,6 +5,7 @@ mod table;
 
 use crate::arguments::{EvaluateArguments, Voice};
 use crate::events::only_in_runs;
+use crate::tell::tell;
 use crate::{Stop, print, unknown, with_values};
 use columns::{Column, columns};
 use sim_runtime::{Kernel, Model, Results, solve_each};
@@ -22,10 +23,10 @@ pub(crate) fn evaluate(model: &dyn Model, arguments: &EvaluateArguments, voice: 
     }
     let table = Table::read(model.description(), kernel, arguments)?;
     if !(voice.quiet || table.has_times) {
-        eprintln!("there is no column `t`: t = 0 at all states");
+        tell!("there is no column `t`: t = 0 at all states");
     }
     if let Some(line) = only_in_runs(model.description()).filter(|_| !voice.quiet) {
-        eprintln!("{line}");
+        tell!("{line}");
     }
     let states = table.states();
     let results = solve_each(&model, kernel, &states);

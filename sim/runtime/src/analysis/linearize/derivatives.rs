@@ -10,11 +10,13 @@ use sim_kernel::Dual;
 
 /// The step of differences of fourth order, as a fraction of the scale of a variable: the fifth root of rounding.
 const STEP: f64 = 1e-3;
-/// Differences by this step and a tenth of it agree to this part where a law is smooth, of the quotient itself or of a thousandth of
-/// the largest; so many times a tenth is tried where it is not.
-const SAME: f64 = 1e-8;
-const SMALL: f64 = 1e-3;
-const MOST_TENTHS: i32 = 12;
+/// Shorter steps, as parts of that, for laws that are not smooth, and by what part quotients differ less from one to the next.
+const SHORTER: [f64; 8] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
+const SHRINKS: f64 = 0.5;
+/// Rounding: the last digits of a number, steps that show it, as parts of a scale, and how many times as much it may explain.
+const LAST_DIGITS: f64 = 16.0 * f64::EPSILON;
+const UNBENT: [f64; 3] = [7e-13, 1e-12, 3e-12];
+const EXPLAINED: f64 = 10.0;
 
 /// The derivatives of z = (q'', lambda) at a state.
 pub(crate) struct Derivatives<'m> {
@@ -65,10 +67,23 @@ impl<'m> Derivatives<'m> {
     /// # Errors
     /// As the right-hand side, near the state too.
     pub(crate) fn along(&self, reduction: &Reduction, k: usize) -> Result<Change, Failure> {
+        let n = self.at.positions.len();
+        self.along_by(reduction, k, &|size, f| refined(size, n, f))
+    }
+
+    /// The same on the way of a search, where differences need not be known so well.
+    ///
+    /// # Errors
+    /// As [`along`](Derivatives::along).
+    pub(super) fn along_roughly(&self, reduction: &Reduction, k: usize) -> Result<Change, Failure> {
+        self.along_by(reduction, k, &quotient)
+    }
+
+    fn along_by(&self, reduction: &Reduction, k: usize, difference: &Difference) -> Result<Change, Failure> {
         let (positions, speeds) = reduction.change(k);
         let solution = match &self.by_state {
             Some([by_positions, by_speeds]) => by_positions * &positions + by_speeds * &speeds,
-            None => self.difference_along(reduction, k)?,
+            None => self.difference_along(reduction, k, difference)?,
         };
         Ok(self.change(positions, speeds, &solution))
     }
@@ -86,7 +101,12 @@ impl<'m> Derivatives<'m> {
     }
 
     #[cold]
-    fn difference_along(&self, reduction: &Reduction, k: usize) -> Result<DVector<f64>, Failure> {
+    fn difference_along(
+        &self,
+        reduction: &Reduction,
+        k: usize,
+        difference: &Difference,
+    ) -> Result<DVector<f64>, Failure> {
         let At { time, positions, speeds, .. } = self.at;
         let h = reduction.independent().len();
         let size = match k < h {
@@ -120,10 +140,10 @@ impl<'m> Derivatives<'m> {
     #[cold]
     fn difference_by_input(&self, control: Control) -> Result<DVector<f64>, Failure> {
         let Derivatives { mechanism, at, .. } = self;
-        let (parameters, inputs) = (mechanism.parameters(), mechanism.inputs());
+        let (parameters, inputs, n) = (mechanism.parameters(), mechanism.inputs(), at.positions.len());
         let description = mechanism.description();
         match control {
-            Control::Parameter(p) => difference(parameters[p].abs().max(description.parameters[p].factor), &|step| {
+            Control::Parameter(p) => refined(parameters[p].abs().max(description.parameters[p].factor), n, &|step| {
                 let mut parameters = parameters.clone();
                 parameters[p] += step;
                 mechanism.accelerate_with(&parameters, &inputs, *at)
@@ -131,7 +151,7 @@ impl<'m> Derivatives<'m> {
             Control::Input(input) => {
                 let held = mechanism.held_inputs(at.time, at.positions)[input];
                 let size = held.held().unwrap_or_default().abs();
-                difference(size.max(description.inputs[input].factor), &|step| {
+                refined(size.max(description.inputs[input].factor), n, &|step| {
                     let mut inputs = inputs.clone();
                     inputs[input] = held.map(|value| value + step);
                     mechanism.accelerate_with(&parameters, &inputs, *at)
@@ -141,34 +161,57 @@ impl<'m> Derivatives<'m> {
     }
 }
 
-/// f'(0) by central differences of fourth order, of a variable of this scale.
-///
-/// Where steps of different lengths disagree, as of x |x|, whose second derivative jumps, each entry is that at which they disagree
-/// least. (Ridders, Advances in Engineering Software 4, 1982, without his extrapolation, which asks for smooth laws.)
-fn difference(size: f64, f: &dyn Fn(f64) -> Result<DVector<f64>, Failure>) -> Result<DVector<f64>, Failure> {
-    let quotient = |step: f64| {
-        let apart = |steps: f64| Ok::<_, Failure>(f(steps * step)? - f(-steps * step)?);
-        Ok::<_, Failure>((8.0 * apart(1.0)? - apart(2.0)?) / (12.0 * step))
-    };
-    let first = quotient(STEP * size)?;
-    let (mut best, mut last) = (first.clone(), first);
-    let mut least = DVector::from_element(best.len(), f64::INFINITY);
-    for tenths in 1..=MOST_TENTHS {
-        let next = quotient(STEP * size * 0.1f64.powi(tenths))?;
-        let enough = SMALL * next.amax();
-        let off = (&next - &last).abs();
-        for i in 0..off.len() {
-            if off[i] < least[i] {
-                // A smooth law is known best by the first step, and another by the shorter one.
-                (best[i], least[i]) = (if tenths == 1 { last[i] } else { next[i] }, off[i]);
+/// f'(0), of a variable of this scale.
+type Difference<'d> = dyn Fn(f64, &Solved) -> Result<DVector<f64>, Failure> + 'd;
+
+/// What is solved for, so far from a state.
+type Solved<'s> = dyn Fn(f64) -> Result<DVector<f64>, Failure> + 's;
+
+/// f'(0) by central differences of fourth order.
+fn quotient(size: f64, f: &Solved) -> Result<DVector<f64>, Failure> {
+    let step = STEP * size;
+    let apart = |steps: f64| Ok::<_, Failure>(f(steps * step)? - f(-steps * step)?);
+    Ok((8.0 * apart(1.0)? - apart(2.0)?) / (12.0 * step))
+}
+
+/// f'(0) by that where the law is smooth. Where it is not, as x |x|, whose second derivative jumps, quotients by shorter steps are nearer,
+/// as long as they differ the less, the shorter the steps, and by more than rounding explains. The first so many entries of f are
+/// accelerations.
+fn refined(size: f64, accelerations: usize, f: &Solved) -> Result<DVector<f64>, Failure> {
+    let (rounding, mut best) = (rounding(size, accelerations, f)?, quotient(size, f)?);
+    let (mut last, mut differed) = (best.clone(), vec![f64::INFINITY; best.len()]);
+    for step in SHORTER.map(|shorter| shorter * STEP * size) {
+        let next: DVector<f64> = (f(step)? - f(-step)?) / (2.0 * step);
+        for i in 0..best.len() {
+            let differ = (next[i] - last[i]).abs();
+            let is_explained = differ <= EXPLAINED * rounding[i] / step;
+            if is_explained || differ < SHRINKS * differed[i] {
+                best[i] = if differed[i] > 0.0 { last[i] } else { best[i] };
+                differed[i] = if is_explained { 0.0 } else { differ };
+            } else {
+                differed[i] = 0.0;
             }
         }
-        if (0..off.len()).all(|i| least[i] <= SAME * next[i].abs().max(enough)) {
+        if differed.iter().all(|differed| *differed == 0.0) {
             break;
         }
         last = next;
     }
     Ok(best)
+}
+
+/// The rounding of what is solved for: some of the last digits of the largest acceleration or multiplier, and differences over steps so
+/// short that they show neither slope nor bend.
+fn rounding(size: f64, accelerations: usize, f: &Solved) -> Result<DVector<f64>, Failure> {
+    let here = f(0.0)?;
+    let (first, others) = (here.rows(0, accelerations), here.rows(accelerations, here.len() - accelerations));
+    let largest = [&first, &others].map(|part| part.iter().fold(0.0, |most: f64, value| most.max(value.abs())));
+    let mut found = DVector::from_fn(here.len(), |i, _| LAST_DIGITS * largest[usize::from(i >= accelerations)]);
+    for step in UNBENT.map(|part| part * size) {
+        let bend: DVector<f64> = f(step)? + f(-step)? - 2.0 * &here;
+        found = found.sup(&bend.abs());
+    }
+    Ok(found)
 }
 
 /// Whether constraints change with a parameter, which then cannot be an input.

@@ -90,7 +90,7 @@ impl Statics {
         let independent = reduction.independent();
         let mut by_positions = DMatrix::zeros(q.len(), independent.len());
         for k in 0..independent.len() {
-            by_positions.set_column(k, &derivatives.along(&reduction, k)?.accelerations);
+            by_positions.set_column(k, &derivatives.along_roughly(&reduction, k)?.accelerations);
         }
         let accelerations = DVector::from_column_slice(derivatives.accelerations());
         let rounded = if derivatives.are_exact() { ROUNDED } else { DIFFERENCED };
