@@ -68,18 +68,19 @@ impl Search<'_> {
         x
     }
 
-    /// Whether the growth of a quantity towards a place goes on from one decade of the distance to the next, on either side.
+    /// Whether the growth of a quantity towards a place goes on from one decade of the distance to the next, on either side, by more than
+    /// rounding.
     fn is_growing(&self, k: usize, candidate: &Candidate, sign: f64, x: f64) -> bool {
         let Candidate { piece, within, .. } = candidate;
         let grows = |side: f64| {
             let places = DECADES.map(|distance| x + side * distance);
             let is_inside = places.iter().all(|place| (within[0]..=within[1]).contains(place));
-            let values: Vec<f64> = match is_inside {
-                true => places.iter().map(|x| Some(self.values_at(piece, *x).ok()?[k])).collect::<Option<_>>()?,
+            let rows: Vec<Vec<f64>> = match is_inside {
+                true => places.iter().map(|x| self.values_at(piece, *x).ok()).collect::<Option<_>>()?,
                 false => return None,
             };
-            let growth: Vec<f64> = values.windows(2).map(|pair| sign * (pair[0] - pair[1])).collect();
-            let is_known = growth[0] > KNOWN * values[0].abs();
+            let growth: Vec<f64> = rows.windows(2).map(|pair| sign * (pair[0][k] - pair[1][k])).collect();
+            let is_known = growth[0] > (KNOWN * rows[0][k].abs()).max(self.noise(k, piece, &rows[..1]));
             Some(is_known && growth.windows(2).all(|pair| pair[1] >= LASTS * pair[0]))
         };
         [-1.0, 1.0].into_iter().filter_map(grows).any(|grows| grows)
