@@ -90,6 +90,21 @@ fn what_rolls_grows_or_decays() {
         real.sort_by(f64::total_cmp);
         assert_eq!((real.as_slice(), found.len()), ([-3.0, 2.0].as_slice(), 3), "{found:?}");
     }
+    // Of equal ones every one.
+    for (loads, expected) in [
+        ("force 4 [N/m]*x on x; force 4 [N/m]*y on y; force 4 [N/m]*z on z;", [-2.0, -2.0, -2.0, 2.0, 2.0, 2.0]),
+        ("spring 4 [N/m], length 0 from [0, 0, 0] to [x, y, z];", [0.0; 6]),
+    ] {
+        let found = rates(&format!(
+            "pub Equal; coordinates {{ x [m]; y [m]; z [m]; }} bodies {{ b: mass 1 [kg] at [x, y, z]; }} loads {{ {loads} }}
+             initial {{ x = 0; y = 0; z = 0; }}"
+        ));
+        let mut real: Vec<f64> = found.iter().map(|value| value.re).collect();
+        real.sort_by(f64::total_cmp);
+        assert!(real.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-12), "{found:?}");
+        assert!(found.iter().all(|value| (value.norm() - 2.0).abs() < 1e-12), "{found:?}");
+        assert_eq!(found.len(), if expected[0] == 0.0 { 3 } else { 6 }, "{found:?}");
+    }
     let trailer = "pub Trailer; coordinates { x [m]; y [m]; b [rad]; } parameters { L [m] = 1.5; v [m/s] = -2; }
         let H = [x, y]; let Q = H - L*[cos(b), sin(b)];
         bodies { t: mass 1 [kg] at H; r: mass 1 [kg] at Q, inertia 1 [kg*m^2], angle b; }

@@ -45,6 +45,8 @@ fn steep_peaks_are_no_poles() {
         ("sqrt(abs(sin(a) - 0.3))", 1.3f64.sqrt()),
         ("if a < 2 then 1 else 3e7", 3e7),
         ("exp(-1e6*sin(a)^2)", 1.0),
+        ("ln(1e8*abs(sin(a)) + 1)", (1e8f64 + 1.0).ln()),
+        ("1/(1e-13 + (sin(a) - 0.5)^2)", 1e13),
     ];
     for ((output, expected), steps) in peaks.into_iter().flat_map(|of| [1, 100, 720].map(|steps| (of, steps))) {
         let found = peak(output, steps).unwrap_or_else(|| panic!("{output}, {steps} steps"));

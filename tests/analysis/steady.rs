@@ -235,6 +235,8 @@ fn corners_are_told() {
         ("force -k*x - k*max(x, 0)^2/(1 [m]) on x;", false),
         ("force -k*x - 2 [kg/m]*dot(x)*abs(dot(x)) on x;", false),
         ("force -k*x - 100*k*(1 [m])*max(0, x/(1 [m]))^1.5 on x;", false),
+        ("force -k*x - k/2*abs(x) - 1e3*k*(1 [m])*max(0, x/(1 [m]))^1.5 on x;", true),
+        ("force -k/2*abs(x) - 2e5*k/(1 [m])*x^2 on x;", true),
         ("spring k, rest 0 on x; dissipation 0.1 [kg/m]*norm(dot([x, 0]))^3;", false),
         ("force -k*x on x;", false),
     ];
@@ -261,6 +263,8 @@ fn laws_that_are_smooth_once_have_their_slopes_beside_constraints() {
         ("spring 100 [N/m], rest 0 on x; force -1e4 [N/m^2]*x*abs(x) on x;", 100.0, 0.0),
         ("spring 4 [N/m], rest 0 on x; damper 1 [N*s/m] on x; damper 300 [kg/m]*rate*abs(rate) on x;", 4.0, 1.0),
         ("spring 25 [N/m], rest 0 on x; potential 1e3 [N/m^2]*max(0, x)^3;", 25.0, 0.0),
+        // Smooth, but steep beside its slope: the quotient of fourth order is exact for it.
+        ("spring 1e-3 [N/m], rest 0 on x; force -1e3 [N/m^3]*x^3 on x;", 1e-3, 0.0),
     ];
     for (loads, stiffness, damping) in cases {
         let text = format!(
@@ -298,6 +302,18 @@ fn small_damping_and_inputs_are_kept_beside_redundant_constraints() {
         // Both by differences: 1e-11 of the weight.
         assert!((found.a[(1, 1)] + c / m * part).abs() < 1e-8, "{m} {k} {c}: {}", found.a);
         assert!((found.b[(1, 0)] - part / m).abs() < 1e-8, "{m} {k} {c}: {}", found.b);
+    }
+}
+
+/// Laws that change within a millionth of the scale of differences, or grow with a power below 2: what is not known is told.
+#[test]
+fn differences_that_do_not_settle_are_told() {
+    for load in ["friction 1 [N], smooth 1e-6 [m/s] on x;", "force -1e9 [N]*max(0, x/(1 [m]))^1.5 on x;"] {
+        let text = format!(
+            "pub Sharp; coordinates {{ x [m]; r [m]; }} bodies {{ b: mass 1 [kg] at [x, 0]; }}
+             loads {{ spring 100 [N/m], rest 0 on x; {load} }} constraints {{ k: r = x; }}"
+        );
+        assert!(about_interpreted(&text).has_corner, "{load}");
     }
 }
 

@@ -222,6 +222,15 @@ fn springs_of_no_length_and_straight_tables_pass() {
     }
 }
 
+/// What starts at a zero of a condition has its form from there on, and shows its order.
+#[test]
+fn a_start_at_a_zero_of_a_condition_is_checked() {
+    let text = "pub Drag; coordinates { x [m]; } bodies { b: mass 1 [kg] at [x, 0]; }
+        loads { force 2 [N] - 0.3 [kg/m]*dot(x)*abs(dot(x)) on x; } initial { x = 0; dot(x) = 0; }";
+    let order = checks(interpreted(text).unwrap(), 3.0).into_iter().find(|check| check.name == ORDER).unwrap();
+    assert!(order.passes() && !order.meaning.contains("not checked"), "{order:?}");
+}
+
 #[test]
 fn a_row_has_been_seen_to_fail_for_each_that_is_printed() {
     let rows: Vec<&str> = checks(any(QuickReturn::default()), 0.5).iter().map(|check| check.name).collect();

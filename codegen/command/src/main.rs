@@ -10,6 +10,7 @@ mod statistics;
 
 use clap::Parser;
 use command::{Arguments, Outcome};
+use std::io::Write;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -17,7 +18,8 @@ fn main() -> ExitCode {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::Differs) => ExitCode::from(1),
         Err(error) => {
-            eprintln!("{error:#}");
+            // Where nobody can hear it, the exit status tells.
+            let _ = writeln!(std::io::stderr(), "{error:#}");
             ExitCode::from(2)
         }
     }

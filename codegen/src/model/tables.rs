@@ -111,20 +111,22 @@ fn check_headings(
     Some(())
 }
 
-/// The unit of a heading: `F [kN]`, `F (kN)`, whatever else is said around it, or `F/kN` or `F in kN` at its end. Words without brackets
-/// need not be one.
+/// The unit of a heading: `F [kN]`, `F in kN`, `F/kN` or `F (kN)`, with other words around it; of several in brackets the last. Words
+/// without square brackets need not be one.
 fn said_unit(heading: &str) -> Option<Result<Unit, String>> {
     let heading = heading.trim();
     let within = |open: char, close: char| {
         let parts = heading.split(open).skip(1);
         parts.filter_map(move |part| part.split_once(close)).map(|(text, _)| text.trim())
     };
-    if let Some(text) = within('[', ']').next() {
+    if let Some(text) = within('[', ']').last() {
         let is_pure = matches!(text, "" | "-");
         return Some(if is_pure { Ok(Unit::none()) } else { Unit::parse(text).map_err(|_| text.to_owned()) });
     }
-    let after = heading.rsplit_once(" in ").or_else(|| heading.split_once('/')).map(|(_, text)| text.trim());
-    within('(', ')').chain(after).find_map(|text| Unit::parse(text).ok()).map(Ok)
+    let bare: String = heading.split('(').map(|part| part.split_once(')').map_or(part, |(_, after)| after)).collect();
+    let after = bare.rsplit_once(" in ").or_else(|| bare.split_once('/')).map(|(_, text)| text.trim());
+    let named = after.and_then(|text| Unit::parse(text).ok());
+    named.or_else(|| within('(', ')').filter_map(|text| Unit::parse(text).ok()).last()).map(Ok)
 }
 
 /// An argument or a value of a row in SI units; plain numbers are in the unit of the column.

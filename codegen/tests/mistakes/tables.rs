@@ -144,6 +144,9 @@ fn headings() {
     headed(r#""angle in deg", "lift in m""#, &[&format!("4:58 {}", declared("values", "m", "mm"))]);
     headed(r#""angle [rad] since the start", "lift""#, &[&format!("4:42 {}", declared("arguments", "rad", "deg"))]);
     headed(r#""angle", "lift (m) (smoothed)*""#, &[&format!("4:51 {}", declared("values", "m", "mm"))]);
+    headed(r#""angle", "lift in m (raw)""#, &[&format!("4:51 {}", declared("values", "m", "mm"))]);
+    headed(r#""angle", "lift (mm) in m""#, &[&format!("4:51 {}", declared("values", "m", "mm"))]);
+    headed(r#""angle (A) (deg)", "channel (A) lift (mm)""#, &[]);
     headed(r#""angle [-]", "lift""#, &[&format!("4:42 {}", declared("arguments", "1", "deg"))]);
     headed(
         r#""angle [°]", "lift""#,

@@ -41,7 +41,7 @@ pub(super) struct Adaptive {
     /// Where a step has ended at such a jump, and whether the next one leads over it.
     jumped: f64,
     is_across: bool,
-    /// Whether the next step ends where that length says, and not a little further on, where a stop or the end of the run is.
+    /// Whether the next step has exactly this length, and is not drawn on to a stop or the end of the run just behind.
     ends_there: bool,
 }
 

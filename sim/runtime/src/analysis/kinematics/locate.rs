@@ -13,12 +13,14 @@ const CORNER: f64 = 1e-12;
 /// place that is found by comparison, which is as close as comparison comes.
 const TOWARDS: [f64; 5] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5];
 const UNBOUNDED: f64 = 1e6;
-/// Distances from a place, in half steps, over which a quantity is asked whether it has a bound there; by what part its growth from one
-/// to the next may shrink if it has none, as that of a logarithm does not, and the growth that is no rounding, as a part of it.
+/// Distances from a place, in half steps, over which a quantity must grow if it has no bound there. Its growth from one to the next goes
+/// on undiminished, as that of a logarithm, but for this part; it is more than this part of the quantity; and it goes on at the place
+/// itself, which is known far better, for so many distances more.
 const DECADES: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 const LASTS: f64 = 0.9;
 const KNOWN: f64 = 1e-6;
-/// A peak so many times as high as the ends of its step may be a pole that the polynomials of what is far lower do not show.
+const GOES_ON: f64 = 2.0;
+/// A peak that is so many times as high as the ends of its step may be a pole between the nodes of its polynomial.
 const HIGH: f64 = 1e4;
 
 impl Search<'_> {
@@ -72,6 +74,7 @@ impl Search<'_> {
     /// rounding.
     fn is_growing(&self, k: usize, candidate: &Candidate, sign: f64, x: f64) -> bool {
         let Candidate { piece, within, .. } = candidate;
+        let there = self.values_at(piece, x).map_or(f64::INFINITY, |values| values[k]);
         let grows = |side: f64| {
             let places = DECADES.map(|distance| x + side * distance);
             let is_inside = places.iter().all(|place| (within[0]..=within[1]).contains(place));
@@ -81,7 +84,9 @@ impl Search<'_> {
             };
             let growth: Vec<f64> = rows.windows(2).map(|pair| sign * (pair[0][k] - pair[1][k])).collect();
             let is_known = growth[0] > (KNOWN * rows[0][k].abs()).max(self.noise(k, piece, &rows[..1]));
-            Some(is_known && growth.windows(2).all(|pair| pair[1] >= LASTS * pair[0]))
+            let [.., last] = growth.as_slice() else { return None };
+            let goes_on = !there.is_finite() || sign * (rows[DECADES.len() - 1][k] - there) >= GOES_ON * last;
+            Some(is_known && goes_on && growth.windows(2).all(|pair| pair[1] >= LASTS * pair[0]))
         };
         [-1.0, 1.0].into_iter().filter_map(grows).any(|grows| grows)
     }

@@ -4,14 +4,15 @@ use crate::model::{At, Differentiable};
 use nalgebra::DVector;
 
 /// Changes of positions and speeds, beside those that count as 1, within which a condition lies at its zero, and by which
-/// accelerations are compared on both sides.
+/// accelerations are compared on both sides, farther away and near by.
 const BESIDE: f64 = 1e-7;
 const AROUND: f64 = 1e-5;
 const NEARER: f64 = 0.1;
-/// By which part the changes to both sides differ at a corner, and those to one side at a jump; by what part of it they do so near by,
-/// where what has a derivative differs the less; and rounding, as a part of the accelerations.
+const NEAR_BY: [f64; 2] = [1e-7, 1e-8];
+/// By which part the changes to both sides differ at a corner, and those to one side at a jump; the part of the difference that stays
+/// at a tenth of the distance, where that of a smooth law shrinks; and rounding, as a part of the accelerations.
 const DIFFERENT: f64 = 1e-2;
-const LASTS: f64 = 0.5;
+const STAYS: f64 = 0.5;
 const ROUNDING: f64 = 1e-9;
 
 /// Whether loads or constraints change their form at a state, and accelerations with it: small motions differ to either side.
@@ -38,12 +39,17 @@ pub(super) fn has_corner(mechanism: &dyn Differentiable, at: At<f64>, sizes: &[f
     let Some(here) = accelerations(0, 0.0) else { return false };
     let differs = |k: usize| {
         let changes = |by: f64| Some([accelerations(k, by)? - &here, &here - accelerations(k, -by)?]);
-        let ([ahead, behind], [nearer, nearer_behind]) = (changes(AROUND)?, changes(NEARER * AROUND)?);
+        let ([ahead, behind], [nearer, _]) = (changes(AROUND)?, changes(NEARER * AROUND)?);
         let least = DIFFERENT * ahead.amax().max(behind.amax()) + ROUNDING * here.amax();
-        // A jump is as large near by; what is smooth has only a smaller part of it there than of the distance.
+        // A change by a jump is as large near by; that of a smooth law is a tenth at a tenth of the distance, or less.
         let jumps = ahead.iter().zip(&nearer).any(|(ahead, nearer)| nearer.abs() / NEARER > ahead.abs() + least);
-        let (bends, bends_nearer) = ((ahead - behind).amax(), (nearer - nearer_behind).amax() / NEARER);
-        Some(jumps || bends > least && bends_nearer > LASTS * bends)
+        if jumps || (&ahead - behind).amax() <= least {
+            return Some(jumps);
+        }
+        let [[far, far_behind], [near, near_behind]] = [changes(NEAR_BY[0])?, changes(NEAR_BY[1])?];
+        let (bend, size) = ((&near - &near_behind).amax(), near.amax().max(near_behind.amax()));
+        let was = (far - far_behind).amax() * NEAR_BY[1] / NEAR_BY[0];
+        Some(bend > DIFFERENT * size && bend > STAYS * was)
     };
     (0..2 * n).any(|k| differs(k).unwrap_or(false))
 }

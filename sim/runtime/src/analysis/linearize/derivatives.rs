@@ -7,16 +7,20 @@ use crate::motion::lengths::measure;
 use crate::state::failure::Failure;
 use nalgebra::{DMatrix, DVector};
 use sim_kernel::Dual;
+use std::cell::Cell;
 
 /// The step of differences of fourth order, as a fraction of the scale of a variable: the fifth root of rounding.
 const STEP: f64 = 1e-3;
-/// Shorter steps, as parts of that, for laws that are not smooth, and by what part quotients differ less from one to the next.
+/// Shorter steps, as parts of that, for laws that are not smooth. Quotients converge if each differs by less than this part of the
+/// difference before.
 const SHORTER: [f64; 8] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
 const SHRINKS: f64 = 0.5;
-/// Rounding: the last digits of a number, steps that show it, as parts of a scale, and how many times as much it may explain.
+/// The rounding of what is solved for, as a part of the largest, and how many times as much it may explain.
 const LAST_DIGITS: f64 = 16.0 * f64::EPSILON;
-const UNBENT: [f64; 3] = [7e-13, 1e-12, 3e-12];
 const EXPLAINED: f64 = 10.0;
+/// A derivative has not settled whose quotients differ by this part of it, or of a small part of the largest.
+const COARSE: f64 = 1e-2;
+const SMALL: f64 = 1e-3;
 
 /// The derivatives of z = (q'', lambda) at a state.
 pub(crate) struct Derivatives<'m> {
@@ -28,6 +32,8 @@ pub(crate) struct Derivatives<'m> {
     /// By q and by q', each n + m x n, from the generated kernels; these refuse a pivot if constraints are redundant, and may have no
     /// value where their law has, as that of the cube of a norm at zero.
     by_state: Option<[DMatrix<f64>; 2]>,
+    /// Whether a difference has not settled: what acts has no derivative, or changes within a tiny way.
+    is_unsettled: Cell<bool>,
 }
 
 impl<'m> Derivatives<'m> {
@@ -39,7 +45,7 @@ impl<'m> Derivatives<'m> {
         let solution = mechanism.accelerate(at)?;
         let is_finite = |parts: &[DMatrix<f64>; 2]| parts.iter().flatten().all(|entry| entry.is_finite());
         let by_state = mechanism.by_state(at.time, at.positions, at.speeds).filter(is_finite);
-        Ok(Derivatives { mechanism, at, inputs, solution, by_state })
+        Ok(Derivatives { mechanism, at, inputs, solution, by_state, is_unsettled: Cell::new(false) })
     }
 
     pub(super) fn mechanism(&self) -> &'m dyn Differentiable {
@@ -56,6 +62,18 @@ impl<'m> Derivatives<'m> {
         &self.solution.as_slice()[..self.at.positions.len()]
     }
 
+    /// Whether a difference asked for so far has not settled.
+    pub(super) fn are_unsettled(&self) -> bool {
+        self.is_unsettled.get()
+    }
+
+    /// By differences, if they settle.
+    fn refined(&self, size: f64, f: &Solved) -> Result<DVector<f64>, Failure> {
+        let (found, has_settled) = refined(size, self.at.positions.len(), f)?;
+        self.is_unsettled.set(self.is_unsettled.get() || !has_settled);
+        Ok(found)
+    }
+
     /// Whether generated kernels give those by the state; otherwise they are differences.
     pub(super) fn are_exact(&self) -> bool {
         self.by_state.is_some()
@@ -67,8 +85,7 @@ impl<'m> Derivatives<'m> {
     /// # Errors
     /// As the right-hand side, near the state too.
     pub(crate) fn along(&self, reduction: &Reduction, k: usize) -> Result<Change, Failure> {
-        let n = self.at.positions.len();
-        self.along_by(reduction, k, &|size, f| refined(size, n, f))
+        self.along_by(reduction, k, &|size, f| self.refined(size, f))
     }
 
     /// The same on the way of a search, where differences need not be known so well.
@@ -140,10 +157,10 @@ impl<'m> Derivatives<'m> {
     #[cold]
     fn difference_by_input(&self, control: Control) -> Result<DVector<f64>, Failure> {
         let Derivatives { mechanism, at, .. } = self;
-        let (parameters, inputs, n) = (mechanism.parameters(), mechanism.inputs(), at.positions.len());
+        let (parameters, inputs) = (mechanism.parameters(), mechanism.inputs());
         let description = mechanism.description();
         match control {
-            Control::Parameter(p) => refined(parameters[p].abs().max(description.parameters[p].factor), n, &|step| {
+            Control::Parameter(p) => self.refined(parameters[p].abs().max(description.parameters[p].factor), &|step| {
                 let mut parameters = parameters.clone();
                 parameters[p] += step;
                 mechanism.accelerate_with(&parameters, &inputs, *at)
@@ -151,7 +168,7 @@ impl<'m> Derivatives<'m> {
             Control::Input(input) => {
                 let held = mechanism.held_inputs(at.time, at.positions)[input];
                 let size = held.held().unwrap_or_default().abs();
-                refined(size.max(description.inputs[input].factor), n, &|step| {
+                self.refined(size.max(description.inputs[input].factor), &|step| {
                     let mut inputs = inputs.clone();
                     inputs[input] = held.map(|value| value + step);
                     mechanism.accelerate_with(&parameters, &inputs, *at)
@@ -174,44 +191,36 @@ fn quotient(size: f64, f: &Solved) -> Result<DVector<f64>, Failure> {
     Ok((8.0 * apart(1.0)? - apart(2.0)?) / (12.0 * step))
 }
 
-/// f'(0) by that where the law is smooth. Where it is not, as x |x|, whose second derivative jumps, quotients by shorter steps are nearer,
-/// as long as they differ the less, the shorter the steps, and by more than rounding explains. The first so many entries of f are
-/// accelerations.
-fn refined(size: f64, accelerations: usize, f: &Solved) -> Result<DVector<f64>, Failure> {
-    let (rounding, mut best) = (rounding(size, accelerations, f)?, quotient(size, f)?);
-    let (mut last, mut differed) = (best.clone(), vec![f64::INFINITY; best.len()]);
+/// f'(0), and whether it has settled. A smooth law has the quotient of fourth order. For one like x |x|, whose second derivative jumps,
+/// quotients by shorter steps are better: their differences shrink with the step, until rounding explains them. The first entries of f
+/// are so many accelerations.
+fn refined(size: f64, accelerations: usize, f: &Solved) -> Result<(DVector<f64>, bool), Failure> {
+    let here = f(0.0)?;
+    let (first, others) = (here.rows(0, accelerations), here.rows(accelerations, here.len() - accelerations));
+    let largest = [&first, &others].map(|part| part.iter().fold(0.0, |most: f64, value| most.max(value.abs())));
+    let rounding = |i: usize| LAST_DIGITS * largest[usize::from(i >= accelerations)];
+    let mut best = quotient(size, f)?;
+    let (mut last, mut left, far) = (best.clone(), vec![f64::INFINITY; best.len()], best.amax());
+    let mut open: Vec<usize> = (0..best.len()).collect();
     for step in SHORTER.map(|shorter| shorter * STEP * size) {
         let next: DVector<f64> = (f(step)? - f(-step)?) / (2.0 * step);
-        for i in 0..best.len() {
-            let differ = (next[i] - last[i]).abs();
-            let is_explained = differ <= EXPLAINED * rounding[i] / step;
-            if is_explained || differ < SHRINKS * differed[i] {
-                best[i] = if differed[i] > 0.0 { last[i] } else { best[i] };
-                differed[i] = if is_explained { 0.0 } else { differ };
-            } else {
-                differed[i] = 0.0;
+        open.retain(|i| {
+            let differ = (next[*i] - last[*i]).abs();
+            let (shrinks, is_explained) = (differ < SHRINKS * left[*i], differ <= EXPLAINED * rounding(*i) / step);
+            if shrinks {
+                best[*i] = last[*i];
             }
-        }
-        if differed.iter().all(|differed| *differed == 0.0) {
+            left[*i] = if is_explained { 0.0 } else { left[*i].min(differ) };
+            shrinks && !is_explained
+        });
+        if open.is_empty() {
             break;
         }
         last = next;
     }
-    Ok(best)
-}
-
-/// The rounding of what is solved for: some of the last digits of the largest acceleration or multiplier, and differences over steps so
-/// short that they show neither slope nor bend.
-fn rounding(size: f64, accelerations: usize, f: &Solved) -> Result<DVector<f64>, Failure> {
-    let here = f(0.0)?;
-    let (first, others) = (here.rows(0, accelerations), here.rows(accelerations, here.len() - accelerations));
-    let largest = [&first, &others].map(|part| part.iter().fold(0.0, |most: f64, value| most.max(value.abs())));
-    let mut found = DVector::from_fn(here.len(), |i, _| LAST_DIGITS * largest[usize::from(i >= accelerations)]);
-    for step in UNBENT.map(|part| part * size) {
-        let bend: DVector<f64> = f(step)? + f(-step)? - 2.0 * &here;
-        found = found.sup(&bend.abs());
-    }
-    Ok(found)
+    let enough = SMALL * best.amax().max(far);
+    let has_settled = (0..best.len()).all(|i| left[i] <= COARSE * best[i].abs().max(enough));
+    Ok((best, has_settled))
 }
 
 /// Whether constraints change with a parameter, which then cannot be an input.

@@ -135,7 +135,7 @@ fn linearize_any(mechanism: &dyn Differentiable, at: At<f64>, inputs: &[Control]
     let (eigenvalues, modes) = modes::modes(&a, |x| reduction.positions(x))
         .map_err(|why| mechanism.failure(What::NoEigenvalues { why }, at.time, at.positions))?;
     Ok(AnyLinearization {
-        has_corner: corner::has_corner(mechanism, at, &sizes),
+        has_corner: derivatives.are_unsettled() || corner::has_corner(mechanism, at, &sizes),
         unsteady: steady::unsteady(&derivatives, &reduction, &a, &eigenvalues)?,
         b: matrix(&reduction, &forced),
         c: DMatrix::from_fn(outputs, a.ncols(), |i, k| by_state[k][i]),

@@ -19,8 +19,8 @@ pub struct Mode {
 const LEAST: f64 = 64.0 * f64::EPSILON;
 /// The rounding of an entry of A, as a part of it: accelerations come of a mass matrix that is solved with.
 const ROUNDING: f64 = 1e-12;
-/// |y'x| beside the products of its terms, up to which an eigenvalue of y and x is one of a defective cluster of three: it is known to
-/// the cube root of rounding.
+/// The least |y'x| that counts, beside the products of its terms: that of three equal eigenvalues with one eigenvector, which are known
+/// to the cube root of rounding.
 const DEFECTIVE: f64 = 1e-8;
 
 impl Mode {
@@ -62,13 +62,18 @@ pub(super) fn modes(
 /// Loan, Matrix Computations, 2013, section 7.2.2, with the rounding of each entry in place of that of the norm). A double eigenvalue 0,
 /// which belongs to a body that nothing holds, is found with an error of the root of the rounding, and then y'x is as small.
 fn is_rounding(a: &DMatrix<f64>, left: &Eigen, value: Complex<f64>, x: &DVector<Complex<f64>>) -> bool {
-    let apart = |k: &usize| (left.values[*k] - value).norm();
-    let Some(k) = (0..left.values.len()).min_by(|i, j| apart(i).total_cmp(&apart(j))) else { return false };
-    let y = left.vectors.column(k);
     let sum = |term: &dyn Fn(usize) -> f64| (0..x.len()).map(term).sum::<f64>();
+    // Left eigenvectors of other eigenvalues are orthogonal to x; of equal ones, one is not.
+    let products = |k: usize| {
+        let y = left.vectors.column(k);
+        let terms = sum(&|i| y[i].norm() * x[i].norm());
+        if terms > 0.0 { [y.dot(x).norm() / terms, terms] } else { [0.0; 2] }
+    };
+    let all = (0..left.values.len()).map(|k| (k, products(k)));
+    let Some((k, [part, terms])) = all.max_by(|(_, a), (_, b)| a[0].total_cmp(&b[0])) else { return false };
+    let y = left.vectors.column(k);
     let change = sum(&|i| y[i].norm() * sum(&|j| a[(i, j)].abs() * x[j].norm()));
-    let (product, terms) = (y.dot(x).norm(), sum(&|i| y[i].norm() * x[i].norm()));
-    value.norm() * product.max(DEFECTIVE * terms) <= ROUNDING * change
+    value.norm() * part.max(DEFECTIVE) * terms < ROUNDING * change
 }
 
 /// The largest entry 1.

@@ -179,7 +179,7 @@ fn quaternions_of(mechanism: &dyn AnyMechanism) -> Vec<[usize; 4]> {
     description.norm_constraints.iter().filter_map(four).collect()
 }
 
-/// A a little later along the motion, or earlier, in the same coordinates; with this part of the accelerations.
+/// A a little later along the motion, or earlier, in the same coordinates; accelerations count by this factor.
 fn later(
     mechanism: &dyn Differentiable,
     derivatives: &Derivatives,

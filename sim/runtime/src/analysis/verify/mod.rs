@@ -161,9 +161,10 @@ fn smooth<M: Mechanism>(run: &Run<M>, end: f64) -> f64 {
 /// The last sample before a load or what time drives changes its form, as at a row of a table.
 fn before_change_of_form<M: Mechanism>(mechanism: &M, samples: &[Sample<M>]) -> Option<f64> {
     let Description { load_conditions, switching, .. } = mechanism.description();
+    // A condition at its zero is on no side.
     let side = |described: &Switching, value: f64| match described.table {
-        Some(table) => table.next_row(value),
-        None => f64::from(u8::from(value > 0.0)),
+        Some(table) => Some(table.next_row(value)),
+        None => (value != 0.0).then(|| value.signum()),
     };
     let sides = |sample: &Sample<M>| {
         let State { time, positions, speeds, .. } = &sample.state;
@@ -172,10 +173,20 @@ fn before_change_of_form<M: Mechanism>(mechanism: &M, samples: &[Sample<M>]) -> 
         let all = load_conditions.iter().zip(of_loads.iter()).chain(switching.iter().zip(of_time.iter()));
         all.filter(|(described, _)| !described.kind.is_smooth())
             .map(|(of, value)| side(of, *value))
-            .collect::<Vec<f64>>()
+            .collect::<Vec<Option<f64>>>()
     };
-    let changed = samples.windows(2).find(|pair| sides(&pair[0]) != sides(&pair[1]));
-    changed.map(|pair| pair[0].state.time)
+    let (first, others) = samples.split_first()?;
+    let (mut known, mut last) = (sides(first), first.state.time);
+    for sample in others {
+        for (known, side) in known.iter_mut().zip(sides(sample)) {
+            if known.is_some() && side.is_some() && *known != side {
+                return Some(last);
+            }
+            *known = side.or(*known);
+        }
+        last = sample.state.time;
+    }
+    None
 }
 
 /// Samples of a mechanism of any type.
