@@ -9,6 +9,7 @@ mod failing;
 mod files;
 mod info;
 mod inputs;
+mod kernels;
 mod provenance;
 mod run_files;
 mod warnings;

@@ -6,7 +6,6 @@ use crate::events::{idle_events, only_in_runs, only_until_then};
 use crate::files::asked;
 use crate::given::as_given;
 use crate::numbers::in_units;
-use crate::said::decimals;
 use crate::settings::positive;
 use crate::{Stop, print, unknown};
 use nalgebra::{Complex, DMatrix};
@@ -15,7 +14,7 @@ use sim_kernel::Mechanism;
 use sim_output::{WriteError, write_json, write_matrices};
 use sim_runtime::{
     Control, Description, Linearization, Mode, Provenance, Settings, Start, State, assemble, equilibrium, linearize,
-    run_while,
+    readable, run_while,
 };
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -272,7 +271,7 @@ fn report(found: &Found) -> String {
             (true, true) => ", grows\n".to_owned(),
             (true, false) => ", does not oscillate\n".to_owned(),
             _ => {
-                let (frequency, ratio) = (decimals(mode.frequency(), 9), plain(mode.damping_ratio(), 6));
+                let (frequency, ratio) = (readable(mode.frequency(), 9), plain(mode.damping_ratio(), 6));
                 format!(", {frequency} Hz, damping ratio {ratio:.6}\n")
             }
         };

@@ -7,14 +7,15 @@ use crate::files::folder;
 use crate::files::written::Files;
 use crate::given::as_given;
 use crate::progress;
-use crate::said::decimals;
 use crate::settings::positive;
 use crate::{Stop, unknown};
 use serde_json::{Value, json};
 use sim_kernel::event::Direction;
 use sim_kernel::{Description, Mechanism};
 use sim_output::show;
-use sim_runtime::{Crossing, Failure, Method, Period, Sectioning, Settings, Start, Table, What, poincare_while};
+use sim_runtime::{
+    Crossing, Failure, Method, Period, Sectioning, Settings, Start, Table, What, poincare_while, readable,
+};
 use std::path::Path;
 
 /// Takes a section of a motion, writes it and prints its period.
@@ -157,12 +158,12 @@ fn report(description: &Description, arguments: &PoincareArguments, times: &[f64
     let mut text = format!("{:<12} {}\n", "model", description.name);
     text += &format!("{:<12} {} states at `{}`", "section", times.len(), arguments.event);
     if let (Some(first), Some(last)) = (times.first(), times.last()) {
-        text += &format!(", from {} s to {} s", decimals(*first, 9), decimals(*last, 9));
+        text += &format!(", from {} s to {} s", readable(*first, 9), readable(*last, 9));
     }
     text += "\n";
     text += &match period {
         Some(Period { seconds, crossings }) => {
-            format!("{:<12} {} s, {crossings} crossing(s) each\n", "period", decimals(seconds, 12))
+            format!("{:<12} {} s, {crossings} crossing(s) each\n", "period", readable(seconds, 12))
         }
         None if times.len() < LEAST_STATES => format!("{:<12} not known: that takes {LEAST_STATES} states\n", "period"),
         None => format!("{:<12} none: the states do not repeat from the first on\n", "period"),

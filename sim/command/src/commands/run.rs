@@ -7,7 +7,7 @@ use crate::files::reproduction::Reproduction;
 use crate::files::written::Files;
 use crate::given::{as_given, held_at};
 use crate::progress;
-use crate::said::{counted, decimals, short};
+use crate::said::{counted, short};
 use crate::tell::tell;
 use serde_json::{Value, json};
 use sim_kernel::{Description, Input, Mechanism, Quantity};
@@ -235,7 +235,7 @@ fn inputs(description: &Description, inputs: &[Input]) -> Option<Line> {
 fn happened(run: &Outcome) -> Vec<Line> {
     let (description, mut rows) = (run.description, Vec::new());
     match run.period {
-        Some(period) => rows.push(("period", format!("{} s", decimals(period, 12)))),
+        Some(period) => rows.push(("period", format!("{} s", readable(period, 12)))),
         None if description.events.iter().any(|event| event.name == "period") => {
             rows.push(("period", "not reached".into()))
         }
@@ -245,9 +245,9 @@ fn happened(run: &Outcome) -> Vec<Line> {
     for event in events.iter().take(MOST_LINES) {
         let impulses = impulses(event, description)
             .into_iter()
-            .map(|(name, value, unit)| format!("; impulse of {name} {} {unit}", decimals(value, 6)));
+            .map(|(name, value, unit)| format!("; impulse of {name} {} {unit}", readable(value, 6)));
         let more: String = impulses.collect();
-        rows.push(("event", format!("{} at {} s{more}", event.name, decimals(event.time, 12))));
+        rows.push(("event", format!("{} at {} s{more}", event.name, readable(event.time, 12))));
     }
     rows.extend(more("event", events.len()));
     rows.extend(never(run).map(|line| ("until", line)));
@@ -255,18 +255,18 @@ fn happened(run: &Outcome) -> Vec<Line> {
         let of = of.join(", ");
         rows.push((
             "dead point",
-            format!("of {of} at {} s: the motion continues on another branch", decimals(*time, 12)),
+            format!("of {of} at {} s: the motion continues on another branch", readable(*time, 12)),
         ));
     }
     rows.extend(more("dead point", run.dead_points.len()));
     rows.extend(run.mobility.redundancies().into_iter().map(|line| ("redundant", line)));
     for (time, mobility) in &run.redundant_later {
-        let from = decimals(*time, 9);
+        let from = readable(*time, 9);
         rows.extend(mobility.redundancies().into_iter().map(|line| ("redundant", format!("from {from} s: {line}"))));
     }
     for passed in run.steps.singularities.iter().take(MOST_LINES) {
         let crossed = "passed straight through: another branch of the motion begins there, and reactions are unbounded";
-        rows.push(("singular", format!("`{}` at {} s, {crossed}", passed.constraint, decimals(passed.time, 9))));
+        rows.push(("singular", format!("`{}` at {} s, {crossed}", passed.constraint, readable(passed.time, 9))));
     }
     rows.extend(more("singular", run.steps.singularities.len()));
     rows.extend(run.corners().map(|line| ("corner", line)));

@@ -142,7 +142,7 @@ fn is_doubtful(function: &Switching, bounds: &Dual<Interval>) -> bool {
 }
 
 /// What a value has in common with those up to the next change: its sign, or the next row.
-fn form(function: &Switching, value: f64) -> f64 {
+pub(crate) fn form(function: &Switching, value: f64) -> f64 {
     match function.table {
         Some(table) => table.next_row(value),
         None => f64::from(i8::from(value > 0.0) - i8::from(value < 0.0)),

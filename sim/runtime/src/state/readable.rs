@@ -1,6 +1,6 @@
 //! Numbers in messages.
 
-/// A number with so many decimals, or with so many digits and an exponent if that would be too long or mostly zeros.
+/// So many decimals; of a small or large number, of what a power of ten multiplies, so that no digits are lost.
 pub fn readable(value: f64, decimals: usize) -> String {
     // Zero has no sign here.
     let value = value + 0.0;

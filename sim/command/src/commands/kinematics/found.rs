@@ -1,10 +1,12 @@
 //! What a sweep has found, as JSON and to be read.
 
 use crate::events::{idle_events, only_in_runs};
-use crate::said::{counted, decimals};
+use crate::said::counted;
 use serde_json::{Map, Value, json};
 use sim_kernel::{Description, Mechanism, Quantity};
-use sim_runtime::{Driven, Extreme, Extremes, Failure, Kinematics, Mobility, Range, SpecialPosition, Sweep, quotient};
+use sim_runtime::{
+    Driven, Extreme, Extremes, Failure, Kinematics, Mobility, Range, SpecialPosition, Sweep, quotient, readable,
+};
 
 /// The results, without the type of the mechanism.
 pub(super) struct Found<'a> {
@@ -131,7 +133,7 @@ fn without_bounds(found: &Found) -> Vec<String> {
 pub(super) fn report(found: &Found) -> String {
     let description = found.description;
     let (driven, sweep, extremes) = (found.driven(), found.sweep, found.extremes);
-    let value = |si: f64| format!("{} {}", decimals(si / driven.factor, 6), driven.unit);
+    let value = |si: f64| format!("{} {}", readable(si / driven.factor, 6), driven.unit);
     let mut text = format!("{:<12} {}\n", "model", description.name);
     text += &format!(
         "{:<12} {} from {} to {} {}, {}\n",
@@ -157,7 +159,7 @@ pub(super) fn report(found: &Found) -> String {
         };
         let numbers =
             [least.value / factor, least.at / driven.factor, greatest.value / factor, greatest.at / driven.factor];
-        let numbers = numbers.map(|number| format!("{:>14}", decimals(number, 6))).join(" ");
+        let numbers = numbers.map(|number| format!("{:>14}", readable(number, 6))).join(" ");
         text += &format!("{name:<22} {numbers}  {unit}\n");
     };
     for (driven, range) in found.drives() {
@@ -181,7 +183,7 @@ pub(super) fn report(found: &Found) -> String {
 /// What the sweep comes upon, to be read.
 fn passed(found: &Found) -> String {
     let driven = found.driven();
-    let value = |si: f64| format!("{} {}", decimals(si / driven.factor, 6), driven.unit);
+    let value = |si: f64| format!("{} {}", readable(si / driven.factor, 6), driven.unit);
     let mut text = String::new();
     for position in found.branches {
         text += &format!("{:<12} another branch of the motion crosses at {}\n", "branches", value(position.value));
@@ -197,5 +199,5 @@ fn passed(found: &Found) -> String {
 
 /// A speed, to be read.
 fn speed(value: f64, unit: &str) -> String {
-    format!("at {} {unit}/s", decimals(value, 6))
+    format!("at {} {unit}/s", readable(value, 6))
 }

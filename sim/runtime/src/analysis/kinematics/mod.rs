@@ -3,6 +3,7 @@
 mod algebra;
 mod at_rest;
 mod beside;
+mod bounds;
 mod breaks;
 mod crossing;
 mod driven;

@@ -2,6 +2,7 @@
 
 mod corner;
 mod derivatives;
+mod differences;
 mod modes;
 mod reduce;
 mod split;
@@ -43,7 +44,8 @@ pub struct Linearization<M: Mechanism> {
     pub unsteady: Vec<usize>,
     /// Whether A is constant along the motion.
     pub is_steady: bool,
-    /// Whether what acts has a corner or a jump at the state: the matrices are those of one side of it.
+    /// Whether what acts has a corner or a jump at the state, where the matrices are those of one side of it, or changes within so small
+    /// a way that differences do not find its slope.
     pub has_corner: bool,
     /// The quantities that u changes.
     pub inputs: Vec<Control>,

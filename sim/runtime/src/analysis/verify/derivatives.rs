@@ -39,7 +39,7 @@ pub(super) fn compare_with_duals(mechanism: &dyn Differentiable, samples: &[At<f
         (_, "") => format!("largest difference relative to matrices{where_}"),
         (_, why) => format!("largest difference relative to rows of C_q{where_}; {why}"),
     };
-    Check { figure: compared, ..Check::new("Jacobians against dual numbers", 0.0, BOUND, meaning) }
+    Check { figure: compared, ..Check::unmade("Jacobians against dual numbers", BOUND, meaning) }
 }
 
 /// C_q, relative to the largest entry that a row has in any sample. Gives how many entries were compared.

@@ -10,6 +10,7 @@ mod oracle;
 mod order;
 mod runs;
 mod scale;
+mod smooth;
 mod worst;
 
 pub use declared::Declared;
@@ -24,6 +25,7 @@ use derivatives::compare_with_duals;
 use freed::check_balance;
 use lagrange::compare_with_lagrange;
 use oracle::compare_with_oracle;
+use smooth::smooth;
 
 use crate::integrate::{Course, Dop853, ExplicitRungeKutta, RK4, Steps, integrate};
 use crate::model::{At, Differentiable};
@@ -35,8 +37,8 @@ use crate::run::{Run, run_while};
 use crate::start::assemble::{Start, assemble};
 use crate::state::failure::Failure;
 use crate::state::settings::{Method, Settings, Stabilisation, Stepping, Tolerance};
-use crate::state::trajectory::{Sample, State, Trajectory};
-use sim_kernel::{Array, Description, Mechanism, Switching};
+use crate::state::trajectory::Sample;
+use sim_kernel::Mechanism;
 use std::ops::ControlFlow;
 
 /// The result of a check.
@@ -55,6 +57,11 @@ pub struct Check {
 impl Check {
     fn new(name: &'static str, figure: f64, bound: f64, meaning: String) -> Check {
         Check { name, figure: Some(figure), bound, meaning }
+    }
+
+    /// One that had nothing to compare, for a reason.
+    fn unmade(name: &'static str, bound: f64, why: String) -> Check {
+        Check { name, figure: None, bound, meaning: why }
     }
 
     /// Whether it passes: the figure is within its bound (NaN is not), or there was nothing to compare.
@@ -145,48 +152,6 @@ fn kernels_agree(declared: &Declared, parts: &[Part]) -> Result<Vec<Check>, Veri
         worst(parts, &|mechanism, samples| Ok(compare_with_duals(mechanism, samples)))?,
         worst(parts, &|mechanism, samples| check_balance(mechanism, declared, samples))?,
     ])
-}
-
-/// The time until which a run is smooth: its first event that changes something, the last sample before a load changes its form, and
-/// well before its first singular position, where the amplification of rounding and step errors has a pole.
-fn smooth<M: Mechanism>(run: &Run<M>, end: f64) -> f64 {
-    let Trajectory { samples, phases, .. } = &run.trajectory;
-    let event = phases.get(1).map_or(end, |phase| samples[phase.first].state.time);
-    let event = event.min(before_change_of_form(&run.mechanism, samples).unwrap_or(event));
-    let begin = samples[0].state.time;
-    let before = |singular: f64| begin + 0.75 * (singular - begin);
-    run.steps.singularities.first().map_or(event, |singular| event.min(before(singular.time)))
-}
-
-/// The last sample before a load or what time drives changes its form, as at a row of a table.
-fn before_change_of_form<M: Mechanism>(mechanism: &M, samples: &[Sample<M>]) -> Option<f64> {
-    let Description { load_conditions, switching, .. } = mechanism.description();
-    // A condition at its zero is on no side.
-    let side = |described: &Switching, value: f64| match described.table {
-        Some(table) => Some(table.next_row(value)),
-        None => (value != 0.0).then(|| value.signum()),
-    };
-    let sides = |sample: &Sample<M>| {
-        let State { time, positions, speeds, .. } = &sample.state;
-        let of_loads = mechanism.load_conditions(*time, positions, speeds);
-        let of_time = mechanism.switching_functions(*time);
-        let all = load_conditions.iter().zip(of_loads.iter()).chain(switching.iter().zip(of_time.iter()));
-        all.filter(|(described, _)| !described.kind.is_smooth())
-            .map(|(of, value)| side(of, *value))
-            .collect::<Vec<Option<f64>>>()
-    };
-    let (first, others) = samples.split_first()?;
-    let (mut known, mut last) = (sides(first), first.state.time);
-    for sample in others {
-        for (known, side) in known.iter_mut().zip(sides(sample)) {
-            if known.is_some() && side.is_some() && *known != side {
-                return Some(last);
-            }
-            *known = side.or(*known);
-        }
-        last = sample.state.time;
-    }
-    None
 }
 
 /// Samples of a mechanism of any type.

@@ -29,6 +29,9 @@ const OPEN: f64 = 1e-11;
 /// The reference is exact to rounding of its steps if it is known so well; in a motion that is not smooth it is not.
 const ROUNDING: f64 = 1e-11;
 
+/// What the check is called.
+const NAME: &str = "order of convergence";
+
 /// The binary logarithm of the number of steps, and the error.
 type Measured = (i32, f64);
 
@@ -44,11 +47,12 @@ pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
     method: impl Fn() -> A,
     order: f64,
 ) -> Result<Check, Failure> {
-    let check = |figure: f64, meaning: String| Ok(Check::new("order of convergence", figure, BOUND, meaning));
+    let check = |figure: f64, meaning: String| Ok(Check::new(NAME, figure, BOUND, meaning));
+    let unmade = |why: String| Ok(Check::unmade(NAME, BOUND, why));
     let reference = states(mechanism, start.clone(), end, &mut Dop853::new(mechanism), 4096)?;
     let sizes = Sizes::of(mechanism, &reference);
     if sizes.at_rest {
-        return check(0.0, RESTS.into());
+        return unmade(RESTS.into());
     }
     let distance = |found: &[Sample<M>]| {
         let mut worst = Worst::default();
@@ -70,7 +74,7 @@ pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
         match first {
             None if error > ASYMPTOTIC => {}
             None if error < (READABLE * order.exp2() * floor).max(open) => {
-                return check(0.0, unread(error, floor));
+                return Ok(unread(error, floor));
             }
             None => first = Some((power, error)),
             Some(_) => last = Some((power, error)),
@@ -78,7 +82,7 @@ pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
     }
     let (Some((coarse, error)), Some((fine, left))) = (first, last) else {
         if floor > ROUNDING {
-            return check(0.0, format!("not checked: equal steps tell the motion itself to {floor:.1e} alone"));
+            return unmade(format!("not checked: equal steps tell the motion itself to {floor:.1e} alone"));
         }
         return check(f64::INFINITY, "no step is small enough for the method to converge".into());
     };
@@ -93,12 +97,16 @@ pub fn order_of_convergence<M: Mechanism, A: Advance<M>>(
     )
 }
 
-/// What is said where errors are too small beside that of the reference to show an order.
-fn unread(error: f64, floor: f64) -> String {
+/// Where errors are too small beside that of the reference to show an order.
+fn unread(error: f64, floor: f64) -> Check {
     match floor < ROUNDING {
-        true => format!("exact to rounding: error {error:.1e}, known to {floor:.1e}"),
-        false => format!(
-            "not checked: the motion itself is known to {floor:.1e} alone, and an error of {error:.1e} is too near to that"
+        true => Check::new(NAME, 0.0, BOUND, format!("exact to rounding: error {error:.1e}, known to {floor:.1e}")),
+        false => Check::unmade(
+            NAME,
+            BOUND,
+            format!(
+                "not checked: the motion itself is known to {floor:.1e} alone, and an error of {error:.1e} is too near to that"
+            ),
         ),
     }
 }

@@ -100,21 +100,23 @@ pub(super) const RESTS: &str = "not checked: the mechanism is at rest, or moves 
 
 /// Kinetic energy less the work of loads and drives.
 pub fn energy_balance<M: Mechanism>(run: &Run<M>) -> Check {
+    let (name, bound) = ("energy and work", 1e-7);
     if Sizes::of(&run.mechanism, &run.trajectory.samples).at_rest {
-        return Check::new("energy and work", 0.0, 1e-7, RESTS.into());
+        return Check::unmade(name, bound, RESTS.into());
     }
     let meaning = "change of kinetic energy less work and what events take, relative to the largest of them".into();
-    Check::new("energy and work", run.energy_balance, 1e-7, meaning)
+    Check::new(name, run.energy_balance, bound, meaning)
 }
 
 /// Two runs of one mechanism.
 pub fn runs_agree<M: Mechanism>(name: &'static str, one: &Run<M>, other: &Run<M>) -> Check {
+    let bound = 1e-6;
     if Sizes::of(&one.mechanism, &one.trajectory.samples).at_rest {
-        return Check::new(name, 0.0, 1e-6, RESTS.into());
+        return Check::unmade(name, bound, RESTS.into());
     }
     let (figure, worst) = difference(one, other);
     let meaning = format!("largest difference of a coordinate or speed, relative to its largest: `{worst}`");
-    Check::new(name, figure, 1e-6, meaning)
+    Check::new(name, figure, bound, meaning)
 }
 
 /// The largest difference of any coordinate or speed between two runs with the same rows, relative to its extent, and
