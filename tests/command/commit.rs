@@ -19,7 +19,7 @@ fn source(package: &str) -> PathBuf {
 fn script() -> &'static Path {
     static BUILT: OnceLock<PathBuf> = OnceLock::new();
     BUILT.get_or_init(|| {
-        let script = scratch("commit").join("script");
+        let script = scratch("commit").join(format!("script-{}", std::process::id()));
         let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
         let mut compiler = Command::new(rustc);
         compiler.args(["--edition", "2024", "-o"]).arg(&script).arg(source("sim/runtime"));

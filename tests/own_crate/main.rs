@@ -23,8 +23,8 @@ fn shared_target() -> &'static Path {
     Path::new(env!("CARGO_TARGET_TMPDIR")).parent().unwrap()
 }
 
-/// The profile of the workspace for the packages of others, without which nothing could be shared. Its own packages are others
-/// to a crate beside it, and built anew: as fast as can be.
+/// The profile of the workspace for the packages of others, without which nothing could be shared, with [`quickly_built`]. Its
+/// own packages are others to a crate beside it, and built anew: as fast as can be.
 const PROFILE: [&str; 11] = [
     "profile.dev.package.'*'.opt-level=1",
     "profile.dev.package.'*'.debug=false",
@@ -41,10 +41,22 @@ const PROFILE: [&str; 11] = [
 /// What the gate sets for the workspace too, and what its manifest says otherwise.
 const DEBUG: [&str; 2] = ["CARGO_PROFILE_DEV_DEBUG", "CARGO_PROFILE_DEV_BUILD_OVERRIDE_DEBUG"];
 
+/// The packages that the workspace builds without optimisation, as its manifest lists them.
+fn quickly_built() -> Vec<String> {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+    let manifest = fs::read_to_string(workspace.join("Cargo.toml")).unwrap();
+    let list = manifest.split("[profile.dev.package]\n").nth(1).unwrap().lines();
+    let named = list.map_while(|line| line.strip_suffix(" = { opt-level = 0, debug = false }"));
+    let settings: Vec<String> = named.map(|name| format!("profile.dev.package.{name}.opt-level=0")).collect();
+    assert!(!settings.is_empty());
+    settings
+}
+
 /// Cargo, in a folder, without network.
 fn cargo(folder: &Path, words: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO"));
     command.args(PROFILE.iter().flat_map(|setting| ["--config", setting]));
+    command.args(quickly_built().iter().flat_map(|setting| ["--config", setting]));
     for setting in DEBUG {
         command.env(setting, std::env::var(setting).unwrap_or_else(|_| "line-tables-only".to_owned()));
     }

@@ -82,9 +82,20 @@ const WIDER: &str = "[...document.querySelectorAll('.card, .scroll, .equations .
 
 #[test]
 #[ignore = "needs Chromium; .ci/run installs it and runs this"]
-fn every_report_moves_in_a_browser() {
-    let mut browser = Browser::start(&scratch("chromium"));
-    for (model, t_end) in models() {
+fn every_other_report_moves_in_a_browser() {
+    reports_move(0);
+}
+
+#[test]
+#[ignore = "needs Chromium; .ci/run installs it and runs this"]
+fn the_reports_between_move_in_a_browser() {
+    reports_move(1);
+}
+
+/// Looks at every second report from one on: two browsers do it side by side.
+fn reports_move(first: usize) {
+    let mut browser = Browser::start(&scratch(&format!("chromium-{first}")));
+    for (model, t_end) in models().into_iter().skip(first).step_by(2) {
         let report = made("every", &model, t_end);
         let bytes = fs::metadata(&report).unwrap().len();
         assert!(bytes < 2_000_000, "{model}: {bytes} bytes");

@@ -60,7 +60,8 @@ const UNITS: [UnitRow; 28] = [
     ("percent", [0, 0, 0, 0, 0], 1, 100, 0, false),
 ];
 
-const PREFIXES: [(&str, i64); 15] = [
+// Micro is written as `u`, as the micro sign and as the Greek letter.
+const PREFIXES: [(&str, i64); 16] = [
     ("T", 12),
     ("G", 9),
     ("M", 6),
@@ -72,6 +73,7 @@ const PREFIXES: [(&str, i64); 15] = [
     ("m", -3),
     ("u", -6),
     ("\u{b5}", -6),
+    ("\u{3bc}", -6),
     ("n", -9),
     ("p", -12),
     ("f", -15),
@@ -288,6 +290,9 @@ mod tests {
             ("min", 60.0),
             ("inch", 0.0254),
             ("cm^2", 1e-4),
+            ("us", 1e-6),
+            ("\u{b5}s", 1e-6),
+            ("\u{3bc}s", 1e-6),
         ];
         for (text, factor) in table {
             let unit = Unit::parse(text).unwrap();
