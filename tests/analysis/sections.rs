@@ -3,7 +3,7 @@
 use models::{DoublePendulum, Pendulum};
 use sim::{Compiled, Crossing, Method, Section, Sectioning, Settings, Start, declared_start, mechanism, poincare};
 use std::f64::consts::TAU;
-use tests::any_model::interpreted;
+use tests::any_model::{AnyModel, interpreted, without_type};
 
 fn section<M: Compiled>(
     mechanism: M,
@@ -11,10 +11,11 @@ fn section<M: Compiled>(
     event: &str,
     crossing: Option<Crossing>,
     count: usize,
-) -> Section<M> {
+) -> Section<AnyModel> {
     let event = M::DESCRIPTION.events.iter().position(|other| other.name == event).unwrap();
     let settings = Settings::adaptive(Method::Dop853, 200.0, 1e-12);
-    poincare(mechanism, start, &Sectioning { event, crossing, count }, &settings).unwrap()
+    let (model, start) = without_type(mechanism, start);
+    poincare(model, &start, &Sectioning { event, crossing, count }, &settings).unwrap()
 }
 
 /// 2 pi sqrt(l/g) / agm(1, cos(amplitude/2)), by Gauss.
@@ -103,7 +104,8 @@ fn the_return_map_of_a_conservative_mechanism_stays_on_its_energy() {
     for sample in &found.trajectory.samples {
         let state = &sample.state;
         // 60 returns at 1e-12 a step.
-        assert!((energy(state.positions, state.speeds) - start).abs() < 1e-9, "{state:?}");
+        let [q, speeds] = [&state.positions, &state.speeds].map(|pair| [pair[0], pair[1]]);
+        assert!((energy(q, speeds) - start).abs() < 1e-9, "{state:?}");
         assert!(state.positions[0].sin().abs() < 1e-10 && state.positions[0].cos() * state.speeds[0] > 0.0);
     }
     // A mechanism without events has no sections, and says so on the command line.

@@ -1,7 +1,8 @@
 //! Derivatives of motions over jumps of what acts on them, against closed forms and differences of whole runs.
 
-use crate::forward::{check, direction, refusal};
-use sim::{ForwardSensitivity, Method, Settings, declared_start};
+use crate::forward::{check, direction, erased, refusal};
+use sim::{Compiled, ForwardSensitivity, Mechanism, Method, Settings, declared_start};
+use tests::any_model::interpreted;
 
 sim::mechanism! {
     /// A mass that is pushed from one time to another.
@@ -29,14 +30,13 @@ sim::mechanism! {
 }
 
 /// v = F (t2 - t1)/m behind the push, x = F ((T - t1)^2 - (T - t2)^2)/(2 m), and the work is m v^2/2.
-#[test]
-fn the_times_of_a_push_have_the_derivatives_of_the_solution() {
-    let pushed = Pushed::default();
+fn check_push<M: Mechanism>(pushed: &M) {
     for method in [Method::Dopri5, Method::Dop853] {
         let settings = Settings::adaptive(method, 1.0, 1e-10);
         for (parameter, sign, ahead) in [(0, -1.0, 0.7), (1, 1.0, 0.3)] {
-            let direction = direction(&pushed, Some(parameter), None);
-            let mut motion = ForwardSensitivity::new(pushed, &declared_start(&pushed), &settings, &direction).unwrap();
+            let direction = direction(pushed, Some(parameter), None);
+            let start = declared_start(pushed);
+            let mut motion = ForwardSensitivity::new(pushed.clone(), &start, &settings, &direction).unwrap();
             motion.advance_to(1.0).unwrap();
             let (state, v) = (motion.state(), 4.0 * 0.4 / 2.0);
             let found = [state.positions[0].derivative, state.speeds[0].derivative, state.work.derivative];
@@ -48,20 +48,28 @@ fn the_times_of_a_push_have_the_derivatives_of_the_solution() {
     }
 }
 
+/// With its type, without it, and from its text.
+#[test]
+fn the_times_of_a_push_have_the_derivatives_of_the_solution() {
+    check_push(&Pushed::default());
+    check_push(&erased(Pushed::default()));
+    check_push(&interpreted(<Pushed as Compiled>::DESCRIPTION.declaration).unwrap());
+}
+
 /// Of pulses that move by their start and by their frequency, and of a kink. The error of differences is of second order in
 /// 1e-5, and that of adaptive steps is their tolerance over 1e-5.
 #[test]
 fn pulses_on_a_loop_have_the_derivatives_that_differences_have() {
     let settings = Settings::adaptive(Method::Dop853, 1.0, 1e-12);
-    check(&Struck::default(), Some(0), None, &settings, 1e-5);
-    check(&Struck::default(), Some(1), None, &settings, 1e-5);
-    check(&Struck::default(), Some(2), None, &settings, 1e-5);
+    check(&erased(Struck::default()), Some(0), None, &settings, 1e-5);
+    check(&erased(Struck::default()), Some(1), None, &settings, 1e-5);
+    check(&erased(Struck::default()), Some(2), None, &settings, 1e-5);
 }
 
 /// Equal steps lead over jumps, so their motion does not depend on when within a step one comes.
 #[test]
 fn equal_steps_over_a_jump_that_moves_are_refused() {
-    assert!(refusal::<Pushed>(&Settings::equal_steps(Method::Rk4, 1.0, 64)).contains("sudden change"));
+    assert!(refusal(Pushed::default(), &Settings::equal_steps(Method::Rk4, 1.0, 64)).contains("sudden change"));
 }
 
 sim::mechanism! {
@@ -77,7 +85,7 @@ sim::mechanism! {
 /// Behind four pushes, each over the angle 2 acos(s), J v^2/2 = J w^2/2 + 8 T acos(s).
 #[test]
 fn pushes_at_an_angle_have_the_derivatives_of_their_energy() {
-    let fired = Fired::default();
+    let fired = erased(Fired::default());
     let (half, root) = (0.99_f64.acos(), (1.0 - 0.99_f64.powi(2)).sqrt());
     let v = (1.0 + 16.0 * 0.1 * half).sqrt();
     let cases = [
@@ -90,7 +98,8 @@ fn pushes_at_an_angle_have_the_derivatives_of_their_energy() {
         for tolerance in [1e-6, 1e-10] {
             for (direction, expected) in &cases {
                 let settings = Settings::adaptive(method, 22.0, tolerance);
-                let mut motion = ForwardSensitivity::new(fired, &declared_start(&fired), &settings, direction).unwrap();
+                let mut motion =
+                    ForwardSensitivity::new(fired.clone(), &declared_start(&fired), &settings, direction).unwrap();
                 motion.advance_to(22.0).unwrap();
                 let found = motion.state().speeds[0];
                 assert!((found.value - v).abs() < tolerance, "{} {tolerance}: {found:?} {v}", method.name());
@@ -124,14 +133,14 @@ fn pushes_along_a_way_have_the_derivatives_that_differences_have() {
     for method in [Method::Dopri5, Method::Dop853] {
         let settings = Settings::adaptive(method, 2.5, 1e-12);
         for parameter in 0..4 {
-            check(&Kicked::default(), Some(parameter), None, &settings, 1e-5);
+            check(&erased(Kicked::default()), Some(parameter), None, &settings, 1e-5);
         }
-        check(&Kicked::default(), None, Some(0), &settings, 1e-5);
+        check(&erased(Kicked::default()), None, Some(0), &settings, 1e-5);
     }
 }
 
 /// Where in an equal step a jump lies changes nothing, so the motion has no derivative that would be right.
 #[test]
 fn equal_steps_over_a_jump_at_a_position_are_refused() {
-    assert!(refusal::<Fired>(&Settings::equal_steps(Method::Rk4, 2.0, 64)).contains("sudden change"));
+    assert!(refusal(erased(Fired::default()), &Settings::equal_steps(Method::Rk4, 2.0, 64)).contains("sudden change"));
 }

@@ -2,8 +2,8 @@
 
 use models::{Andrews, FourBar, QuickReturn, QuickReturnRatio, SliderCrank};
 use nalgebra::{DMatrix, DVector};
-use sim::{Compiled, Mechanism, Method, Run, Settings, Stabilisation, Table, mechanism};
-use tests::any_model::{AnyModel, run_with};
+use sim::{Compiled, Mechanism, Method, Run, Settings, Stabilisation, Table, What, mechanism};
+use tests::any_model::{AnyModel, interpreted, run_with};
 
 mechanism! {
     /// The shipped four-bar with its loop closed twice, the second time in other lengths.
@@ -178,4 +178,50 @@ fn an_overconstrained_loop_has_the_reactions_of_least_norm() {
     println!("reactions {worst:.1e}");
     // Both ways amplify rounding by the condition of C_q, some tens here.
     assert!(worst < 1e-11, "{worst:e}");
+}
+
+/// A slide that moves one of its conditions by cos(90 deg) alone, 6e-17: that is no freedom the condition takes, and the arm that
+/// seems to belong to it, of some 1e15 m, no length of the mechanism. It slides under its force.
+#[test]
+fn what_moves_a_condition_by_rounding_is_free() {
+    for size in [1e-3, 1.0, 100.0] {
+        let text = format!(
+            "pub Slid; coordinates {{ s [m]; phi [rad]; }}
+             bodies {{ slide: mass 2 [kg] at [s, 0]; arm: inertia 3 [kg]*({size} [m])^2, angle phi; }}
+             loads {{ force {size} [N] on s; }} initial {{ phi = 0; s = 0; }}
+             constraints {{ axis: sin(phi) = 0; plane: 0.3*({size} [m])*sin(phi) + 6e-17*s = 0; }}"
+        );
+        for settings in [Settings::adaptive(Method::Dop853, 2.0, 1e-10), Settings::equal_steps(Method::Rk4, 2.0, 20)] {
+            let run = tests::run_with(interpreted(&text).unwrap(), &settings).unwrap();
+            assert_eq!((&run.trajectory.failure, &run.mobility.dependent[..]), (&None, &["plane"][..]));
+            let state = &run.trajectory.samples.last().unwrap().state;
+            // F t^2/(2 m), which is a polynomial.
+            assert!((state.positions[0] - size).abs() < 1e-12 * size, "{size}: {}", state.positions[0]);
+        }
+    }
+}
+
+/// A plane across the axis of a hinge, whose distance from it is written in so many digits: its rows are moved by nothing, and are
+/// rounding, whether or not there are units.
+#[test]
+fn a_condition_that_nothing_moves_may_be_off_by_rounding() {
+    let disc = |outputs: &str, gap: &str| {
+        format!(
+            "pub Disc;
+             bodies {{ b: mass 1 [kg], inertia [0.01 [kg*m^2], 0.01 [kg*m^2], 0.02 [kg*m^2]]; }}
+             joints {{
+                hinge: revolute ground at [0, 0, 0] axis [0, 0.8, 0.6] to b at [0, 0, 0] axis [0, 0.8, 0.6];
+                plane: planar ground at [0, 0.3333333333333333 [m], 0.25 [m]] axis [0, 0.8, 0.6]
+                    to b at [0.1 [m], 0.3333333333333333 [m], {gap} [m]] axis [0, 0.8, 0.6];
+             }}
+             initial {{ dot(hinge) = 1; }} {outputs}"
+        )
+    };
+    for outputs in ["", "outputs { turn [rad] = hinge; }"] {
+        let run = |gap| tests::run_with(interpreted(&disc(outputs, gap)).unwrap(), &Settings::new(1.0));
+        let rounded = run("0.25000000000000006").unwrap();
+        assert_eq!(rounded.mobility.dependent, ["plane_f", "plane_m1", "plane_m2"]);
+        assert!((rounded.trajectory.samples.last().unwrap().state.positions[0] - 1.0).abs() < 1e-12);
+        assert!(matches!(run("0.2500001").unwrap_err().what, What::NotAssembled { .. }));
+    }
 }

@@ -7,6 +7,7 @@ mod apart;
 mod assembly;
 mod auxiliary;
 mod cams;
+mod carried;
 mod cart_pole;
 mod chains;
 mod constraints;

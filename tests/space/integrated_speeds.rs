@@ -3,7 +3,7 @@
 
 use crate::torque_free::{Closed, of_quaternion, product, transposed};
 use sim::{Compiled, Method, Rows, Run, Settings, Stabilisation, Table, mechanism};
-use tests::run_with;
+use tests::any_model::{AnyModel, run_with};
 
 /// A mechanism twice: with generalised speeds, and without.
 macro_rules! twice {
@@ -113,7 +113,7 @@ fn closed() -> Closed {
 }
 
 /// The satellite, or the same without generalised speeds, as it turns in the closed form.
-fn turning<M: Compiled>(settings: &Settings) -> Run<M> {
+fn turning<M: Compiled>(settings: &Settings) -> Run<AnyModel> {
     let mut parameters = M::defaults().parameters();
     let [w1, _, w3] = closed().spin(0.0);
     parameters.as_mut()[4..].copy_from_slice(&[w1, w3]);
@@ -123,7 +123,7 @@ fn turning<M: Compiled>(settings: &Settings) -> Run<M> {
 }
 
 /// How far angular velocity and attitude are off at most, in any row.
-fn off<M: Compiled>(run: &Run<M>) -> [f64; 2] {
+fn off(run: &Run<AnyModel>) -> [f64; 2] {
     let (closed, table) = (closed(), Table::of(&run.mechanism, &run.trajectory));
     let start = transposed(closed.attitude(0.0));
     let value = |name: &str, row: usize| table.column(name).unwrap().values[row];
@@ -195,7 +195,7 @@ fn equal_steps_keep_their_order() {
 }
 
 /// The largest difference of all columns of two runs but the time, beside the largest number in each.
-fn apart<A: Compiled, B: Compiled>(a: &Run<A>, b: &Run<B>) -> f64 {
+fn apart(a: &Run<AnyModel>, b: &Run<AnyModel>) -> f64 {
     assert_eq!((&a.trajectory.failure, &b.trajectory.failure), (&None, &None));
     let [a, b] = [Table::of(&a.mechanism, &a.trajectory), Table::of(&b.mechanism, &b.trajectory)];
     assert_eq!((a.columns.len(), a.times().len()), (b.columns.len(), b.times().len()));
@@ -259,12 +259,12 @@ fn what_generalised_speeds_do_not_determine_is_passed() {
 }
 
 /// A pendulum from an angle and its rate.
-fn thrown<M: Compiled>(start: [f64; 2], settings: &Settings) -> Run<M> {
+fn thrown<M: Compiled>(start: [f64; 2], settings: &Settings) -> Run<AnyModel> {
     let mut parameters = M::defaults().parameters();
     parameters.as_mut()[3..].copy_from_slice(&start);
     run_with(M::defaults().with_parameters(parameters), settings).unwrap()
 }
 
-fn exact(start: [f64; 2], steps: usize) -> Run<Pendulum> {
-    thrown(start, &Settings::equal_steps(Method::Dop853, 1.0, steps))
+fn exact(start: [f64; 2], steps: usize) -> Run<AnyModel> {
+    thrown::<Pendulum>(start, &Settings::equal_steps(Method::Dop853, 1.0, steps))
 }

@@ -2,7 +2,9 @@
 //! of a test. Loops compiled for a mechanism give the same bits (`--test results`), and so do interpreted kernels
 //! (`--test interpreted`).
 
-use sim::{Compiled, DeclarationFile, Erased, Failure, Method, OnHeap, Run, Settings, erase};
+use sim::{
+    Array, Compiled, DeclarationFile, Erased, Failure, Method, OnHeap, Run, Settings, Start, declared_start, erase,
+};
 use std::path::Path;
 
 /// A mechanism without its type.
@@ -31,4 +33,23 @@ pub fn run<M: Compiled>(mechanism: M, end: f64, steps: usize) -> Result<Run<AnyM
 /// If it cannot be assembled.
 pub fn run_with<M: Compiled>(mechanism: M, settings: &Settings) -> Result<Run<AnyModel>, Failure> {
     crate::run_with(Erased::of(erase(mechanism)), settings)
+}
+
+/// As [`sim::run`].
+///
+/// # Errors
+/// If it cannot be assembled.
+pub fn run_from<M: Compiled>(mechanism: M, start: &Start<M>, settings: &Settings) -> Result<Run<AnyModel>, Failure> {
+    let (model, start) = without_type(mechanism, start);
+    sim::run(model, &start, settings)
+}
+
+/// A mechanism and its start without its type.
+pub fn without_type<M: Compiled>(mechanism: M, start: &Start<M>) -> (AnyModel, Start<AnyModel>) {
+    let model: AnyModel = Erased::of(erase(mechanism));
+    let Start { position_given, speed_given, .. } = start.clone();
+    let shaped = declared_start(&model);
+    let positions = shaped.positions.like(|i| start.positions[i]);
+    let speeds = shaped.speeds.like(|i| start.speeds[i]);
+    (model, Start { positions, speeds, position_given, speed_given })
 }

@@ -14,6 +14,7 @@ pub(super) fn events(events: &[model::Event]) -> Vec<Event> {
             Some(dsl::Direction::Rising) => Direction::Rising,
             Some(dsl::Direction::Falling) => Direction::Falling,
         },
+        on_motion: event.on_motion,
         on_forces: event.on_forces,
         steps: event.steps.iter().map(|step| of_step(step, &mut values)).collect(),
     };

@@ -143,6 +143,8 @@ pub struct Event {
     pub name: String,
     /// The crossings that count.
     pub direction: Direction,
+    /// Whether the condition depends on coordinates, speeds, accelerations or multipliers; otherwise on time alone.
+    pub on_motion: bool,
     /// Whether the condition depends on accelerations or multipliers.
     pub on_forces: bool,
     /// The actions, in order; those in one step happen at once.

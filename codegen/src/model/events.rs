@@ -30,9 +30,10 @@ pub(super) fn resolve_events(declaration: &Declaration, known: &Known, interpret
         let condition = condition(&event.condition, interpreter);
         let steps = steps(event, declaration, known, interpreter);
         let Some(value) = condition else { continue };
-        let on_forces = interpreter.dependences.of(&interpreter.graph, value).meets(FORCES);
+        let dependence = interpreter.dependences.of(&interpreter.graph, value);
+        let [on_motion, on_forces] = [MOVING.or(FORCES), FORCES].map(|kind| dependence.meets(kind));
         let name = plain(&event.condition.name);
-        events.push(Event { name, value, direction: event.direction, on_forces, steps });
+        events.push(Event { name, value, direction: event.direction, on_motion, on_forces, steps });
     }
     events
 }

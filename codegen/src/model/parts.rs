@@ -165,6 +165,8 @@ pub struct Event {
     pub value: Expr,
     /// The crossings that count; `None` for all.
     pub direction: Option<Direction>,
+    /// Whether the condition depends on coordinates, speeds, accelerations or multipliers; otherwise on time alone.
+    pub on_motion: bool,
     /// Whether the condition depends on accelerations or multipliers.
     pub on_forces: bool,
     /// The actions, in order.

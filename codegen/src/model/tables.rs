@@ -93,7 +93,8 @@ fn check_headings(
 ) -> Option<()> {
     let Some(headings) = &written.headings else { return Some(()) };
     for ((heading, declared), column) in headings.iter().zip(declared).zip(["arguments", "values"]) {
-        let Some(said) = said_unit(&heading.value()) else { continue };
+        let text = heading.value();
+        let Some(said) = said_unit(&text).or_else(|| last_word(&text, declared).map(Ok)) else { continue };
         let message = match said {
             Ok(said) if said.is_same_as(declared) => continue,
             Ok(said) => {
@@ -127,6 +128,14 @@ fn said_unit(heading: &str) -> Option<Result<Unit, String>> {
     let after = bare.rsplit_once(" in ").or_else(|| bare.split_once('/')).map(|(_, text)| text.trim());
     let named = after.and_then(|text| Unit::parse(text).ok());
     named.or_else(|| within('(', ')').filter_map(|text| Unit::parse(text).ok()).last()).map(Ok)
+}
+
+/// The last of several words of a heading, as of `F kN`, `F_kN` or `F {kN}`, if it is a unit of the same kind as this.
+fn last_word(heading: &str, declared: &Unit) -> Option<Unit> {
+    let is_between = |c: char| c.is_whitespace() || "_(){},;".contains(c);
+    let mut words = heading.split(is_between).filter(|word| !word.is_empty());
+    let last = words.next_back().filter(|_| words.next().is_some())?;
+    Unit::parse(last).ok().filter(|unit| unit.dimension() == declared.dimension())
 }
 
 /// An argument or a value of a row in SI units; plain numbers are in the unit of the column.

@@ -147,6 +147,12 @@ fn headings() {
     headed(r#""angle", "lift in m (raw)""#, &[&format!("4:51 {}", declared("values", "m", "mm"))]);
     headed(r#""angle", "lift (mm) in m""#, &[&format!("4:51 {}", declared("values", "m", "mm"))]);
     headed(r#""angle (A) (deg)", "channel (A) lift (mm)""#, &[]);
+    for said in ["lift m", "lift_m", "lift {m}", "lift (in m)", "lift, m"] {
+        headed(&format!(r#""angle", "{said}""#), &[&format!("4:51 {}", declared("values", "m", "mm"))]);
+    }
+    for sound in ["lift mm", "lift_mm", "m", "lift s", "lift_m [mm]", "lift of valve"] {
+        headed(&format!(r#""angle_deg", "{sound}""#), &[]);
+    }
     headed(r#""angle [-]", "lift""#, &[&format!("4:42 {}", declared("arguments", "1", "deg"))]);
     headed(
         r#""angle [°]", "lift""#,

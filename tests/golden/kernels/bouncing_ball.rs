@@ -777,6 +777,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for BouncingBall<S> {
             sim_kernel::event::Event {
                 name: "landing",
                 direction: sim_kernel::event::Direction::Falling,
+                on_motion: true,
                 on_forces: false,
                 steps: &[
                     sim_kernel::event::Step::Impact(
@@ -792,6 +793,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for BouncingBall<S> {
             sim_kernel::event::Event {
                 name: "top",
                 direction: sim_kernel::event::Direction::Falling,
+                on_motion: true,
                 on_forces: false,
                 steps: &[],
             },

@@ -649,12 +649,14 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Pendulum<S> {
             sim_kernel::event::Event {
                 name: "bottom",
                 direction: sim_kernel::event::Direction::Both,
+                on_motion: true,
                 on_forces: false,
                 steps: &[],
             },
             sim_kernel::event::Event {
                 name: "rest",
                 direction: sim_kernel::event::Direction::Both,
+                on_motion: true,
                 on_forces: false,
                 steps: &[],
             },

@@ -1508,6 +1508,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for QuickReturn<S> {
             sim_kernel::event::Event {
                 name: "period",
                 direction: sim_kernel::event::Direction::Both,
+                on_motion: true,
                 on_forces: false,
                 steps: &[],
             },

@@ -911,6 +911,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Skate<S> {
             sim_kernel::event::Event {
                 name: "turn",
                 direction: sim_kernel::event::Direction::Both,
+                on_motion: true,
                 on_forces: false,
                 steps: &[],
             },

@@ -1074,12 +1074,14 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for SliderCrank<S> {
             sim_kernel::event::Event {
                 name: "period",
                 direction: sim_kernel::event::Direction::Both,
+                on_motion: true,
                 on_forces: false,
                 steps: &[],
             },
             sim_kernel::event::Event {
                 name: "dead_point",
                 direction: sim_kernel::event::Direction::Both,
+                on_motion: true,
                 on_forces: false,
                 steps: &[],
             },

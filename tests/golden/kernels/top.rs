@@ -1006,6 +1006,7 @@ impl<S: sim_kernel::Scalar> sim_kernel::Compiled<S> for Top<S> {
             sim_kernel::event::Event {
                 name: "period",
                 direction: sim_kernel::event::Direction::Both,
+                on_motion: true,
                 on_forces: false,
                 steps: &[],
             },

@@ -51,3 +51,39 @@ fn what_is_set_is_tied_before_it_strikes() {
         assert!((speeds[0] + 1.0).abs() < 1e-9 && (speeds[1] + 1.0).abs() < 1e-9, "{speeds:?}");
     }
 }
+
+/// A brake that grips and that another event lets go at the same time: x moves by 1 m once and goes on by the force alone.
+#[test]
+fn a_switch_at_a_time_happens_once() {
+    let declaration =
+        "pub Braked; coordinates { x [m]; } bodies { sled: mass 2 [kg] at [x, 0]; } loads { force 2 [N] on x; }
+        constraints { brake: dot(x) = 0 initially released; } initial { dot(x) = 1; }
+        events { on: t = 0.5 [s] rising { set x = x + 1 [m]; activate brake; } off: t = 0.5 [s] { release brake; } }";
+    for settings in all_settings(1.0) {
+        let run = run_with(interpreted(declaration).unwrap(), &settings).unwrap();
+        assert_eq!(run.trajectory.failure, None);
+        assert_eq!(run.events.iter().map(|event| event.name).collect::<Vec<_>>(), ["on", "off"]);
+        // 0.5 + 1/8 before, 1 by the event, and 1/8 from rest.
+        let x = run.trajectory.samples.last().unwrap().state.positions[0];
+        assert!((x - 1.75).abs() < 1e-11, "{x}");
+    }
+}
+
+/// A clutch that is beyond its limit when it closes lets go at once, and stays open.
+#[test]
+fn a_clutch_beyond_its_limit_closes_once() {
+    let declaration = "pub Clutch; coordinates { x [m]; phi [rad]; }
+        bodies { sled: mass 2 [kg] at [x, 0]; drum: inertia 0.1 [kg*m^2], angle phi; } loads { force 10 [N] on x; }
+        constraints { clutch: dot(x) = 0.1 [m]*dot(phi) initially released; } initial { x = 0; phi = 0; }
+        events { close: t = 0.5 [s] rising { activate clutch; } slip: reaction(clutch) = 5 [N] rising { release clutch; } }";
+    for settings in all_settings(1.0) {
+        let run = run_with(interpreted(declaration).unwrap(), &settings).unwrap();
+        assert_eq!(run.trajectory.failure, None);
+        assert_eq!(run.events.iter().map(|event| event.name).collect::<Vec<_>>(), ["close", "slip"]);
+        // 2.5 m/s of 2 kg are shared with J/r^2 = 10 kg; from then on 5 m/s^2 again.
+        let speeds = &run.trajectory.samples.last().unwrap().state.speeds;
+        let shared = 2.5 * 2.0 / 12.0;
+        let off = [speeds[0] - (shared + 2.5), speeds[1] - shared / 0.1];
+        assert!(off.iter().all(|off| off.abs() < 1e-10), "{speeds:?}");
+    }
+}

@@ -139,12 +139,16 @@ fn shape(shape: Shape, path: &TokenStream) -> TokenStream {
 
 /// An event with its actions.
 fn event(event: &Event, path: &TokenStream) -> TokenStream {
-    let (name, on_forces) = (&event.name, event.on_forces);
+    let Event { name, on_motion, on_forces, .. } = event;
     let direction = super::ident(&format!("{:?}", event.direction));
     let steps = event.steps.iter().map(|step| event_step(step, path));
     quote! {
         #path::event::Event {
-            name: #name, direction: #path::event::Direction::#direction, on_forces: #on_forces, steps: &[#(#steps),*],
+            name: #name,
+            direction: #path::event::Direction::#direction,
+            on_motion: #on_motion,
+            on_forces: #on_forces,
+            steps: &[#(#steps),*],
         }
     }
 }

@@ -213,8 +213,8 @@ impl<M: Mechanism> EventHandler<M> {
     }
 
     /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and
-    /// continues through zero. If the event has just happened, this requires that it was an impact in vain, that a constraint it
-    /// switched has been switched back, that the condition had turned back since, or that it returns to zero within an instant or
+    /// continues through zero. If the event has just happened, this requires that it was an impact in vain or that a constraint it
+    /// switched has been switched back, in both cases by more than time alone, that the condition had turned back since, or that it returns to zero within an instant or
     /// without having left it by more than the tolerance of constraints. One that releases a constraint because of a force
     /// happens also if its condition is beyond zero, with or without a direction: a contact that a blow has closed does not
     /// pull. What holds already does not land again: its condition stays where it is.
@@ -237,9 +237,10 @@ impl<M: Mechanism> EventHandler<M> {
         let goes_on = match just_happened {
             true if onset.leaving(index) == through => {
                 let last = self.search.found.iter().rev().find(|found| found.event == index);
-                let is_undone = [true, false].into_iter().any(|on| switches(mechanism, described, on));
-                last.is_some_and(|last| hits_in_vain(motion, last, (now, onset.rests(index)), self.span))
-                    || is_undone
+                let is_undone = || [true, false].into_iter().any(|on| switches(mechanism, described, on));
+                let is_in_vain = |last| hits_in_vain(motion, last, (now, onset.rests(index)), self.span);
+                // Time passes a value once, whatever is done then.
+                described.on_motion && (is_undone() || last.is_some_and(is_in_vain))
                     || time - self.turned[index] < self.instant()
             }
             true => {

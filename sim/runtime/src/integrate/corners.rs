@@ -44,6 +44,15 @@ pub(super) fn corner<M: Mechanism>(
     Ok((motion.size(&change) * longest > LEAST_JUMP).then_some(change))
 }
 
+/// The change of speeds, none, between two times at which bodies that time alone moves have other speeds: what drives them does
+/// work there too.
+pub(super) fn corner_of_others<M: Mechanism>(motion: &Motion<M>, state: &State<M>, times: [f64; 2]) -> Option<M::Q> {
+    let energy = |time: f64| motion.mechanism().kinetic_energy(time, &state.positions, &state.speeds);
+    let [before, after] = times.map(energy);
+    let jumps = (after - before).abs() > LEAST_JUMP * before.max(after);
+    jumps.then(|| state.speeds.like(|_| 0.0))
+}
+
 /// Checks that an equal step between two times leads over no corner; one at which constraints say all speeds does no harm.
 ///
 /// # Errors
@@ -108,7 +117,8 @@ pub(super) fn apart<M: Mechanism>(motion: &Motion<M>, state: &State<M>, time: f6
     let (mechanism, times) = (motion.mechanism(), [state.time, time]);
     let momentum = jump_of_momentum(mechanism, &state.positions, times);
     let parts = momentum.iter().map(|part| part.abs()).sum::<f64>();
-    parts + jump_of_rates(mechanism, state, times).iter().map(|rate| rate.abs()).sum::<f64>()
+    let [here, there] = times.map(|time| mechanism.kinetic_energy(time, &state.positions, &state.speeds));
+    (there - here).abs() + parts + jump_of_rates(mechanism, state, times).iter().map(|rate| rate.abs()).sum::<f64>()
 }
 
 /// The sample at a time behind a corner, where speeds have changed by so much.

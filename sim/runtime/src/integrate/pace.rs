@@ -3,7 +3,7 @@
 use super::attempt::{explained, keeps_its_speeds, slows, taken_back, too_small};
 use super::changes_in_time::{ASIDE, tick};
 use super::control::{Controller, initial_step};
-use super::corners::{behind_corner, corner};
+use super::corners::{behind_corner, corner, corner_of_others};
 use super::crossing::{Crossing, Way};
 use super::equal::{aim_equally, first_step};
 use super::headway::Headway;
@@ -194,7 +194,7 @@ impl Adaptive {
         let reach = if std::mem::take(&mut self.ends_there) { h } else { MARGIN * h };
         let stop = match self.is_across {
             true => Some(Stop::Across(now + ASIDE * tick(now, course.end))),
-            false => next_stop(motion, now, course.end.min(now + reach), self.rows_jump),
+            false => next_stop(motion, from, [now, course.end.min(now + reach)], self.rows_jump),
         };
         if let Some(Stop::Across(time)) = stop
             && self.leads_over_corner(motion, [&mut *from, &mut *to], time.min(course.end), steps)?
@@ -242,7 +242,10 @@ impl Adaptive {
         steps: &mut Steps,
     ) -> Result<bool, Failure> {
         let (now, longest) = (from.state.time, self.headway.longest().max(self.h));
-        let Some(change) = corner(motion, &from.state, [now, time], longest)? else { return Ok(false) };
+        let change = corner(motion, &from.state, [now, time], longest)?;
+        let Some(change) = change.or_else(|| corner_of_others(motion, &from.state, [now, time])) else {
+            return Ok(false);
+        };
         *to = behind_corner(motion, from, time, &change)?;
         (self.is_across, steps.accepted) = (false, steps.accepted + 1);
         SuddenChanges::count(&mut steps.corners, time, time);
@@ -303,7 +306,7 @@ impl Adaptive {
     fn is_beside_jump<M: Mechanism>(&mut self, motion: &Motion<M>, from: &Sample<M>, [time, end]: [f64; 2]) -> bool {
         let (now, longest) = (from.state.time, self.headway.longest());
         let aside = ASIDE * tick(now, end);
-        let is_known = |[from, to]: [f64; 2]| next_stop(motion, from, to, true).is_some();
+        let is_known = |interval: [f64; 2]| next_stop(motion, from, interval, true).is_some();
         let is_ahead = !self.rows_jump && is_known([now, now + 10.0 * (time - now)]);
         let is_new = !self.headway.is_short(now - self.jumped);
         let is_here = is_new && is_known([now - 2.0 * aside, now + 2.0 * aside]);

@@ -3,7 +3,8 @@
 //!
 //! An adaptive step over a force that begins and ends within it might see nothing of it, and one over a jump is refused
 //! many times. So steps end before such a time, and a step as short as rounding allows leads over it. A table is
-//! continuous: its row itself is the end of a step, and so is the middle of a smooth pulse. Equal steps stay equal; those that lead over such times are counted, as are
+//! continuous: its row itself is the end of a step, and so is the middle of a smooth pulse. But where a table moves a mass, its
+//! second derivative acts, which may jump at a row. Equal steps stay equal; those that lead over such times are counted, as are
 //! those over changes by positions and speeds and over short pulses ([`super::jumps_of_loads`]).
 
 use super::changes_in_time::{ASIDE, First, What, first_change, tick};
@@ -21,24 +22,31 @@ pub(super) enum Stop {
     Across(f64),
 }
 
-/// The end that the first change of form after now puts to a step until this time. Accelerations may jump at rows too.
+/// The end that the first change of form after this puts to a step until this time. All rows may be known to be jumps; otherwise
+/// those are, at which accelerations or the power jump.
 #[inline]
-pub(super) fn next_stop<M: Mechanism>(motion: &Motion<M>, now: f64, until: f64, rows_jump: bool) -> Option<Stop> {
+pub(super) fn next_stop<M: Mechanism>(
+    motion: &Motion<M>,
+    from: &Sample<M>,
+    interval: [f64; 2],
+    rows_jump: bool,
+) -> Option<Stop> {
     let functions = motion.mechanism().description().switching;
-    if functions.is_empty() { None } else { first_stop(motion, functions, [now, until], rows_jump) }
+    if functions.is_empty() { None } else { first_stop(motion, functions, (from, interval), rows_jump) }
 }
 
 #[cold]
 fn first_stop<M: Mechanism>(
     motion: &Motion<M>,
     functions: &[Switching],
-    [now, until]: [f64; 2],
+    (from, [now, until]): (&Sample<M>, [f64; 2]),
     rows_jump: bool,
 ) -> Option<Stop> {
     let tick = tick(now, until);
     let First { time, what } = first_change(motion.mechanism(), functions, now, until)?;
+    let beside = [time - ASIDE * tick, time + ASIDE * tick];
     Some(match what {
-        What::Row if !rows_jump => Stop::Before(time),
+        What::Row if !rows_jump && !is_jump(motion, from, beside) => Stop::Before(time),
         What::Middle | What::Flank | What::Unknown => Stop::Before(time),
         What::Row | What::Zero => match time - ASIDE * tick {
             before if before > now + tick => Stop::Before(before),
@@ -110,22 +118,38 @@ fn sudden_change<M: Mechanism>(
         let is_over = first.time <= now + tick(now, until) && !accelerations_jump(motion, from, first.time);
         if is_over { known(first.time) } else { Some(first) }
     })?;
+    let aside = ASIDE * tick(now, until);
     match what {
+        What::Row if is_jump(motion, from, [time - aside, time + aside]) => Some(time),
         What::Row => known(time).map(|_| time),
         What::Zero | What::Middle | What::Flank | What::Unknown => Some(time),
     }
 }
 
-/// A difference of accelerations that is rounding, as a part of them.
+/// A difference of accelerations that is rounding, as a part of them; and of the power.
 const ROUNDING: f64 = 1e-9;
 
 /// Whether accelerations at a sample are others so little later: they may be of the side behind a change already.
 fn accelerations_jump<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, time: f64) -> bool {
-    let later = State { time, ..from.state.clone() };
-    let Ok(later) = motion.aside(|| motion.sample(later)) else { return true };
-    let (before, after) = (&from.accelerations, &later.accelerations);
-    let size = motion.size(before).max(motion.size(after));
-    motion.size(&after.like(|j| after[j] - before[j])) > ROUNDING * size
+    at_time(motion, from, time).is_none_or(|later| are_apart(motion, from, &later))
+}
+
+/// Whether accelerations or the power at a state are others between two times, as where a table moves a mass.
+fn is_jump<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, times: [f64; 2]) -> bool {
+    let [Some(before), Some(after)] = times.map(|time| at_time(motion, from, time)) else { return false };
+    let size = before.power.abs().max(after.power.abs());
+    (after.power - before.power).abs() > ROUNDING * size || are_apart(motion, &before, &after)
+}
+
+/// A sample with the same state at another time, if there is one.
+fn at_time<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, time: f64) -> Option<Sample<M>> {
+    motion.aside(|| motion.sample(State { time, ..from.state.clone() })).ok()
+}
+
+/// Whether accelerations of two samples differ by more than rounding.
+fn are_apart<M: Mechanism>(motion: &Motion<M>, a: &Sample<M>, b: &Sample<M>) -> bool {
+    let (a, b) = (&a.accelerations, &b.accelerations);
+    motion.size(&b.like(|j| b[j] - a[j])) > ROUNDING * motion.size(a).max(motion.size(b))
 }
 
 /// The first change of form, however long the search for it is.

@@ -137,7 +137,8 @@ fn event(of: &made::Event) -> Event {
         made::Direction::Rising => Direction::Rising,
         made::Direction::Falling => Direction::Falling,
     };
-    Event { name: text(&of.name), direction, on_forces: of.on_forces, steps: each(&of.steps, step) }
+    let (name, steps) = (text(&of.name), each(&of.steps, step));
+    Event { name, direction, on_motion: of.on_motion, on_forces: of.on_forces, steps }
 }
 
 fn step(of: &made::Step) -> Step {

@@ -26,7 +26,7 @@ pub(crate) fn measure(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -> (Ve
 const CANCELLED: f64 = 1e-12;
 
 /// For each constraint the largest of its terms, or of its changes by such changes of the coordinates, m; where these are but
-/// rounding, the least of the others.
+/// rounding, the least of the others in its unit, or what counts as 1 in it.
 pub(crate) fn of_constraints(mechanism: &dyn AnyMechanism, time: f64, q: &[f64], coordinates: &[f64]) -> Vec<f64> {
     let (terms, jacobian) = (mechanism.constraint_magnitudes(time, q), mechanism.constraint_jacobian(time, q));
     let of_row = |row: usize| {
@@ -44,10 +44,16 @@ pub(crate) fn of_constraints(mechanism: &dyn AnyMechanism, time: f64, q: &[f64],
     let with_others = |row: usize| {
         let alike = || (0..sizes.len()).filter(|other| rows[*other].unit == rows[row].unit).map(|other| sizes[other]);
         let cancelled = CANCELLED * alike().fold(0.0, f64::max);
-        if sizes[row] > cancelled {
-            sizes[row]
-        } else {
-            alike().filter(|size| *size > cancelled).fold(f64::INFINITY, f64::min)
+        let is_alone = alike().count() == 1;
+        let of_unit = match rows[row].unit {
+            "N" => own_length(mechanism, time, q),
+            "N*m" => 1.0,
+            _ => 0.0,
+        };
+        match sizes[row] > cancelled {
+            true if is_alone && sizes[row] <= CANCELLED * of_unit => of_unit,
+            true => sizes[row],
+            false => alike().filter(|size| *size > cancelled).fold(f64::INFINITY, f64::min),
         }
     };
     (0..sizes.len()).map(with_others).collect()
@@ -70,6 +76,8 @@ const NONE: f64 = 1e-13;
 
 /// A lever arm is ignored if it is this small relative to the root of moments of inertia over masses.
 const SHORTEST: f64 = 0.01;
+/// One so long is rounding: a length moves the row by cos(90 deg), which is 6e-17.
+const LONGEST: f64 = 1e9;
 
 /// The mechanism's own length, in metres: it scales with the mechanism.
 ///
@@ -92,10 +100,11 @@ pub(super) fn known_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -
     let sources: [&dyn Fn() -> f64; 4] = [
         &|| {
             // An arm that is short relative to the inertia belongs to a dead point.
-            let shortest = SHORTEST * gyration(&mechanism.mass_matrix(time, q), &is_length);
+            let radius = gyration(&mechanism.mass_matrix(time, q), &is_length);
             let terms = mechanism.constraint_magnitudes(time, q);
             let mut arms = lever_arms(&mechanism.constraint_jacobian(time, q), terms.as_slice(), &is_length);
-            arms.retain(|arm| !(*arm < shortest && shortest.is_finite()));
+            let is_known = radius > 0.0 && radius.is_finite();
+            arms.retain(|arm| !is_known || (SHORTEST * radius..=LONGEST * radius).contains(arm));
             median(arms)
         },
         &|| lesser(gyration(&mechanism.mass_matrix(time, q), &is_length), start(), NEAREST_OF_ROTORS),

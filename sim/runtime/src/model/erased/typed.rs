@@ -110,7 +110,7 @@ fn call_prepared<S: Scalar, M: Mechanism<S>>(
     solved.refused.any()
 }
 
-/// The kernels that analyses differentiate, which are all that is compiled on dual numbers; others are refused.
+/// The kernels that analyses and sensitivities differentiate, which are all that is compiled on dual numbers; others are refused.
 fn call_differentiable<S: Scalar, M: Mechanism<S>>(mechanism: &M, kernel: Kernel, at: At<S>, found: Found<S>) -> bool {
     let (n, m, t) = (mechanism.n(), mechanism.m(), at.time);
     let (q, qd): (M::Q, M::Q) = (array(n, at.positions), array(n, at.speeds));
@@ -137,6 +137,8 @@ fn call_differentiable<S: Scalar, M: Mechanism<S>>(mechanism: &M, kernel: Kernel
             found(0, mechanism.outputs(t, &q, &qd, &accelerations(), &array(m, at.multipliers)).as_ref());
         }
         Kernel::OutputRates => found(0, mechanism.output_rates(t, &q, &qd, &accelerations()).as_ref()),
+        Kernel::SwitchingFunctions => found(0, mechanism.switching_functions(t).as_ref()),
+        Kernel::LoadConditions => found(0, mechanism.load_conditions(t, &q, &qd).as_ref()),
         _ => return true,
     }
     false
@@ -176,8 +178,6 @@ fn call<M: Mechanism>(mechanism: &M, kernel: Kernel, at: At<f64>, found: Found<f
         Kernel::Power => found(0, &[mechanism.power(t, &q, &qd, &accelerations(), &multipliers())]),
         Kernel::Events => found(0, mechanism.events(t, &q, &qd, &accelerations(), &multipliers()).as_ref()),
         Kernel::EventValues => found(0, mechanism.event_values(t, &q, &qd).as_ref()),
-        Kernel::SwitchingFunctions => found(0, mechanism.switching_functions(t).as_ref()),
-        Kernel::LoadConditions => found(0, mechanism.load_conditions(t, &q, &qd).as_ref()),
         Kernel::Drawing => found(0, mechanism.drawing(t, &q).as_ref()),
         Kernel::ConstraintLinearization
         | Kernel::ConstraintMagnitudes
@@ -186,7 +186,9 @@ fn call<M: Mechanism>(mechanism: &M, kernel: Kernel, at: At<f64>, found: Found<f
         | Kernel::Velocities
         | Kernel::VelocityVariables
         | Kernel::Outputs
-        | Kernel::OutputRates => return call_differentiable(mechanism, kernel, at, found),
+        | Kernel::OutputRates
+        | Kernel::SwitchingFunctions
+        | Kernel::LoadConditions => return call_differentiable(mechanism, kernel, at, found),
     }
     false
 }

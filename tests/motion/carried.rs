@@ -1,0 +1,81 @@
+//! Bodies that time alone moves, by tables and with corners, beside others: what moves them does work.
+
+use sim::{Method, Rows, Run, Settings, Stepping, Table};
+use tests::any_model::{AnyModel, interpreted};
+use tests::run_with;
+
+/// A carriage that goes along a way, and a mass on a spring beside it, which it does not touch.
+fn carried(length: f64, way: &str) -> String {
+    format!(
+        "pub Carried; coordinates {{ y [m]; }}
+         tables {{ measured [m] over [s] = monotone {{ 0, 0; 0.3, {}; 0.5, {}; 0.8, {}; 2, {}; }} }}
+         parameters {{ l [m] = {length:e}; k [N/m] = 10; }}
+         let s = {way};
+         bodies {{ carriage: mass 3 [kg] at [s, 0]; bob: mass 1 [kg] at [0, y]; }}
+         loads {{ spring k, rest 0 on y; }} initial {{ y = l/10; }}
+         outputs {{ energy [J] = 3 [kg]*dot(s)^2/2 + 1 [kg]*dot(y)^2/2; }}",
+        0.1 * length,
+        0.5 * length,
+        0.6 * length,
+        length
+    )
+}
+
+/// The largest difference of the gain of kinetic energy and the work in any row, beside the largest energy.
+fn off(run: &Run<AnyModel>) -> f64 {
+    assert_eq!(run.trajectory.failure, None);
+    let table = Table::of(&run.mechanism, &run.trajectory);
+    let [energy, work] = ["energy", "work"].map(|name| &table.column(name).unwrap().values);
+    let largest = energy.iter().copied().fold(0.0, f64::max);
+    let begun = energy[0];
+    let apart = energy.iter().zip(work).map(|(energy, work)| (energy - begun - work).abs());
+    apart.fold(0.0, f64::max) / largest
+}
+
+fn every_way() -> impl Iterator<Item = Settings> {
+    let methods = [Method::Dop853, Method::Dopri5, Method::Radau5];
+    let rows = [Rows::Even(1), Rows::Even(10), Rows::Even(1000), Rows::Steps];
+    let tolerances = [1e-7, 1e-10];
+    methods.into_iter().flat_map(move |method| {
+        rows.into_iter().flat_map(move |rows| {
+            tolerances.map(|relative| Settings { rows, ..Settings::adaptive(method, 1.3, relative) })
+        })
+    })
+}
+
+/// Accelerations of the carriage jump at the rows of its table, and so does the power, which nothing else feels.
+#[test]
+fn what_a_table_moves_takes_the_work_that_it_gains() {
+    for length in [1e-3, 1.0, 100.0] {
+        for settings in every_way() {
+            let Stepping::Adaptive(tolerance) = settings.stepping else { continue };
+            let off = off(&run_with(interpreted(&carried(length, "measured(t)")).unwrap(), &settings).unwrap());
+            // The power is no part of the estimate of errors; without ends at the rows the work is wrong by a third.
+            assert!(off < 100.0 * tolerance.relative, "{length} {:?} {tolerance:?}: {off:e}", settings.method);
+        }
+    }
+}
+
+/// A carriage that starts at full speed takes its kinetic energy at once, and no coordinate feels that.
+#[test]
+fn what_starts_at_full_speed_takes_its_energy_at_once() {
+    for way in ["2*l*max(0, t/(1 [s]) - 0.5)", "if t < 0.5 [s] then 0 else l*(t/(1 [s]) - 0.5)"] {
+        for settings in every_way() {
+            let run = run_with(interpreted(&carried(1.0, way)).unwrap(), &settings).unwrap();
+            assert_eq!(run.steps.corners.map(|corners| corners.steps), Some(1), "{way}");
+            assert!(off(&run) < 1e-5, "{way} {:?}: {:e}", settings.method, off(&run));
+        }
+    }
+}
+
+/// Equal steps lead over such rows, and are counted.
+#[test]
+fn equal_steps_over_rows_that_jump_are_counted() {
+    let counted = |way: &str, steps| {
+        let run = run_with(interpreted(&carried(1.0, way)).unwrap(), &Settings::equal_steps(Method::Rk4, 1.0, steps));
+        run.unwrap().steps.sudden_changes.map_or(0, |changes| changes.steps)
+    };
+    // Rows at 0.3, 0.5 and 0.8 s, within steps and at their ends.
+    assert_eq!([counted("measured(t)", 64), counted("measured(t)", 100)], [3, 3]);
+    assert_eq!(counted("l*sin(t/(1 [s]))", 64), 0);
+}
