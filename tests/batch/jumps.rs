@@ -144,3 +144,19 @@ fn pushes_along_a_way_have_the_derivatives_that_differences_have() {
 fn equal_steps_over_a_jump_at_a_position_are_refused() {
     assert!(refusal(erased(Fired::default()), &Settings::equal_steps(Method::Rk4, 2.0, 64)).contains("sudden change"));
 }
+
+/// A mass that a table moves, from a time on, and a spring: its accelerations jump at rows whose times move. Errors of differences
+/// are as above.
+#[test]
+fn rows_of_a_table_that_moves_a_mass_have_the_derivatives_that_differences_have() {
+    let led = interpreted(
+        "pub Led; coordinates { y [m]; } parameters { t0 [s] = 0.02; k [N/m] = 30; m [kg] = 2; }
+         tables { way [m] over [s] = monotone { 0, 0; 0.3, 0.1; 0.5, 0.5; 0.8, 0.6; 2, 1; } }
+         bodies { mass: mass m at [way(t + t0) + y, 0]; } loads { spring k, rest 0 on y; } initial { y = 0.1; }",
+    )
+    .unwrap();
+    for method in [Method::Dopri5, Method::Dop853] {
+        check(&led, Some(0), None, &Settings::adaptive(method, 1.0, 1e-12), 1e-5);
+    }
+    assert!(refusal(led, &Settings::equal_steps(Method::Rk4, 1.0, 64)).contains("sudden change"));
+}

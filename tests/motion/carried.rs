@@ -68,6 +68,23 @@ fn what_starts_at_full_speed_takes_its_energy_at_once() {
     }
 }
 
+/// A bob on a turning arm that is drawn in or let out at once: its energy grows by m v^2/2, and no coordinate feels that. A body that
+/// is pushed along its way feels it, however little, and keeps its momentum: 1 m/s less 1 mm/s.
+#[test]
+fn what_is_felt_little_or_not_at_all_takes_its_energy() {
+    let drawn = "pub Drawn; coordinates { phi [rad]; } let r = 1 [m] + 0.5 [m/s]*max(0 [s], t - 0.5 [s]);
+        bodies { bob: mass 1 [kg] at r*[cos(phi), sin(phi)]; } initial { phi = 0; dot(phi) = 1; }
+        outputs { energy [J] = 0.5 [kg]*(dot(r)^2 + r^2*dot(phi)^2); }";
+    let run = run_with(interpreted(drawn).unwrap(), &Settings::adaptive(Method::Dop853, 2.0, 1e-10)).unwrap();
+    assert!(off(&run) < 1e-7, "{:e}", off(&run));
+    let pushed = "pub Pushed; coordinates { x [m]; z [m]; } let way = 1e-3 [m/s]*max(0 [s], t - 1e-3 [s]);
+        bodies { a: mass 1 [kg] at [x + way, 0]; b: mass 1 [kg] at [0, z]; } loads { spring 1e12 [N/m], rest 0 on z; }
+        initial { z = 1e-6; x = 1; dot(x) = 1; }";
+    let run = run_with(interpreted(pushed).unwrap(), &Settings::adaptive(Method::Dop853, 2e-3, 1e-10)).unwrap();
+    let state = &run.trajectory.samples.last().unwrap().state;
+    assert!((state.speeds[0] - 0.999).abs() < 1e-9, "{}", state.speeds[0]);
+}
+
 /// Equal steps lead over such rows, and are counted.
 #[test]
 fn equal_steps_over_rows_that_jump_are_counted() {
@@ -78,4 +95,37 @@ fn equal_steps_over_rows_that_jump_are_counted() {
     // Rows at 0.3, 0.5 and 0.8 s, within steps and at their ends.
     assert_eq!([counted("measured(t)", 64), counted("measured(t)", 100)], [3, 3]);
     assert_eq!(counted("l*sin(t/(1 [s]))", 64), 0);
+}
+
+/// Where a table dwells, what it moves begins from rest, and the speeds of nothing jump; nor at the turn of a cosine, where an
+/// unrelated load begins.
+#[test]
+fn what_begins_from_rest_has_no_corner() {
+    let dwells = "pub Dwells; coordinates { y [m]; }
+        tables { way [m] over [s] = monotone { 0, 0; 0.3, 0; 0.5, 0.5; 0.8, 0.6; 1.2, 0.6; 1.5, 0; } }
+        bodies { carriage: mass 3 [kg] at [way(t), 0]; bob: mass 1 [kg] at [0, y]; }
+        loads { spring 10 [N/m], rest 0 on y; } initial { y = 0; }";
+    let turns = "pub Turns; coordinates { y [m]; }
+        bodies { carriage: mass 3 [kg] at [0.1 [m]*cos(3.141592653589793 [rad/s]*t), 0]; bob: mass 1 [kg] at [0, y]; }
+        loads { force if t < 1 [s] then 1 [N] else 0 on y; } initial { y = 0; }";
+    for text in [dwells, turns] {
+        let run = run_with(interpreted(text).unwrap(), &Settings::adaptive(Method::Dop853, 1.4, 1e-10)).unwrap();
+        assert_eq!((run.trajectory.failure, run.steps.corners), (None, None), "{text}");
+    }
+}
+
+/// A drive at constant speed by a table: its second derivatives are rounding, and no row is a jump.
+#[test]
+fn rows_on_a_line_are_no_jumps() {
+    for drive in
+        ["cart: mass 2 [kg] at [x, 0]; } constraints { drive: x = way(t); ", "cart: mass 2 [kg] at [way(t), x]; "]
+    {
+        let text = format!(
+            "pub Even; coordinates {{ x [m]; }}
+             tables {{ way [m] over [s] = cubic, continued {{ 0, 0.1; 0.13, 0.139; 0.4, 0.22; 0.7, 0.31; 1.1, 0.43; 1.7, 0.61; }} }}
+             bodies {{ {drive} }} initial {{ guess x = 0.1; }}"
+        );
+        let run = run_with(interpreted(&text).unwrap(), &Settings::equal_steps(Method::Rk4, 1.6, 53)).unwrap();
+        assert_eq!((run.trajectory.failure, run.steps.sudden_changes), (None, None), "{text}");
+    }
 }

@@ -201,6 +201,26 @@ fn what_moves_a_condition_by_rounding_is_free() {
     }
 }
 
+/// A load on a rope of 40 m whose inertia is next to nothing: its radius of gyration says nothing of lengths. The forces between
+/// trolley and load keep their common momentum.
+#[test]
+fn a_rope_of_almost_no_inertia_has_a_length() {
+    for inertia in [1e-3, 1e-12, 1e-24] {
+        let text = format!(
+            "pub Crane; coordinates {{ s [m]; x [m]; y [m]; phi [rad]; }} parameters {{ l [m] = 40; }}
+             bodies {{ trolley: mass 1000 [kg] at [s, 0]; load: mass 5000 [kg] at [x, y]; rope: inertia {inertia:e} [kg*m^2], angle phi; }}
+             loads {{ gravity [0, -9.81 [m/s^2]]; force 1000 [N] on s; }}
+             constraints {{ hang: [x, y] = [s, 0] + l*[sin(phi), -cos(phi)]; }}
+             initial {{ phi = 0.3; s = 0; guess x = 12; guess y = -38; }}"
+        );
+        let run = tests::run_with(interpreted(&text).unwrap(), &Settings::new(5.0)).unwrap();
+        assert_eq!((&run.trajectory.failure, run.mobility.degrees_of_freedom), (&None, 2));
+        let speeds = &run.trajectory.samples.last().unwrap().state.speeds;
+        let momentum = 1000.0 * speeds[0] + 5000.0 * speeds[1];
+        assert!((momentum - 5000.0).abs() < 1e-6 * 5000.0, "{inertia:e}: {momentum}");
+    }
+}
+
 /// A plane across the axis of a hinge, whose distance from it is written in so many digits: its rows are moved by nothing, and are
 /// rounding, whether or not there are units.
 #[test]

@@ -125,16 +125,17 @@ fn said_unit(heading: &str) -> Option<Result<Unit, String>> {
         return Some(if is_pure { Ok(Unit::none()) } else { Unit::parse(text).map_err(|_| text.to_owned()) });
     }
     let bare: String = heading.split('(').map(|part| part.split_once(')').map_or(part, |(_, after)| after)).collect();
-    let after = bare.rsplit_once(" in ").or_else(|| bare.split_once('/')).map(|(_, text)| text.trim());
-    let named = after.and_then(|text| Unit::parse(text).ok());
+    let last = bare.trim().rsplit_once(' ').filter(|(_, text)| text.contains('/'));
+    let after = || bare.rsplit_once(" in ").or_else(|| bare.split_once('/'));
+    let named = last.into_iter().chain(after()).find_map(|(_, text)| Unit::parse(text.trim()).ok());
     named.or_else(|| within('(', ')').filter_map(|text| Unit::parse(text).ok()).last()).map(Ok)
 }
 
-/// The last of several words of a heading, as of `F kN`, `F_kN` or `F {kN}`, if it is a unit of the same kind as this.
+/// The last of several words of a heading, as of `F kN` or `F {kN}`, if it is a unit of the same kind as this.
 fn last_word(heading: &str, declared: &Unit) -> Option<Unit> {
-    let is_between = |c: char| c.is_whitespace() || "_(){},;".contains(c);
+    let is_between = |c: char| c.is_whitespace() || "(){},;".contains(c);
     let mut words = heading.split(is_between).filter(|word| !word.is_empty());
-    let last = words.next_back().filter(|_| words.next().is_some())?;
+    let last = words.next_back().filter(|last| words.next().is_some() && last.contains(char::is_alphabetic))?;
     Unit::parse(last).ok().filter(|unit| unit.dimension() == declared.dimension())
 }
 

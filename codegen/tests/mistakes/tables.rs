@@ -134,6 +134,7 @@ fn headings() {
         headed(&format!("\"{sound}\""), &[]);
     }
     table(r#"x = linear { "a [-]", "b []"; 0, 0; 90, 10; }"#, &[]);
+    table(r#"x [m/s] over [rad/s] = linear { "omega rad/s", "v m/s"; 0, 0; 90, 10; }"#, &[]);
     table(r#"x [J] over [1] = linear { "a [rad]", "b [N*m]"; 0, 0; 90, 10; }"#, &[]);
     let declared = |column, said, declared| {
         format!("the heading says that the {column} of table `lift` are in [{said}]; they are declared in [{declared}]")
@@ -147,11 +148,11 @@ fn headings() {
     headed(r#""angle", "lift in m (raw)""#, &[&format!("4:51 {}", declared("values", "m", "mm"))]);
     headed(r#""angle", "lift (mm) in m""#, &[&format!("4:51 {}", declared("values", "m", "mm"))]);
     headed(r#""angle (A) (deg)", "channel (A) lift (mm)""#, &[]);
-    for said in ["lift m", "lift_m", "lift {m}", "lift (in m)", "lift, m"] {
+    for said in ["lift m", "lift {m}", "lift (in m)", "lift, m"] {
         headed(&format!(r#""angle", "{said}""#), &[&format!("4:51 {}", declared("values", "m", "mm"))]);
     }
-    for sound in ["lift mm", "lift_mm", "m", "lift s", "lift_m [mm]", "lift of valve"] {
-        headed(&format!(r#""angle_deg", "{sound}""#), &[]);
+    for sound in ["lift mm", "m", "lift s", "lift_m", "lift m [mm]", "lift of valve"] {
+        headed(&format!(r#""angle 1", "{sound}""#), &[]);
     }
     headed(r#""angle [-]", "lift""#, &[&format!("4:42 {}", declared("arguments", "1", "deg"))]);
     headed(

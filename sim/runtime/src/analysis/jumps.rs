@@ -6,6 +6,7 @@
 //! conditions, for a state that does not jump itself.) Of a jump at a position or speed, g depends on the state: what its
 //! derivative adds counts too, and g_t is the rate of g along the motion before the jump.
 
+use crate::integrate::form;
 use crate::numerics::signs::crosses;
 use crate::state::trajectory::{Sample, State};
 use sim_kernel::{Array, Dual, Mechanism};
@@ -14,11 +15,15 @@ use sim_kernel::{Array, Dual, Mechanism};
 pub(super) const TOGETHER: &str = "two sudden changes fall together here that do not move together";
 
 /// How far the time of what changes its form between two times moves, in seconds for a unit of the direction in which the
-/// mechanism is differentiated; 0 if nothing changes.
+/// mechanism is differentiated; 0 if nothing changes. Rows of tables may be jumps too.
 ///
 /// # Errors
 /// If changes that move apart fall together, as a sentence.
-pub(super) fn moved<M: Mechanism<Dual>>(mechanism: &M, [from, to]: [f64; 2]) -> Result<f64, &'static str> {
+pub(super) fn moved<M: Mechanism<Dual>>(
+    mechanism: &M,
+    [from, to]: [f64; 2],
+    rows_jump: bool,
+) -> Result<f64, &'static str> {
     let functions = mechanism.description().switching;
     if functions.is_empty() {
         return Ok(0.0);
@@ -27,7 +32,11 @@ pub(super) fn moved<M: Mechanism<Dual>>(mechanism: &M, [from, to]: [f64; 2]) -> 
     let (before, after) = (values(Dual::constant(from)), values(Dual::constant(to)));
     let with_time = values(Dual::variable(to));
     let changes = |k: &usize| {
-        functions[*k].table.is_none() && !functions[*k].kind.is_smooth() && before[*k].value * after[*k].value < 0.0
+        let (function, values) = (&functions[*k], [before[*k].value, after[*k].value]);
+        match function.table {
+            Some(_) => rows_jump && form(function, values[0]) != form(function, values[1]),
+            None => !function.kind.is_smooth() && values[0] * values[1] < 0.0,
+        }
     };
     let move_of = |k: usize| -after[k].derivative / (with_time[k].derivative - after[k].derivative);
     let mut moves = (0..functions.len()).filter(changes).map(move_of);

@@ -7,7 +7,7 @@
 //! steps do, what the move of the jump adds is known ([`jumps`]).
 
 use super::jumps::{self, MovedJump};
-use crate::integrate::{ExplicitRungeKutta, attempt_plainly, tableau};
+use crate::integrate::{ExplicitRungeKutta, attempt_plainly, leads_over_change, leads_over_row_that_jumps, tableau};
 use crate::motion::field::Field;
 use crate::motion::plain::Plain;
 use crate::run::Simulation;
@@ -48,6 +48,8 @@ pub struct ForwardSensitivity<M: Mechanism> {
     method: ExplicitRungeKutta<Lifted<M>, Dual>,
     sample: Sample<Lifted<M>, Dual>,
     stepping: Stepping,
+    /// The end of the motion, in seconds.
+    end: f64,
 }
 
 impl<M: Mechanism> ForwardSensitivity<M> {
@@ -84,7 +86,7 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         let begun = along((mechanism, &lifted), start, &state, direction)?;
         let plain = Plain::new(lifted, measures);
         let sample = plain.sample(begun)?;
-        Ok(ForwardSensitivity { simulation, plain, method, sample, stepping: settings.stepping })
+        Ok(ForwardSensitivity { simulation, plain, method, sample, stepping: settings.stepping, end: settings.end })
     }
 
     /// The motion itself.
@@ -109,24 +111,31 @@ impl<M: Mechanism> ForwardSensitivity<M> {
     /// the motion passes a singular position, or an event or the corner of a drive changes it, and where an equal step leads over a jump whose time
     /// moves.
     pub fn advance_to(&mut self, time: f64) -> Result<(), Failure> {
-        while self.simulation.aim(time)?.is_some() {
+        while let Some(target) = self.simulation.aim(time)? {
             self.check_followed()?;
+            let row_jumps = self.row_jumps(target.time)?;
             let before = self.simulation.state().time;
             self.simulation.attempt()?;
             let now = self.simulation.state().time;
             if now > before {
-                self.follow(now)?;
+                self.follow(now, row_jumps)?;
                 self.check_followed()?;
             }
         }
         self.check_followed()
     }
 
-    /// Repeats a step to this time on dual numbers.
-    fn follow(&mut self, time: f64) -> Result<(), Failure> {
+    /// Whether an equal step to this time leads over a row of a table at which accelerations jump. Adaptive steps end beside them.
+    fn row_jumps(&self, time: f64) -> Result<bool, Failure> {
+        let is_equal = matches!(self.stepping, Stepping::Equal(_));
+        Ok(is_equal && leads_over_row_that_jumps(self.simulation.motion(), &self.simulation.sample()?, time))
+    }
+
+    /// Repeats a step to this time on dual numbers; an equal one may lead over a row that is a jump.
+    fn follow(&mut self, time: f64, row_jumps: bool) -> Result<(), Failure> {
         let (plain, method) = (&self.plain, &mut self.method);
         let ahead = attempt_plainly(plain, method, &self.sample, Dual::constant(time), None)?.to;
-        let (moved, jump) = (self.moved_jump(time)?, self.moved_jump_of_loads(&ahead)?);
+        let (moved, jump) = (self.moved_jump(time, row_jumps)?, self.moved_jump_of_loads(&ahead)?);
         self.sample = match (moved == 0.0, jump) {
             (true, None) => ahead,
             (true, Some(jump)) => self.plain.sample(jumps::behind_jump(&ahead.state, &jump))?,
@@ -149,9 +158,12 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         }
     }
 
-    /// How far a jump at a known time within a step to this time moves, in seconds.
-    fn moved_jump(&self, time: f64) -> Result<f64, Failure> {
-        let moved = jumps::moved(self.plain.mechanism(), [self.sample.state.time.value, time]);
+    /// How far a jump at a known time within a step to this time moves, in seconds. Rows of tables are jumps where steps lead over
+    /// them as over jumps.
+    fn moved_jump(&self, time: f64, row_jumps: bool) -> Result<f64, Failure> {
+        let times = [self.sample.state.time.value, time];
+        let row_jumps = row_jumps || leads_over_change(times, self.end);
+        let moved = jumps::moved(self.plain.mechanism(), times, row_jumps);
         let moved = moved.map_err(|why| self.not_differentiable(why))?;
         self.check_move(moved)?;
         Ok(moved)

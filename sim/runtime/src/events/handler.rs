@@ -214,7 +214,8 @@ impl<M: Mechanism> EventHandler<M> {
 
     /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and
     /// continues through zero. If the event has just happened, this requires that it was an impact in vain or that a constraint it
-    /// switched has been switched back, in both cases by more than time alone, that the condition had turned back since, or that it returns to zero within an instant or
+    /// switched has been switched back, neither of which counts if its condition depends on time alone, that the condition had turned
+    /// back since, or that it returns to zero within an instant or
     /// without having left it by more than the tolerance of constraints. One that releases a constraint because of a force
     /// happens also if its condition is beyond zero, with or without a direction: a contact that a blow has closed does not
     /// pull. What holds already does not land again: its condition stays where it is.

@@ -23,6 +23,11 @@ pub(super) fn tick(now: f64, until: f64) -> f64 {
 /// rounding.
 pub(super) const ASIDE: f64 = 4.0;
 
+/// Whether a step between two times, in a motion until this end, is one of those that lead over a sudden change and nothing else.
+pub(crate) fn leads_over_change([from, to]: [f64; 2], end: f64) -> bool {
+    to - from <= 3.0 * ASIDE * tick(from, end)
+}
+
 /// The first thing that is found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct First {

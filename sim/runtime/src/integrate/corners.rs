@@ -29,28 +29,51 @@ const LEAST_JUMP: f64 = 1e-9;
 pub(super) fn corner<M: Mechanism>(
     motion: &Motion<M>,
     state: &State<M>,
-    [before, after]: [f64; 2],
+    times: [f64; 2],
     longest: f64,
 ) -> Result<Option<M::Q>, Failure> {
+    let change = change(motion, state, times)?;
+    Ok(change.filter(|change| motion.size(change) * longest > LEAST_JUMP))
+}
+
+/// How much farther from a corner kinetic energies are compared once more, and the part of a jump that is there at the nearer places:
+/// what changes continuously is less there in proportion.
+const FARTHER: f64 = 16.0;
+const STAYS: f64 = 0.5;
+
+/// The same of a corner that coordinates feel little, or not at all, where the kinetic energy would jump at the same speeds: what
+/// drives a body does work there too.
+///
+/// # Errors
+/// As [`corner`].
+pub(super) fn corner_of_energy<M: Mechanism>(
+    motion: &Motion<M>,
+    state: &State<M>,
+    times: [f64; 2],
+) -> Result<Option<M::Q>, Failure> {
+    let energy = |time: f64| motion.mechanism().kinetic_energy(time, &state.positions, &state.speeds);
+    let apart = |times: [f64; 2]| (energy(times[1]) - energy(times[0])).abs();
+    let near = apart(times);
+    let (middle, half) = ((times[0] + times[1]) / 2.0, FARTHER * (times[1] - times[0]) / 2.0);
+    if near <= LEAST_JUMP * energy(times[0]).max(energy(times[1]))
+        || near <= STAYS * apart([middle - half, middle + half])
+    {
+        return Ok(None);
+    }
+    Ok(Some(change(motion, state, times)?.unwrap_or_else(|| state.speeds.like(|_| 0.0))))
+}
+
+/// The change of speeds between two times; none where nothing that time drives jumps.
+fn change<M: Mechanism>(motion: &Motion<M>, state: &State<M>, times: [f64; 2]) -> Result<Option<M::Q>, Failure> {
     let (mechanism, q) = (motion.mechanism(), &state.positions);
-    let momentum = jump_of_momentum(mechanism, q, [before, after]);
-    let opened = opened(motion, state, [before, after])?;
+    let momentum = jump_of_momentum(mechanism, q, times);
+    let opened = opened(motion, state, times)?;
     if momentum.iter().all(|part| *part == 0.0) && opened.iter().all(|part| *part == 0.0) {
         return Ok(None);
     }
-    let jacobian = mechanism.constraint_linearization(after, q).jacobian;
-    let (change, _) = impulse(mechanism, after, q, &jacobian, (&momentum, &opened))?;
-    let change = change.like(|j| -change[j]);
-    Ok((motion.size(&change) * longest > LEAST_JUMP).then_some(change))
-}
-
-/// The change of speeds, none, between two times at which bodies that time alone moves have other speeds: what drives them does
-/// work there too.
-pub(super) fn corner_of_others<M: Mechanism>(motion: &Motion<M>, state: &State<M>, times: [f64; 2]) -> Option<M::Q> {
-    let energy = |time: f64| motion.mechanism().kinetic_energy(time, &state.positions, &state.speeds);
-    let [before, after] = times.map(energy);
-    let jumps = (after - before).abs() > LEAST_JUMP * before.max(after);
-    jumps.then(|| state.speeds.like(|_| 0.0))
+    let jacobian = mechanism.constraint_linearization(times[1], q).jacobian;
+    let (change, _) = impulse(mechanism, times[1], q, &jacobian, (&momentum, &opened))?;
+    Ok(Some(change.like(|j| -change[j])))
 }
 
 /// Checks that an equal step between two times leads over no corner; one at which constraints say all speeds does no harm.

@@ -36,7 +36,7 @@ mod target;
 mod unseen_work;
 
 pub(crate) use beside::first_sample;
-pub(crate) use changes_in_time::form;
+pub(crate) use changes_in_time::{form, leads_over_change};
 pub use dop853::Dop853;
 pub use dop853_tableau::DOP853;
 pub use explicit::ExplicitRungeKutta;
@@ -50,6 +50,7 @@ pub(crate) use step::MOST_PARTS;
 pub use step::Step;
 pub(crate) use stepper::Stepper;
 pub use switching::SuddenChanges;
+pub(crate) use switching::leads_over_row_that_jumps;
 pub use tableau::{DOPRI5, EULER, ErrorEstimate, HEUN, RK3, RK4, Tableau, Weight};
 pub(crate) use target::{Aim, Target};
 

@@ -3,7 +3,7 @@
 use super::attempt::{explained, keeps_its_speeds, slows, taken_back, too_small};
 use super::changes_in_time::{ASIDE, tick};
 use super::control::{Controller, initial_step};
-use super::corners::{behind_corner, corner, corner_of_others};
+use super::corners::{behind_corner, corner, corner_of_energy};
 use super::crossing::{Crossing, Way};
 use super::equal::{aim_equally, first_step};
 use super::headway::Headway;
@@ -242,10 +242,11 @@ impl Adaptive {
         steps: &mut Steps,
     ) -> Result<bool, Failure> {
         let (now, longest) = (from.state.time, self.headway.longest().max(self.h));
-        let change = corner(motion, &from.state, [now, time], longest)?;
-        let Some(change) = change.or_else(|| corner_of_others(motion, &from.state, [now, time])) else {
-            return Ok(false);
+        let change = match corner(motion, &from.state, [now, time], longest)? {
+            None => corner_of_energy(motion, &from.state, [now, time])?,
+            felt => felt,
         };
+        let Some(change) = change else { return Ok(false) };
         *to = behind_corner(motion, from, time, &change)?;
         (self.is_across, steps.accepted) = (false, steps.accepted + 1);
         SuddenChanges::count(&mut steps.corners, time, time);

@@ -44,9 +44,8 @@ fn first_stop<M: Mechanism>(
 ) -> Option<Stop> {
     let tick = tick(now, until);
     let First { time, what } = first_change(motion.mechanism(), functions, now, until)?;
-    let beside = [time - ASIDE * tick, time + ASIDE * tick];
     Some(match what {
-        What::Row if !rows_jump && !is_jump(motion, from, beside) => Stop::Before(time),
+        What::Row if !rows_jump && !is_jump(motion, from, time, [now, until]) => Stop::Before(time),
         What::Middle | What::Flank | What::Unknown => Stop::Before(time),
         What::Row | What::Zero => match time - ASIDE * tick {
             before if before > now + tick => Stop::Before(before),
@@ -118,9 +117,8 @@ fn sudden_change<M: Mechanism>(
         let is_over = first.time <= now + tick(now, until) && !accelerations_jump(motion, from, first.time);
         if is_over { known(first.time) } else { Some(first) }
     })?;
-    let aside = ASIDE * tick(now, until);
     match what {
-        What::Row if is_jump(motion, from, [time - aside, time + aside]) => Some(time),
+        What::Row if is_jump(motion, from, time, [now, until]) => Some(time),
         What::Row => known(time).map(|_| time),
         What::Zero | What::Middle | What::Flank | What::Unknown => Some(time),
     }
@@ -131,25 +129,58 @@ const ROUNDING: f64 = 1e-9;
 
 /// Whether accelerations at a sample are others so little later: they may be of the side behind a change already.
 fn accelerations_jump<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, time: f64) -> bool {
-    at_time(motion, from, time).is_none_or(|later| are_apart(motion, from, &later))
+    let Some(later) = at_time(motion, from, time) else { return true };
+    let (before, after) = (&from.accelerations, &later.accelerations);
+    let size = motion.size(before).max(motion.size(after));
+    motion.size(&after.like(|j| after[j] - before[j])) > ROUNDING * size
 }
 
-/// Whether accelerations or the power at a state are others between two times, as where a table moves a mass.
-fn is_jump<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, times: [f64; 2]) -> bool {
-    let [Some(before), Some(after)] = times.map(|time| at_time(motion, from, time)) else { return false };
-    let size = before.power.abs().max(after.power.abs());
-    (after.power - before.power).abs() > ROUNDING * size || are_apart(motion, &before, &after)
+/// How much farther from a time a difference is looked at once more, and the part of it that a jump has at the nearer places too: a
+/// continuous one becomes less in proportion.
+const FARTHER: f64 = 16.0;
+const STAYS: f64 = 0.5;
+/// A jump of accelerations that changes coordinates by less than this part of their scales within a step is rounding; so is one of
+/// the power by as small a part of the kinetic energy with which they go so far.
+const NOISE: f64 = 1e-12;
+
+/// Whether accelerations or the power jump at a time in a step, as where a table moves a mass, in a state near it.
+fn is_jump<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, time: f64, [now, until]: [f64; 2]) -> bool {
+    let (aside, length) = (ASIDE * tick(now, until), until - now);
+    let State { positions, .. } = &from.state;
+    let energy = motion.mechanism().kinetic_energy(time, positions, motion.measures().coordinates());
+    let floors = [NOISE / length.powi(2), NOISE * energy / length.powi(3)];
+    let across = |aside: f64| -> Option<[[f64; 2]; 2]> {
+        let [before, after] = [at_time(motion, from, time - aside)?, at_time(motion, from, time + aside)?];
+        let power = [(after.power - before.power).abs(), before.power.abs().max(after.power.abs())];
+        let (a, b) = (&before.accelerations, &after.accelerations);
+        Some([[motion.size(&b.like(|j| b[j] - a[j])), motion.size(a).max(motion.size(b))], power])
+    };
+    let Some(near) = across(aside) else { return false };
+    let differs = |k: usize| near[k][0] > ROUNDING * near[k][1] && near[k][0] > floors[k];
+    if !(differs(0) || differs(1)) {
+        return false;
+    }
+    let Some(far) = across(FARTHER * aside) else { return false };
+    (0..2).any(|k| differs(k) && near[k][0] > STAYS * far[k][0])
+}
+
+/// Whether accelerations or the power jump at a row of a table within a step from a sample until a time.
+pub(crate) fn leads_over_row_that_jumps<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, until: f64) -> bool {
+    let (mechanism, begin) = (motion.mechanism(), from.state.time);
+    let functions = mechanism.description().switching;
+    let mut now = begin;
+    while let Some(First { time, what }) = first_known_change(mechanism, functions, now, until) {
+        if what == What::Row && is_jump(motion, from, time, [begin, until]) {
+            return true;
+        }
+        now = time;
+    }
+    false
 }
 
 /// A sample with the same state at another time, if there is one.
 fn at_time<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, time: f64) -> Option<Sample<M>> {
     motion.aside(|| motion.sample(State { time, ..from.state.clone() })).ok()
-}
-
-/// Whether accelerations of two samples differ by more than rounding.
-fn are_apart<M: Mechanism>(motion: &Motion<M>, a: &Sample<M>, b: &Sample<M>) -> bool {
-    let (a, b) = (&a.accelerations, &b.accelerations);
-    motion.size(&b.like(|j| b[j] - a[j])) > ROUNDING * motion.size(a).max(motion.size(b))
 }
 
 /// The first change of form, however long the search for it is.

@@ -76,8 +76,6 @@ const NONE: f64 = 1e-13;
 
 /// A lever arm is ignored if it is this small relative to the root of moments of inertia over masses.
 const SHORTEST: f64 = 0.01;
-/// One so long is rounding: a length moves the row by cos(90 deg), which is 6e-17.
-const LONGEST: f64 = 1e9;
 
 /// The mechanism's own length, in metres: it scales with the mechanism.
 ///
@@ -100,11 +98,11 @@ pub(super) fn known_length(mechanism: &dyn AnyMechanism, time: f64, q: &[f64]) -
     let sources: [&dyn Fn() -> f64; 4] = [
         &|| {
             // An arm that is short relative to the inertia belongs to a dead point.
-            let radius = gyration(&mechanism.mass_matrix(time, q), &is_length);
+            let shortest = SHORTEST * gyration(&mechanism.mass_matrix(time, q), &is_length);
             let terms = mechanism.constraint_magnitudes(time, q);
-            let mut arms = lever_arms(&mechanism.constraint_jacobian(time, q), terms.as_slice(), &is_length);
-            let is_known = radius > 0.0 && radius.is_finite();
-            arms.retain(|arm| !is_known || (SHORTEST * radius..=LONGEST * radius).contains(arm));
+            let jacobian = without_rounding(mechanism, mechanism.constraint_jacobian(time, q), &is_length);
+            let mut arms = lever_arms(&jacobian, terms.as_slice(), &is_length);
+            arms.retain(|arm| !(*arm < shortest && shortest.is_finite()));
             median(arms)
         },
         &|| lesser(gyration(&mechanism.mass_matrix(time, q), &is_length), start(), NEAREST_OF_ROTORS),
@@ -128,8 +126,22 @@ fn of_parameters(mechanism: &dyn AnyMechanism) -> f64 {
     lengths.get(lengths.len().saturating_sub(1) / 2).copied().unwrap_or(0.0)
 }
 
-/// A length moves a row by rounding alone if it moves others by so much more, beside their terms: cos(90 deg) is 6e-17.
+/// A length moves a row by rounding alone if it moves others by so much more, beside their terms, or a length by so small a part of
+/// itself: cos(90 deg) is 6e-17.
 const ROUNDED: f64 = 1e-12;
+
+/// The constraint Jacobian without what is rounding in the rows of lengths, whose multipliers are forces.
+fn without_rounding(mechanism: &dyn AnyMechanism, mut jacobian: DMatrix<f64>, is_length: &[bool]) -> DMatrix<f64> {
+    let constraints = mechanism.description().constraints;
+    for (row, _) in constraints.iter().enumerate().filter(|(_, constraint)| constraint.unit == "N") {
+        for (j, _) in is_length.iter().enumerate().filter(|(_, is_length)| **is_length) {
+            if jacobian[(row, j)].abs() <= ROUNDED {
+                jacobian[(row, j)] = 0.0;
+            }
+        }
+    }
+    jacobian
+}
 
 /// For each row with both kinds of coordinates, the length of its angular part relative to that of its linear part.
 fn lever_arms(jacobian: &DMatrix<f64>, terms: &[f64], is_length: &[bool]) -> Vec<f64> {
