@@ -321,29 +321,3 @@ fn analyses_refuse_impossible_inertias() {
     ];
     assert_eq!(codes, [Some("E-IMPOSSIBLE-INERTIA"); 2]);
 }
-
-/// A slide at a constant angle to gravity, of free bodies of a few millimetres: it goes away for good, and what is dependent by
-/// rounding 20 km from here is no singular position.
-#[test]
-fn a_slide_that_goes_away_has_no_equilibrium() {
-    let text = "pub Away;
-        bodies {
-            arm: free, mass 0.04 [kg], inertia [3e-7 [kg*m^2], 2.5e-7 [kg*m^2], 3e-7 [kg*m^2], -2.8e-8 [kg*m^2], -1.1e-8 [kg*m^2], 5.6e-9 [kg*m^2]];
-            slide: free, mass 0.07 [kg], inertia [5e-7 [kg*m^2], 5.6e-7 [kg*m^2], 6.6e-7 [kg*m^2]];
-        }
-        joints {
-            hinge: revolute arm at [-2.2 [mm], -0.4 [mm], -1.7 [mm]] axis [1, -1, 1] to ground at [0, 0, 0] axis [0, 0, 1];
-            rail: prismatic slide at [4.1 [mm], 1.3 [mm], 2.2 [mm]] axis [0.48, 0.6, 0.64]
-                to arm at [3 [mm], -4.2 [mm], 1.9 [mm]] axis [0.48, 0.6, 0.64];
-        }
-        loads { gravity [0, 0, -9.81 [m/s^2]]; }
-        initial {
-            guess arm_x = 0.00113; guess arm_y = -0.0017; guess arm_z = 0.00206;
-            guess arm_q0 = -0.4349; guess arm_q1 = 0.4426; guess arm_q2 = -0.1242; guess arm_q3 = 0.7743;
-            guess slide_x = 0.0006; guess slide_y = 0.0003; guess slide_z = 0.0055;
-            guess slide_q0 = -0.4349; guess slide_q1 = 0.4426; guess slide_q2 = -0.1242; guess slide_q3 = 0.7743;
-        }";
-    let model = interpreted(text).unwrap();
-    let failure = equilibrium(&model, &declared_start(&model)).unwrap_err();
-    assert!(matches!(failure.what, What::NoEquilibrium { .. }), "{failure}");
-}

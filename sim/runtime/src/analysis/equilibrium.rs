@@ -44,8 +44,6 @@ const MOST_HALVINGS: i32 = 100;
 const NEAR: f64 = 0.1;
 /// The margin of stiffness added in the descent, as a fraction of the least stiffness.
 const STIFFER: f64 = 1e-3;
-/// Beyond so many of the mechanism's own lengths a part goes away for good, and rows are dependent by rounding.
-const FAR: f64 = 1e6;
 /// A step may reverse the force along it, but at most to this fraction of it: then it has led down.
 const TURNED: f64 = 0.5;
 
@@ -149,10 +147,7 @@ fn descend(mechanism: &dyn Differentiable, mut at: Statics) -> Result<Ended, Fai
         let (step, is_down) = at.descent(STIFFER);
         let is_near = is_down && at.newton_step().is_some_and(|step| at.size(&step) <= NEAR);
         if is_near {
-            let again = match Statics::at(mechanism, at.q.clone(), &at.sizes) {
-                Err(_) if is_far(mechanism, &at.q, &at.sizes) => break,
-                again => again?,
-            };
+            let again = Statics::at(mechanism, at.q.clone(), &at.sizes)?;
             if let Ended::AtRest(found) = newton(mechanism, again)? {
                 return Ok(Ended::AtRest(found));
             }
@@ -182,10 +177,8 @@ fn halved(
     for part in (0..MOST_HALVINGS).map(|k| 0.5f64.powi(k)) {
         let Ok((q, force)) = at.moved(mechanism, &(step * part)) else { continue };
         if leads(&force) {
-            let is_far = is_far(mechanism, &q, &at.sizes);
             match Statics::at(mechanism, q, &at.sizes) {
                 Ok(next) => return Ok(Some((next, force, part))),
-                Err(Failure { what: What::SingularState { .. }, .. }) if is_far => return Ok(None),
                 Err(singular) if matches!(singular.what, What::SingularState { .. }) => return Err(singular),
                 Err(_) => continue,
             }
@@ -194,17 +187,10 @@ fn halved(
     Ok(None)
 }
 
-/// Whether a part is so far away that what is singular there says nothing.
-fn is_far(mechanism: &dyn Differentiable, q: &[f64], sizes: &[f64]) -> bool {
-    let coordinates = mechanism.description().coordinates.iter();
-    coordinates.zip(q.iter().zip(sizes)).any(|(c, (q, size))| c.position.is_length && q.abs() > FAR * size)
-}
-
 /// The failure if neither search found an equilibrium; it names a singular position beside one of them, if there is
 /// one.
 fn nowhere(mechanism: &dyn Differentiable, stuck: &Statics, last: &Statics) -> Failure {
-    let near = [last, stuck].into_iter().filter(|at| !is_far(mechanism, &at.q, &at.sizes));
-    let singular = near.into_iter().find_map(|at| at.singular_nearby(mechanism));
+    let singular = [last, stuck].into_iter().find_map(|at| at.singular_nearby(mechanism));
     singular.unwrap_or_else(|| {
         let (coordinate, acceleration) = stuck.largest_acceleration();
         let name = |j: usize| mechanism.description().coordinates[j].position.name;
