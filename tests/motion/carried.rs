@@ -1,6 +1,6 @@
 //! Bodies that time alone moves, by tables and with corners, beside others: what moves them does work.
 
-use sim::{Method, Rows, Run, Settings, Stepping, Table};
+use sim::{Method, Rows, Run, Settings, Stepping, Table, What};
 use tests::any_model::{AnyModel, interpreted};
 use tests::run_with;
 
@@ -95,6 +95,24 @@ fn equal_steps_over_rows_that_jump_are_counted() {
     // Rows at 0.3, 0.5 and 0.8 s, within steps and at their ends.
     assert_eq!([counted("measured(t)", 64), counted("measured(t)", 100)], [3, 3]);
     assert_eq!(counted("l*sin(t/(1 [s]))", 64), 0);
+}
+
+/// A cart that a table drives and that stops at its last row throws what hangs from it: adaptive steps see that, and equal ones are
+/// refused.
+#[test]
+fn equal_steps_over_the_end_of_a_course_are_refused() {
+    let text = "pub Stopped; coordinates { x [m]; phi [rad]; }
+        tables { way [m] over [s] = cubic { 0, 0; 0.2, 0.3; 0.4, 0.5; 0.5, 0.7; } }
+        bodies { cart: mass 2 [kg] at [x, 0]; bob: mass 1 [kg] at [x + 0.4 [m]*sin(phi), -0.4 [m]*cos(phi)]; }
+        loads { gravity [0, -9.81 [m/s^2]]; } constraints { drive: x = way(t); } initial { phi = 0.2; guess x = 0; }";
+    let run = |settings: &Settings| run_with(interpreted(text).unwrap(), settings).unwrap();
+    let adaptive = run(&Settings::adaptive(Method::Dop853, 1.0, 1e-10));
+    assert_eq!(adaptive.steps.corners.map(|corners| corners.steps), Some(1));
+    for steps in [100, 333] {
+        let failure = run(&Settings::equal_steps(Method::Rk4, 1.0, steps)).trajectory.failure.unwrap();
+        assert!(matches!(failure.what, What::CornerInEqualStep { time } if (time - 0.5).abs() < 1e-9), "{failure}");
+        assert_eq!(run(&Settings::equal_steps(Method::Rk4, 0.495, steps)).trajectory.failure, None);
+    }
 }
 
 /// Where a table dwells, what it moves begins from rest, and the speeds of nothing jump; nor at the turn of a cosine, where an

@@ -10,7 +10,7 @@
 //! with the generalised momentum p = M q' + b, of which b belongs to bodies that time moves. What drives does work: the change of
 //! kinetic energy. Positions do not jump; a constraint that asks for it is refused.
 
-use super::changes_in_time::{ASIDE, First, What, tick};
+use super::changes_in_time::{ASIDE, FARTHER, First, What, stays, tick};
 use super::switching::first_known_change;
 use crate::motion::Motion;
 use crate::motion::equations::impulse;
@@ -36,11 +36,6 @@ pub(super) fn corner<M: Mechanism>(
     Ok(change.filter(|change| motion.size(change) * longest > LEAST_JUMP))
 }
 
-/// How much farther from a corner kinetic energies are compared once more, and the part of a jump that is there at the nearer places:
-/// what changes continuously is less there in proportion.
-const FARTHER: f64 = 16.0;
-const STAYS: f64 = 0.5;
-
 /// The same of a corner that coordinates feel little, or not at all, where the kinetic energy would jump at the same speeds: what
 /// drives a body does work there too.
 ///
@@ -56,7 +51,7 @@ pub(super) fn corner_of_energy<M: Mechanism>(
     let near = apart(times);
     let (middle, half) = ((times[0] + times[1]) / 2.0, FARTHER * (times[1] - times[0]) / 2.0);
     if near <= LEAST_JUMP * energy(times[0]).max(energy(times[1]))
-        || near <= STAYS * apart([middle - half, middle + half])
+        || !stays(near, apart([middle - half, middle + half]))
     {
         return Ok(None);
     }
@@ -93,7 +88,8 @@ pub(super) fn check_equal_step<M: Mechanism>(
     let (mut from, aside) = (now, ASIDE * tick(now, until));
     while let Some(First { time, what }) = first_known_change(mechanism, functions, from, until) {
         let sides = [(time - aside).max(now), time + aside];
-        let found = if what == What::Zero { corner(motion, state, sides, until - now)? } else { None };
+        let may_be = matches!(what, What::Zero | What::Row);
+        let found = if may_be { corner(motion, state, sides, until - now)? } else { None };
         if found.is_some() && motion.measures().rank() < mechanism.n() {
             return Err(Failure::at(mechanism, Why::CornerInEqualStep { time }, now, &state.positions));
         }

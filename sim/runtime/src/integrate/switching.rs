@@ -7,7 +7,7 @@
 //! second derivative acts, which may jump at a row. Equal steps stay equal; those that lead over such times are counted, as are
 //! those over changes by positions and speeds and over short pulses ([`super::jumps_of_loads`]).
 
-use super::changes_in_time::{ASIDE, First, What, first_change, tick};
+use super::changes_in_time::{ASIDE, FARTHER, First, What, first_change, stays, tick};
 use crate::motion::Motion;
 use crate::state::saved::{Bytes, Damaged};
 use crate::state::trajectory::{Sample, State};
@@ -135,10 +135,6 @@ fn accelerations_jump<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, time: 
     motion.size(&after.like(|j| after[j] - before[j])) > ROUNDING * size
 }
 
-/// How much farther from a time a difference is looked at once more, and the part of it that a jump has at the nearer places too: a
-/// continuous one becomes less in proportion.
-const FARTHER: f64 = 16.0;
-const STAYS: f64 = 0.5;
 /// A jump of accelerations that changes coordinates by less than this part of their scales within a step is rounding; so is one of
 /// the power by as small a part of the kinetic energy with which they go so far.
 const NOISE: f64 = 1e-12;
@@ -161,7 +157,7 @@ fn is_jump<M: Mechanism>(motion: &Motion<M>, from: &Sample<M>, time: f64, [now, 
         return false;
     }
     let Some(far) = across(FARTHER * aside) else { return false };
-    (0..2).any(|k| differs(k) && near[k][0] > STAYS * far[k][0])
+    (0..2).any(|k| differs(k) && stays(near[k][0], far[k][0]))
 }
 
 /// Whether accelerations or the power jump at a row of a table within a step from a sample until a time.
