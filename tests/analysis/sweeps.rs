@@ -257,11 +257,13 @@ fn time_runs_during_the_sweep() {
 /// A sweep of a length that begins at the origin, or close to it, where the mechanism has no length of its own: the spring pulls.
 #[test]
 fn a_length_is_driven_from_the_origin_on() {
-    let many: &[f64] = &[0.0, 1e-9, 1e-4, -1e-9, 0.1];
+    let all: &[f64] = &[0.0, 1e-9, 1e-4, -1e-9, 0.1];
+    // A debug build takes two seconds for each that begins close to the origin.
+    let sample = |some: &'static [f64]| if cfg!(debug_assertions) { some } else { all };
     let forms = [
-        ("", many),
-        ("constraints { c1: y = 0; c2: y = 0; }", &[1e-9]),
-        ("constraints { c1: y = 0.1*x; c2: 2*y = 0.2*x; }", &[0.0, 1e-4]),
+        ("", all),
+        ("constraints { c1: y = 0; c2: y = 0; }", sample(&[1e-9, 0.1])),
+        ("constraints { c1: y = 0.1*x; c2: 2*y = 0.2*x; }", sample(&[0.0, 1e-4])),
     ];
     for (constraints, starts) in forms {
         let coordinates = if constraints.is_empty() { "x [m];" } else { "x [m]; y [m];" };

@@ -19,6 +19,11 @@ pub fn interpreted(declaration: &str) -> Result<AnyModel, String> {
     file.model(None).map(Erased::of).map_err(|mistakes| mistakes.to_string())
 }
 
+/// A compiled mechanism without its type.
+fn of<M: Compiled>(mechanism: M) -> AnyModel {
+    Erased::of(erase(mechanism))
+}
+
 /// As [`crate::run`].
 ///
 /// # Errors
@@ -32,7 +37,7 @@ pub fn run<M: Compiled>(mechanism: M, end: f64, steps: usize) -> Result<Run<AnyM
 /// # Errors
 /// If it cannot be assembled.
 pub fn run_with<M: Compiled>(mechanism: M, settings: &Settings) -> Result<Run<AnyModel>, Failure> {
-    crate::run_with(Erased::of(erase(mechanism)), settings)
+    crate::run_with(of(mechanism), settings)
 }
 
 /// As [`sim::run`].
@@ -46,7 +51,7 @@ pub fn run_from<M: Compiled>(mechanism: M, start: &Start<M>, settings: &Settings
 
 /// A mechanism and its start without its type.
 pub fn without_type<M: Compiled>(mechanism: M, start: &Start<M>) -> (AnyModel, Start<AnyModel>) {
-    let model: AnyModel = Erased::of(erase(mechanism));
+    let model = of(mechanism);
     let Start { position_given, speed_given, .. } = start.clone();
     let shaped = declared_start(&model);
     let positions = shaped.positions.like(|i| start.positions[i]);

@@ -212,13 +212,12 @@ impl<M: Mechanism> EventHandler<M> {
         Some(at)
     }
 
-    /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and
-    /// continues through zero. If the event has just happened, this requires that it was an impact in vain or that a constraint it
-    /// switched has been switched back, neither of which counts if its condition depends on time alone, that the condition had turned
-    /// back since, or that it returns to zero within an instant or
-    /// without having left it by more than the tolerance of constraints. One that releases a constraint because of a force
-    /// happens also if its condition is beyond zero, with or without a direction: a contact that a blow has closed does not
-    /// pull. What holds already does not land again: its condition stays where it is.
+    /// Whether an event with actions and a direction happens at the start of a phase: its condition holds there and continues
+    /// through zero. If the event has just happened, one of these is required: it was an impact in vain, or a constraint it switched
+    /// has been switched back, but not if its condition depends on time alone; the condition had turned back since; or it returns
+    /// to zero within an instant or without having left it by more than the tolerance of constraints. An event that releases a
+    /// constraint because of a force happens also if its condition is beyond zero, with or without a direction: a contact that a
+    /// blow has closed does not pull. What holds already does not land again: its condition stays where it is.
     fn is_due(&self, motion: &Motion<M>, onset: &Onset<M>, index: usize, sample: &Sample<M>) -> bool {
         let (mechanism, now, time) = (motion.mechanism(), &sample.state, sample.state.time);
         let described = &mechanism.description().events[index];
