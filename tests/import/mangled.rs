@@ -8,7 +8,7 @@ use tests::mangling::{mangled, seeds};
 use tests::{Random, peak_memory};
 
 /// `LINKWRIGHT_FUZZ` and `LINKWRIGHT_SEED` choose others.
-const CASES: usize = 300;
+const CASES: usize = tests::sampled(90, 300);
 
 /// A robot that takes this many times as long as its original is timed again, so often.
 const PLAINLY: f64 = 1.2;

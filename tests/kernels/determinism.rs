@@ -5,7 +5,7 @@ use quote::quote;
 use std::process::Command;
 
 fn generated() -> String {
-    let texts = all::descriptions().into_iter().map(|description| {
+    let texts = all::descriptions().into_iter().step_by(EVERY).map(|description| {
         let tokens = codegen::generate(description.declaration.parse().unwrap(), &quote!(sim_kernel)).unwrap();
         codegen::emit::format(tokens).unwrap()
     });
@@ -17,8 +17,9 @@ fn digest(text: &str) -> u64 {
     text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
-/// A debug build is several times slower.
-const EXPANSIONS: usize = if cfg!(debug_assertions) { 3 } else { 10 };
+const EXPANSIONS: usize = tests::sampled(3, 10);
+/// A debug build expands every so many declarations.
+const EVERY: usize = tests::sampled(3, 1);
 
 #[test]
 fn expansions_in_two_processes_give_equal_bytes() {

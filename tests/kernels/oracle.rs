@@ -14,7 +14,7 @@ use sim::verify::{computed, observed};
 use sim::{Array, Compiled, FixedArray, Input, Measures, accelerate, project_positions, project_velocities};
 use tests::Random;
 
-const STATES: usize = if cfg!(debug_assertions) { 250 } else { 1000 };
+const STATES: usize = tests::sampled(80, 1000);
 
 /// Its redundant constraints leave every elimination without a pivot, and off them its equations without a solution.
 pub(crate) const OVERCONSTRAINED: &str = "bennett";

@@ -75,7 +75,7 @@ fn check_saved<M: Compiled>(mechanism: M, end: f64, random: &mut Random) {
             states.push(bits(whole.state()));
         }
         let mut other = simulation(mechanism, &settings);
-        for _ in 0..50 {
+        for _ in 0..tests::sampled(10, 50) {
             let at = random.between(0.0, saved.len() as f64) as usize;
             other.restore(&saved[at]).unwrap();
             for expected in states[at..].iter().take(12) {

@@ -56,12 +56,12 @@ const METHODS: &str = "DOP853 against DOPRI5";
 const ORDER: &str = "order of convergence";
 const PARTITIONING: &str = "projection against partitioning";
 
+/// Every shipped one, or every fourth in a debug build.
 #[test]
-fn every_shipped_mechanism_passes() {
-    macro_rules! all {
-        ($($model:ty),*) => { $(assert_eq!(failing(any(<$model>::default()), 2.0), [""; 0]);)* };
+fn shipped_mechanisms_pass() {
+    for (name, model) in models::erased().step_by(tests::sampled(4, 1)) {
+        assert_eq!(failing(AnyModel::of(model()), 2.0), [""; 0], "{name}");
     }
-    models::all_models!(all);
     assert_eq!(failing(any(Shaken::default()), 1.0), [""; 0]);
 }
 

@@ -29,8 +29,9 @@ fn quick_return_for_ten_thousand_seconds() {
     assert!(position < 1e-10 && velocity < 1e-10 && energy < 1e-6, "{position:e} {velocity:e} {energy:e}");
 }
 
+/// A thousand seconds, or a quarter of that in a debug build.
 #[test]
-fn a_four_bar_under_gravity_for_a_thousand_seconds() {
-    let (position, velocity, energy) = check(FourBar::default(), 1000.0);
+fn a_four_bar_under_gravity_for_many_minutes() {
+    let (position, velocity, energy) = check(FourBar::default(), tests::sampled(250.0, 1000.0));
     assert!(position < 1e-11 && velocity < 1e-11 && energy < 1e-7, "{position:e} {velocity:e} {energy:e}");
 }

@@ -143,7 +143,8 @@ fn off(run: &Run<AnyModel>) -> [f64; 2] {
 /// Rows between steps are as good as steps. The rates of the quaternion lose ten times as much.
 #[test]
 fn a_satellite_turns_by_eulers_equations() {
-    for (method, rtol) in [(Method::Dop853, 1e-11), (Method::Dopri5, 1e-12), (Method::Radau5, 1e-10)] {
+    let all: &[_] = &[(Method::Dop853, 1e-11), (Method::Radau5, 1e-10), (Method::Dopri5, 1e-12)];
+    for &(method, rtol) in tests::sampled(&all[..2], all) {
         for rows in [1, 1000] {
             let settings = Settings { rows: Rows::Even(rows), ..Settings::adaptive(method, END, rtol) };
             let (run, other) = (turning::<Satellite>(&settings), turning::<Quaternion>(&settings));

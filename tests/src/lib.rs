@@ -34,6 +34,11 @@ pub fn decimal(value: &Value) -> f64 {
     value.as_str().and_then(|text| text.parse().ok()).unwrap_or(f64::NAN)
 }
 
+/// How much of a slow check is done: a part in a debug build, as the gate's is, and all in release.
+pub const fn sampled<T: Copy>(part: T, all: T) -> T {
+    if cfg!(debug_assertions) { part } else { all }
+}
+
 /// A run from the declared start, by the classical method of Runge and Kutta with equal steps.
 ///
 /// # Errors

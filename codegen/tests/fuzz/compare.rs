@@ -8,9 +8,9 @@ use codegen::dsl;
 use codegen::model::Unit;
 use codegen::oracle::{self, Comparison, Computed, Measured, Observed, Oracle, Solution, residual};
 
-/// Declarations in the plane and in space, and states of each.
-const PLANE: usize = 12;
-const SPACE: usize = 6;
+/// Declarations in the plane and in space, of which a debug build takes a part, and states of each.
+const PLANE: usize = if cfg!(debug_assertions) { 4 } else { 12 };
+const SPACE: usize = if cfg!(debug_assertions) { 2 } else { 6 };
 const STATES: usize = 4;
 /// Declarations that are compiled as one crate: more of them take the compiler more memory than a machine may have.
 const TOGETHER: usize = 144;

@@ -10,7 +10,7 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
 
-const CASES: u32 = 10_000;
+const CASES: u32 = crate::harness::sampled(2_000, 10_000);
 
 /// Where the right value is known, the engine's is within its error bound; where there is none, the engine
 /// has none.

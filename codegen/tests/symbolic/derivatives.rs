@@ -10,7 +10,7 @@ use proptest::test_runner::TestCaseError;
 use std::array::from_fn;
 use std::f64::consts::{E, FRAC_PI_2, PI};
 
-const CASES: u32 = 5_000;
+const CASES: u32 = crate::harness::sampled(1_500, 5_000);
 
 /// How far each intermediate result is moved to see what its rounding would do.
 const NUDGE: f64 = 1e-9;

@@ -15,6 +15,11 @@ pub(crate) enum Verdict {
 
 pub(crate) type Outcome = Result<Verdict, TestCaseError>;
 
+/// How many cases: a part in a debug build, as the gate's is, and all in release.
+pub(crate) const fn sampled(part: u32, all: u32) -> u32 {
+    if cfg!(debug_assertions) { part } else { all }
+}
+
 /// Draws the cases, always the same ones, and requires that at least a given percentage is not left open.
 pub(crate) fn check<S: Strategy>(cases: u32, least_percent: u32, strategy: S, property: impl Fn(S::Value) -> Outcome) {
     let config = Config {
