@@ -35,6 +35,7 @@ fn a_limit_position_is_named_and_what_came_before_is_kept() {
     assert_eq!(output.status.code(), Some(1));
     assert!(stderr(&output).contains("`x` cannot go beyond 0.298496231 m"), "{}", stderr(&output));
     let said: Value = serde_json::from_str(&stdout(&output)).unwrap();
+    assert_eq!(said["drive"]["reached"], said["limit_position"]["at"]);
     assert!((said["limit_position"]["at"].as_f64().unwrap() - (0.09f64 - 0.0009).sqrt()).abs() < 1e-14);
     assert!(crate::column(&directory, "x [m]").len() > 500);
 }

@@ -230,8 +230,8 @@ fn tables_stand_beside_the_file() {
 /// A parameter that the declaration starts with acts on a run file too, except where the start was given by hand.
 #[test]
 fn parameters_of_a_run_file_move_its_start() {
-    let text = "pub Hung; coordinates { phi [rad]; } parameters { a [deg] = 30; l [m] = 1; } bodies { b: mass 1 [kg] at
-        l*[sin(phi), -cos(phi)]; } loads { gravity [0, -9.81 [m/s^2]]; } initial { phi = a; }";
+    let text = "pub Hung; coordinates { phi [rad]; } parameters { a [deg] = 30; l [m] = 1; eta [percent] = 80; } bodies { b: mass eta
+        * 1 [kg] at l*[sin(phi), -cos(phi)]; } loads { gravity [0, -9.81 [m/s^2]]; } initial { phi = a; }";
     let folder = folder("hung", &[("hung.mech", text)]);
     let first = |name: &str, words: &[&str]| {
         let more = ["--t-end", "0.1", "--rows", "1", "--no-figures", "--no-report", "--out", name];
@@ -241,6 +241,13 @@ fn parameters_of_a_run_file_move_its_start() {
     };
     assert!((first("a", &["hung.mech"]) - 30f64.to_radians()).abs() < 1e-15);
     assert!((first("b", &["a/run.json", "--set", "a=60deg"]) - 60f64.to_radians()).abs() < 1e-15);
+    let file: Value = serde_json::from_str(&fs::read_to_string(folder.join("b/run.json")).unwrap()).unwrap();
+    // Parts of a hundred are numbers, and degrees angles.
+    assert_eq!(
+        (&file["parameters"]["eta"], &file["parameters"]["a"]),
+        (&"0.8 [1]".into(), &"1.0471975511965976 rad".into())
+    );
+    assert_eq!(first("e", &["b/run.json"]), first("f", &["b/run.json", "--set", "eta=80"]));
     assert_eq!(first("c", &["hung.mech", "--initial", "phi=0.25"]), 0.25);
     assert_eq!(first("d", &["c/run.json", "--set", "a=60deg"]), 0.25);
 }

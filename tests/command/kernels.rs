@@ -68,6 +68,9 @@ fn kernels_are_evaluated_at_states() {
     assert!(said(&["--kernel", "dynamics", "--at", "few.csv"]).contains("`dynamics` needs the column `alpha_dot`"));
     fs::write(folder.join("twice.csv"), "alpha,beta,alpha [deg],gamma\n1,1.2,90,2.7\n").unwrap();
     assert!(said(&["--kernel", "mass_matrix", "--at", "twice.csv"]).contains("the heading has `alpha` twice"));
+    fs::write(folder.join("values.csv"), "alpha,beta,gamma,O2A [m]\n1,1.2,2.7,0.2\n").unwrap();
+    let given = said(&["--kernel", "mass_matrix", "--at", "values.csv"]);
+    assert!(given.contains("leave its column out, and give `--set O2A=VALUE`"), "{given}");
     let without_times = "there is no column `t`: t = 0 at all states";
     assert!(said(&["--kernel", "mass_matrix", "--at", "few.csv"]).contains(without_times));
     assert!(!said(&["--kernel", "dynamics", "--at", states]).contains(without_times));

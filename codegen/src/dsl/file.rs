@@ -124,7 +124,7 @@ fn rows(name: &str, folder: &Path, span: Span, count: &mut usize) -> std::result
             [] => is_first = words.is_empty(),
             cells if is_heading => match headings(cells).as_slice() {
                 [argument, value] => words.extend(row(quoted(argument), quoted(value))),
-                _ if line.contains('[') => {
+                _ if line.contains(['[', ',', ';']) => {
                     return Err(format!(
                         "{name}, line {}: a heading names the arguments and the values, as in `t [s], F [N]`",
                         at + 1

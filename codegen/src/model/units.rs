@@ -3,7 +3,7 @@
 use super::Dimension;
 use crate::dsl;
 use crate::nearest;
-use crate::symbolic::{Constant, Expr, Graph, Number};
+use crate::symbolic::{Constant, Expr, Graph, Number, evaluate};
 
 /// A unit: its dimension, and its size in SI units as an exact rational times a power of pi.
 #[derive(Clone, PartialEq, Debug)]
@@ -180,6 +180,28 @@ impl Unit {
         self.rational.to_f64() * std::f64::consts::PI.powi(self.pi_power as i32)
     }
 
+    /// A decimal number in this unit in SI units, with the bits that a declaration gives it: exact, and then rounded. `None` if it is
+    /// none, or out of range.
+    pub fn to_si(&self, decimal: &str) -> Option<f64> {
+        let (sign, digits) = match decimal.strip_prefix('-') {
+            Some(digits) => (-1.0, digits),
+            None => (1.0, decimal.strip_prefix('+').unwrap_or(decimal)),
+        };
+        let mut graph = Graph::new();
+        let (number, factor) = (Number::parse_decimal(digits)?, self.factor_expression(&mut graph));
+        let number = graph.number(number);
+        let value = graph.mul(number, factor);
+        evaluate(&graph, &[value], |_| f64::NAN).first().map(|value| sign * value).filter(|value| value.is_finite())
+    }
+
+    /// A value in SI units in this unit: the shortest of the numbers next to it that [`Unit::to_si`] makes the same again, if one does.
+    pub fn from_si(&self, value: f64) -> f64 {
+        let near = value / self.factor();
+        let decimals = (14..=16).map(|digits| format!("{near:.digits$e}"));
+        let again = decimals.filter(|decimal| self.to_si(decimal) == Some(value));
+        again.filter_map(|decimal| decimal.parse().ok()).next().unwrap_or(near)
+    }
+
     /// Its size in SI units, exactly.
     pub fn factor_expression(&self, graph: &mut Graph) -> Expr {
         let rational = graph.number(self.rational.clone());
@@ -195,6 +217,11 @@ impl Unit {
             true => "J".to_owned(),
             false => self.dimension.si_unit(),
         }
+    }
+
+    /// Whether it is a unit of angles, as `deg` is and `percent` is not.
+    pub fn is_of_angles(&self) -> bool {
+        self.counts == Counts::Angles && self.dimension.is_none()
     }
 
     /// The unit of this quantity's rate of the given order: `rad/s^2`.

@@ -282,7 +282,9 @@ fn files() {
         refused(&format!("{heading}\n0,0\n1,1\n"), &format!("4:50 {said}"));
     }
     let two = "a heading names the arguments and the values, as in `t [s], F [N]`";
-    refused("lift [mm]\n0,0\n1,1\n", &format!("{place}, line 1: {two}"));
+    for heading in ["lift [mm]", "angle,rad,lift,mm", "angle;rad;lift"] {
+        refused(&format!("{heading}\n0,0\n1,1\n"), &format!("{place}, line 1: {two}"));
+    }
     let many = |rows: usize| (0..rows).map(|row| format!("{row},2\n")).collect::<String>();
     assert_eq!(in_file(&format!("angle [deg], lift [mm]\n{}", many(100_000))), Ok(100_000));
     refused(&many(100_001), "4:50 the tables of a declaration have at most 100000 rows altogether; give fewer");

@@ -21,10 +21,12 @@ pub(super) fn parse_quantity(what: &str, text: &str, default_unit: &str) -> Resu
         .ok()
         .filter(|value: &f64| value.is_finite())
         .ok_or_else(|| fail(format!("`{text}` does not start with a number; write it like `180mm` or `0.18`")))?;
+    // Numbers of very many digits are rounded before they are multiplied.
+    let in_si = |unit: &Unit| finite(unit.to_si(number).unwrap_or(value * unit.factor()));
     let declared = Unit::parse(default_unit).map_err(fail)?;
     let unit = unit.trim().trim_start_matches('[').trim_end_matches(']');
     if unit.is_empty() {
-        return finite(value * declared.factor());
+        return in_si(&declared);
     }
     let given = Unit::parse(unit).map_err(|why| fail(multiplied(unit).unwrap_or(why)))?;
     if given.dimension() != declared.dimension() {
@@ -36,7 +38,7 @@ pub(super) fn parse_quantity(what: &str, text: &str, default_unit: &str) -> Resu
     }
     match given.mistaken_for(&declared) {
         Some(why) => Err(fail(why)),
-        None => finite(value * given.factor()),
+        None => in_si(&given),
     }
 }
 
@@ -88,6 +90,25 @@ mod tests {
             let found = value(text, unit).unwrap();
             assert!((found - si).abs() <= 2.0 * f64::EPSILON * si.abs(), "{text}: {found}");
         }
+    }
+
+    /// A number and its unit are multiplied exactly and rounded once, as in a declaration.
+    #[test]
+    fn numbers_have_the_bits_of_their_decimals() {
+        let unit = |text| Unit::parse(text).unwrap();
+        for (text, si) in [("170", 0.17), ("700", 0.7), ("-0.3", -3e-4), ("1.1e+3", 1.1), (".9", 9e-4), ("7.", 7e-3)] {
+            assert_eq!((value(text, "mm"), value(&format!("{text} mm"), "m")), (Ok(si), Ok(si)), "{text}");
+            assert_eq!(unit("mm").from_si(si), text.parse::<f64>().unwrap());
+        }
+        for tenths in -2000..2000 {
+            let (number, name) =
+                (f64::from(tenths) / 10.0, ["deg", "um", "inch", "rpm", "percent"][tenths as usize % 5]);
+            let si = value(&format!("{number:?}"), name).unwrap();
+            assert_eq!(unit(name).from_si(si), number, "{number} {name}");
+        }
+        // More digits than are multiplied exactly.
+        let (long, short) = (value(&format!("0.{}", "3".repeat(500)), "mm"), value("0.3333333333333333", "mm"));
+        assert!((long.unwrap() - short.unwrap()).abs() < 1e-19);
     }
 
     #[test]

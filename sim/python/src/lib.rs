@@ -17,7 +17,7 @@ mod _linkwright {
     #[pymodule_export]
     use crate::answer::Answer;
     #[pymodule_export]
-    use crate::model::{Model, from_text, read};
+    use crate::model::{Model, from_text, in_unit, read};
     #[pymodule_export]
     use crate::robots::import_robot;
     #[pymodule_export]

@@ -7,6 +7,7 @@ use crate::kernels::{Given, call};
 use crate::robots::declared_in;
 use crate::shipped::entry;
 use crate::simulation::Simulation;
+use codegen::model::Unit;
 use codegen::notation::Notation;
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -57,6 +58,13 @@ fn unknown(name: &str) -> String {
         "no shipped model is called `{name}`{near}\nknown: {}; a file ends in .mech, .rs or .urdf",
         names.join(", ")
     )
+}
+
+/// A value in SI units in a unit: the number that a declaration would have for it.
+#[pyfunction]
+pub(crate) fn in_unit(py: Python<'_>, value: f64, unit: &str) -> PyResult<f64> {
+    let unit = Unit::parse(unit).map_err(|why| argument(py, &why))?;
+    Ok(unit.from_si(value))
 }
 
 impl Model {

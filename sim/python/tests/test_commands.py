@@ -83,6 +83,9 @@ def test_mistakes_have_places(tmp_path):
         ({"parameters": {"m": "2 m"}}, "is a unit of dimension"),
         ({"parameters": {"m": True}}, "a number is needed"),
         ({"parameters": {"m": float("nan")}}, "is not finite"),
+        ({"parameters": ["m=1"]}, "values by name are needed"),
+        ({"t_end": True}, "t_end: True: a number or a text"),
+        ({"until": np.False_}, "until: .*False.*: a number or a text"),
         ({"method": "rk5"}, "no method is called `rk5`"),
         ({"t_end": -1}, "above 0"),
         ({"steps": 0, "method": "rk4"}, "above 0"),
@@ -114,3 +117,18 @@ def test_names_are_kept_as_they_are(tmp_path):
     model = linkwright.load("pub Same; coordinates { x [m]; } parameters { m [kg] = 1; l [m] = 1; }\n"
                             "bodies { b: mass m at [x, 0]; } constraints { x: x = l; }")
     assert model.units["x"] == "m" and model.units["lambda_x"] == "N"
+
+
+def test_what_matrices_may_not_be_is_told():
+    text = "pub Bent; coordinates {{ x [m]; }} inputs {{ u [N] = {input}; }} bodies {{ a: mass 1 [kg] at [x, 0]; }}\n" \
+        "loads {{ force u - (if x > 0 then 40 [N/m] else 10 [N/m])*x on x; }} outputs {{ v [m/s] = norm([dot(x), 0]); }}"
+    bent = linkwright.load(text.format(input="0"))
+    with pytest.warns(linkwright.LinkwrightWarning) as told:
+        found = bent.linearize()
+    assert [str(warning.message) for warning in told] == found.summary["warnings"]
+    assert "has a corner" in found.summary["warnings"][0] and "v: no derivative here" in found.summary["warnings"][1]
+    assert np.isnan(found.C).all()
+    with pytest.warns(linkwright.LinkwrightWarning, match="has a corner"):
+        bent.equilibrium()
+    with pytest.warns(linkwright.LinkwrightWarning, match="holds at t = 0 alone"):
+        linkwright.load(text.format(input="5 [N]*cos(3 [rad/s]*t)")).equilibrium()

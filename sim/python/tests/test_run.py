@@ -184,3 +184,17 @@ def test_runs_are_compared_with_a_smaller_tolerance():
         assert chaos.run(60).summary["off_from_tolerance"]["by"] > 0.1
     alone = chaos.run(60, comparison=False).summary
     assert alone["compared_with_rtol"] is None and alone["off_from_tolerance"] is None
+
+
+def test_values_by_name_have_the_bits_of_the_declaration():
+    units, rng = ["mm", "um", "inch", "km", "cm", "ft"], np.random.default_rng(5)
+    values = {f"p{i}": float(f"{rng.uniform(-1, 1) * 10.0 ** rng.integers(-3, 4):.6g}") for i in range(120)}
+    declared = " ".join(f"{name} [{units[i % 6]}] = {value!r};" for i, (name, value) in enumerate(values.items()))
+    model = linkwright.load("pub Many; coordinates { x [m]; } parameters { " + declared + " } bodies { b: mass 1 [kg] at [x, 0]; }\n"
+                            "loads { force 1 [N/m]*(" + " + ".join(values) + ") on x; }")
+    assert model.parameters == values
+    assert model.with_values(values)._parameter_values() == model._parameter_values()
+    in_words = {name: f"{value!r} {model.units[name]}" for name, value in values.items()}
+    assert model.with_values(in_words)._parameter_values() == model._parameter_values()
+    shown = linkwright.load("cart-pole").parameters
+    assert shown["start"] == 170

@@ -2,7 +2,7 @@
 
 use crate::dsl::region::here;
 use crate::dsl::{Region, Unit};
-use proc_macro2::TokenStream;
+use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser, Result};
 use syn::{Ident, LitInt, Token};
@@ -32,13 +32,56 @@ pub(super) fn declared_unit(input: ParseStream, name: &Ident) -> Result<Option<U
 
 /// Reads a unit without brackets from text, such as `mm` or `kg*m^2`.
 pub fn parse_unit(text: &str) -> Result<Unit> {
-    let tokens: TokenStream = text.parse().map_err(|_| {
+    let whole = Region::from(Span::call_site());
+    let tokens = words(text).ok_or_else(|| {
         let degrees = if text.contains('\u{b0}') { "; degrees are `deg`" } else { "" };
-        let message = format!("`{text}` is not a unit; write it like `m/s^2`{degrees}");
-        Region::from(proc_macro2::Span::call_site()).error(message)
+        whole.error(format!("`{text}` is not a unit; write it like `m/s^2`{degrees}"))
     })?;
-    let whole = Region::from(proc_macro2::Span::call_site());
     (|input: ParseStream| unit(input, whole)).parse2(tokens)
+}
+
+/// The words of a unit. Read by proc_macro2, each text would be kept as long as its thread lives, to show its lines.
+fn words(text: &str) -> Option<TokenStream> {
+    if text.len() > LONGEST {
+        return None;
+    }
+    let mut open: Vec<Vec<TokenTree>> = vec![Vec::new()];
+    let mut rest = text.trim_start();
+    while let Some(first) = rest.chars().next() {
+        let belongs: fn(char) -> bool = match first {
+            '0'..='9' => |c| c.is_ascii_digit(),
+            first if is_letter(first) => |c| is_letter(c) || c.is_ascii_digit(),
+            _ => |_| false,
+        };
+        let length = rest.find(|c| !belongs(c)).unwrap_or(rest.len()).max(first.len_utf8());
+        let (word, after) = rest.split_at(length);
+        let tree = match first {
+            '(' => {
+                open.push(Vec::new());
+                None
+            }
+            ')' => {
+                let inside = TokenStream::from_iter(open.pop()?);
+                Some(TokenTree::from(Group::new(Delimiter::Parenthesis, inside)))
+            }
+            '*' | '/' | '^' | '-' => Some(Punct::new(first, Spacing::Alone).into()),
+            '0'..='9' => Some(Literal::u64_unsuffixed(word.parse().ok()?).into()),
+            first if is_letter(first) => Some(Ident::new(word, Span::call_site()).into()),
+            _ => return None,
+        };
+        open.last_mut()?.extend(tree);
+        rest = after.trim_start();
+    }
+    let whole = open.pop()?;
+    open.is_empty().then(|| whole.into_iter().collect())
+}
+
+/// Bytes of a unit in a text.
+const LONGEST: usize = 200;
+
+/// Of the names of units, micro as its sign and as the Greek letter among them.
+fn is_letter(c: char) -> bool {
+    c.is_ascii_alphabetic() || ['\u{b5}', '\u{3bc}'].contains(&c)
 }
 
 /// The text of a unit that stands without its brackets.

@@ -210,6 +210,7 @@ fn summary(found: &Found, place: &str) -> Value {
         "outputs": found.description.outputs.iter().map(|o| o.name).collect::<Vec<_>>(),
         "outputs_without_derivative": found.undefined,
         "events_without_effect": idle_events(found.description),
+        "warnings": warnings(found),
     });
     for (name, matrix) in found.matrices {
         said[name] = rows(matrix);
@@ -229,6 +230,14 @@ fn states(description: &Description, independent: &[usize], independent_speeds: 
     let coordinates = description.coordinates;
     let positions = independent.iter().map(|j| coordinates[*j].position.name);
     positions.chain(independent_speeds.iter().map(|j| coordinates[*j].speed.name)).collect()
+}
+
+/// Why the matrices may not be what was asked for.
+fn warnings(found: &Found) -> Vec<String> {
+    let outputs = found.undefined.join(", ");
+    let undefined = format!("{outputs}: no derivative here, so rows of C and D are not numbers");
+    let warnings = [(found.has_corner, CORNER.to_owned()), (!outputs.is_empty(), undefined)];
+    warnings.into_iter().filter_map(|(is_so, warning)| is_so.then_some(warning)).collect()
 }
 
 fn report(found: &Found) -> String {
@@ -251,12 +260,8 @@ fn report(found: &Found) -> String {
     } else if found.speeds.iter().any(|speed| *speed != 0.0) {
         text += &format!("{:<12} yes: A is constant along the motion\n", "steady");
     }
-    if found.has_corner {
-        text += &format!("{:<12} {CORNER}\n", "warning");
-    }
-    if !found.undefined.is_empty() {
-        let outputs = found.undefined.join(", ");
-        text += &format!("{:<12} {outputs}: no derivative here, so rows of C and D are not numbers\n", "warning");
+    for warning in warnings(found) {
+        text += &format!("{:<12} {warning}\n", "warning");
     }
     let said = if found.is_of_run { only_until_then } else { only_in_runs };
     if let Some(line) = said(found.description) {

@@ -140,6 +140,8 @@ fn of_equilibrium(
     (eigenvalues, is_steady, has_corner): (&[Complex<f64>], bool, bool),
 ) -> Result<Said, Stop> {
     let values = eigenvalues.iter().map(|value| json!([value.re, value.im]));
+    let of_one_time = (!is_steady).then_some("what acts changes with time: this holds at t = 0 alone");
+    let warnings: Vec<&str> = of_one_time.into_iter().chain(has_corner.then_some(CORNER)).collect();
     let json = json!({
         "model": description.name,
         "coordinates": named(description.coordinates.iter().map(|c| &c.position), positions),
@@ -149,6 +151,7 @@ fn of_equilibrium(
         "steady": is_steady,
         "corner": has_corner,
         "events_without_effect": idle_events(description),
+        "warnings": warnings,
     });
     let mut out = String::new();
     let coordinates = description.coordinates.iter().map(|c| &c.position);
@@ -168,11 +171,8 @@ fn of_equilibrium(
         let sign = if value.im < 0.0 { "" } else { "+" };
         writeln!(out, "{:<20} {:>20} {sign}{} i 1/s", "eigenvalue", part(value.re), part(value.im))?;
     }
-    if !is_steady {
-        writeln!(out, "{:<20} what acts changes with time: this holds at t = 0 alone", "warning")?;
-    }
-    if has_corner {
-        writeln!(out, "{:<20} {CORNER}", "warning")?;
+    for warning in warnings {
+        writeln!(out, "{:<20} {warning}", "warning")?;
     }
     if let Some(line) = only_in_runs(description) {
         writeln!(out, "{:<20} {line}", "events")?;

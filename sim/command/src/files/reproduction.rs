@@ -126,12 +126,12 @@ fn initial<M: Mechanism>(mechanism: &M, start: &Start<M>) -> Vec<(&'static str, 
 
 /// A value in the coherent SI unit, so that it reads back as the same number.
 pub(crate) fn in_si(quantity: &Quantity, value: f64) -> String {
-    let unit = Unit::parse(quantity.unit).map_or_else(|_| quantity.unit.to_owned(), |unit| unit.si_text());
-    match unit.as_str() {
-        // Degrees have the dimension 1; their coherent unit is the radian.
-        "1" if quantity.factor != 1.0 => format!("{value:?} rad"),
-        "1" => format!("{value:?}"),
-        unit => format!("{value:?} {unit}"),
+    let Ok(unit) = Unit::parse(quantity.unit) else { return format!("{value:?} {}", quantity.unit) };
+    match unit.si_text().as_str() {
+        "1" if quantity.factor == 1.0 => format!("{value:?}"),
+        "1" if unit.is_of_angles() => format!("{value:?} rad"),
+        "1" => format!("{value:?} [1]"),
+        coherent => format!("{value:?} {coherent}"),
     }
 }
 

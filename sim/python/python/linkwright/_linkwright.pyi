@@ -32,6 +32,8 @@ def import_robot(
 
 def from_text(text: str, path: str, name: Optional[str]) -> Model: ...
 def read(path: Optional[str], name: Optional[str]) -> Model: ...
+def in_unit(value: float, unit: str) -> float:
+    """A value in SI units in a unit: the number that a declaration would have for it."""
 
 @final
 class Answer:

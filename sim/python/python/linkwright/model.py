@@ -23,7 +23,7 @@ def load(source: str | os.PathLike[str], name: str | None = None) -> "Model":
     """Read a declaration and derive its equations of motion.
 
     Args:
-        source: a file that ends in ``.mech`` or ``.rs`` (or ``FILE:Name``), a robot's file that ends in ``.urdf``, the text of a declaration (in braces or several
+        source: a file that ends in ``.mech`` or ``.rs`` (or ``FILE:Name``), a robot's file that ends in ``.urdf``, the text of a declaration (told by its braces or
             lines), or the name of a shipped model: see ``linkwright.shipped()``. Tables are read from the folder of the file
             and below it; those of a text, from the current folder.
         name: which mechanism, where there are several: ``FourBar`` or ``four-bar``.
@@ -123,13 +123,13 @@ class Model(_linkwright.Model):
     def parameters(self) -> dict[str, float]:
         """Parameters by name, in declared units."""
         named = self._quantities("parameters")
-        return {name: value / factor for (name, _, factor, _), value in zip(named, self._parameter_values())}
+        return {name: _linkwright.in_unit(value, unit) for (name, unit, *_), value in zip(named, self._parameter_values())}
 
     @property
     def inputs(self) -> dict[str, float | None]:
         """Inputs by name, in declared units; None where the declared value holds."""
         named = zip(self._quantities("inputs"), self._input_values())
-        return {name: None if value is None else value / factor for (name, _, factor, _), value in named}
+        return {name: None if value is None else _linkwright.in_unit(value, unit) for (name, unit, *_), value in named}
 
     @property
     def units(self) -> dict[str, str]:
@@ -229,8 +229,14 @@ class Model(_linkwright.Model):
         return self._summary("assemble", ["--branches"], parameters, initial)
 
     def equilibrium(self, *, parameters: Values | None = None, initial: Values | None = None) -> dict[str, Any]:
-        """Find the equilibrium near the start: coordinates, multipliers, and eigenvalues of small motions."""
-        return self._summary("equilibrium", [], parameters, initial)
+        """Find the equilibrium near the start: coordinates, multipliers, and eigenvalues of small motions.
+
+        A ``LinkwrightWarning`` says where it holds at one time alone, or at a corner of what acts. They stand in its ``"warnings"``.
+        """
+        found = self._summary("equilibrium", [], parameters, initial)
+        for message in found["warnings"]:
+            warn(message)
+        return found
 
     def linearize(
         self,
@@ -245,9 +251,15 @@ class Model(_linkwright.Model):
         Args:
             at: ``"equilibrium"``, ``"initial"``, or a time in seconds.
             inputs: names of inputs or parameters, for B and D; all inputs unless given.
+
+        A ``LinkwrightWarning`` says where an output has no derivative, so that rows of C and D are not numbers, or where what acts has
+        a corner, so that small motions differ to either side. They stand in ``summary["warnings"]``.
         """
         words = options(at=at) + [f"--input={name}" for name in listed(inputs)]
-        return Linearization(self._asked("linearize", words, parameters, initial))
+        found = Linearization(self._asked("linearize", words, parameters, initial))
+        for message in found.summary["warnings"]:
+            warn(message)
+        return found
 
     def kinematics(
         self,

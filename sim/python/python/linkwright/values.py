@@ -42,14 +42,20 @@ def seconds(time: float) -> float:
 
 def assignments(values: Mapping[str, Value | None] | None) -> list[str]:
     """``NAME=VALUE`` each. Those that are None are left out: see ``declared``."""
-    if values is not None and not isinstance(values, Mapping):
-        raise ArgumentError(f"{values!r}: values by name are needed, such as {{'a': 0.2}}")
-    return [f"{name}={written(value)}" for name, value in (values or {}).items() if value is not None]
+    return [f"{name}={written(value)}" for name, value in _by_name(values) if value is not None]
 
 
 def declared(values: Mapping[str, Value | None] | None) -> list[str]:
     """The names whose value is None: they are as declared."""
-    return [name for name, value in (values or {}).items() if value is None]
+    return [name for name, value in _by_name(values) if value is None]
+
+
+def _by_name(values: Mapping[str, Value | None] | None) -> Iterable[tuple[str, Value | None]]:
+    if values is None:
+        return ()
+    if not isinstance(values, Mapping):
+        raise ArgumentError(f"{values!r}: values by name are needed, such as {{'a': 0.2}}")
+    return values.items()
 
 
 def repeated(option: str, values: Mapping[str, Value | None] | None) -> list[str]:
@@ -68,12 +74,12 @@ def options(**given: Any) -> list[str]:
     """Options that are given. Underscores are hyphens, as in ``t_end``."""
     words = []
     for name, value in given.items():
-        if value is None or value is False:
+        if value is None:
             continue
         option = f"--{name.replace('_', '-')}"
-        if value is True:
-            words.append(option)
-        elif isinstance(value, (int, np.integer)):
+        if isinstance(value, (bool, np.bool_)):
+            raise ArgumentError(f"{name}: {value!r}: a number or a text is needed")
+        if isinstance(value, (int, np.integer)):
             words.append(f"{option}={int(value)}")
         elif name == "projection" and isinstance(value, str):
             words.append(f"{option}={value.replace('_', '-')}")

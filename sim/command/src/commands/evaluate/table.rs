@@ -29,6 +29,7 @@ impl Table {
             let path = arguments.at.display();
             return Err(Stop::Usage(format!("{path}: no states; a line for each is needed below the heading")));
         }
+        refuse_values(description, &table)?;
         let of = |name: String, unit: &str, factor: f64, is_needed: bool| match table
             .iter()
             .find(|column| column.name == name)
@@ -67,6 +68,20 @@ impl Table {
         let [positions, speeds, accelerations, multipliers] = &self.levels;
         States { times: &self.times, positions, speeds, accelerations, multipliers }
     }
+}
+
+/// Parameters and inputs are the same in all states: a column of them would be passed over.
+fn refuse_values(description: &Description, table: &[StoredColumn]) -> Result<(), Stop> {
+    let kinds = [(description.parameters, "a parameter", "--set"), (description.inputs, "an input", "--input")];
+    for (quantities, kind, option) in kinds {
+        if let Some(column) = table.iter().find(|column| quantities.iter().any(|q| q.name == column.name)) {
+            let name = &column.name;
+            return Err(Stop::Usage(format!(
+                "`{name}` is {kind}, which is the same in all states: leave its column out, and give `{option} {name}=VALUE`"
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// The numbers of columns, row by row.

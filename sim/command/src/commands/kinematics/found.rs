@@ -58,7 +58,7 @@ fn drive(found: &Found) -> Value {
         "from": value(found.sweep.from),
         "to": value(found.sweep.to),
         "speed": value(found.sweep.rate()),
-        "reached": found.values.last().copied().map(value),
+        "reached": found.limit.map(|limit| limit.value).or_else(|| found.values.last().copied()).map(value),
         "samples": found.values.len(),
     })
 }
