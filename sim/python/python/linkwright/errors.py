@@ -18,6 +18,11 @@ def _as_argument(option: re.Match[str]) -> str:
     return _ARGUMENTS.get(name, name)
 
 
+def in_arguments(message: str) -> str:
+    """A message of the command line with the arguments of methods in place of its options."""
+    return _OPTION.sub(_as_argument, message)
+
+
 class LinkwrightError(Exception):
     """Something failed.
 
@@ -58,7 +63,7 @@ class ArgumentError(LinkwrightError, ValueError):
     code = "E-ARGUMENT"
 
     def __init__(self, message: str, **details: Any) -> None:
-        super().__init__(_OPTION.sub(_as_argument, message), **details)
+        super().__init__(in_arguments(message), **details)
 
 
 class ReadError(LinkwrightError, OSError):
@@ -131,7 +136,7 @@ class MotionError(LinkwrightError):
     result: Any = None
 
     def __init__(self, message: str, **details: Any) -> None:
-        super().__init__(message, **details)
+        super().__init__(in_arguments(message), **details)
         self.time: float | None = details.get("time")
         self.state: dict[str, float] = details.get("state", {})
         self.states: list[int] = details.get("states", [])

@@ -10,7 +10,7 @@ from typing import Any, Iterable, Mapping
 import numpy as np
 
 from . import _linkwright
-from .errors import ArgumentError, LinkwrightWarning
+from .errors import ArgumentError, LinkwrightWarning, in_arguments
 from .results import Linearization, Motion, checked
 from .simulation import Simulation
 from .values import Value, assignments, declared, listed, options, repeated
@@ -84,7 +84,7 @@ def import_robot(
 
 def warn(message: str) -> None:
     """Warn whoever called the method that calls this."""
-    warnings.warn(message, LinkwrightWarning, stacklevel=3)
+    warnings.warn(in_arguments(message), LinkwrightWarning, stacklevel=3)
 
 
 def _restored(
