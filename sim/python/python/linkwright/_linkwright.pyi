@@ -8,7 +8,7 @@ from typing_extensions import disjoint_base
 
 from .errors import LinkwrightError
 
-__all__ = ["Answer", "Model", "Simulation", "from_text", "import_robot", "main", "read", "shipped"]
+__all__ = ["Answer", "Model", "Simulation", "from_text", "import_robot", "in_unit", "main", "read", "shipped"]
 
 _Array = NDArray[np.float64]
 _Times = Union[float, ArrayLike]
