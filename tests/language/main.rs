@@ -3,13 +3,15 @@
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
+mod names_of_mechanisms;
+mod names_of_rust;
+
 use std::path::Path;
 use std::{env, fs};
 
 #[test]
 fn declarations_through_rustc() {
     let cases = trybuild::TestCases::new();
-    cases.pass("../tests/language/pass/*.rs");
     cases.pass(examples_of_the_reference());
     cases.compile_fail("../tests/language/fail/*.rs");
 }

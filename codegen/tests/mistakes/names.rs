@@ -46,7 +46,7 @@ fn what_is_generated_has_names_of_its_own() {
             &["1:5 a declaration starts with the mechanism's name: `pub QuickReturn;`"],
         );
     }
-    // These are compiled in `tests/language/pass/names_of_mechanisms.rs`.
+    // These are compiled in `tests/language/names_of_mechanisms.rs`.
     for name in ["T", "U", "Mechanism", "Option", "f64"] {
         check("pub Pendulum;", &format!("pub {name};"), &[]);
     }

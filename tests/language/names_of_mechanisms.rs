@@ -1,5 +1,8 @@
 //! Names that what is generated uses too: as mechanisms, coordinates, parameters, inputs, outputs and intermediate results.
 
+// In a crate of its own this would be seen from outside.
+#![allow(dead_code, unreachable_pub)]
+
 use mechanism_macros::mechanism;
 
 /// A mechanism of this name, in a module of its own, with these names for what it has.
@@ -45,7 +48,8 @@ mechanism! {
     outputs { r#if [m] = r#match; }
 }
 
-fn main() {
+#[test]
+fn names_of_what_is_generated_are_names_like_others() {
     use sim_kernel::Compiled as _;
     let _ = (a::T::<f64>::defaults(), b::U::<f64>::defaults(), r#type::<f64>::defaults());
 }

@@ -1,5 +1,4 @@
 //! Names that are keywords, prelude names or names inside the generated code.
-#![deny(warnings)]
 
 // What the user's module has under the same names.
 #[allow(dead_code)]
@@ -20,7 +19,8 @@ mechanism_macros::mechanism! {
     outputs { refused = Some.x*value; Ok = dot(q); }
 }
 
-fn main() {
+#[test]
+fn names_of_rust_are_names_like_others() {
     use sim_kernel::Compiled;
     let mechanism: Names = Names { S: 2.0, ..Names::default() };
     let coordinates = NamesCoordinates { r#type: 0.1, q: 0.2, N: 0.3, r#gen: 0.4 };
