@@ -160,3 +160,91 @@ fn rows_of_a_table_that_moves_a_mass_have_the_derivatives_that_differences_have(
     }
     assert!(refusal(led, &Settings::equal_steps(Method::Rk4, 1.0, 64)).contains("sudden change"));
 }
+
+/// The derivatives of the end by a parameter, of a mass on a line, after stops at these times.
+fn end(text: &str, parameter: usize, settings: &Settings, stops: &[f64]) -> [f64; 2] {
+    let model = interpreted(text).unwrap();
+    let direction = direction(&model, Some(parameter), None);
+    let mut motion = ForwardSensitivity::new(model.clone(), &declared_start(&model), settings, &direction).unwrap();
+    for stop in stops {
+        motion.advance_to(*stop).unwrap();
+    }
+    motion.advance_to(settings.end).unwrap();
+    [motion.state().positions[0].derivative, motion.state().speeds[0].derivative]
+}
+
+fn near(found: [f64; 2], expected: [f64; 2], bound: f64, case: &str) {
+    let error = (found[0] - expected[0]).abs().max((found[1] - expected[1]).abs());
+    assert!(error < bound, "{case}: {found:?} for {expected:?}");
+}
+
+/// A mass under a load.
+fn loaded(load: &str, tables: &str) -> String {
+    format!(
+        "pub Loaded; coordinates {{ x [m]; }} parameters {{ a [N] = 2; s [s] = 0.4; w = 1; }} tables {{ {tables} }}
+         bodies {{ b: mass 1 [kg] at [x, 0]; }} loads {{ force {load} on x; }} initial {{ x = 0; dot(x) = 0.3; }}"
+    )
+}
+
+/// Where a step ends on a jump, as at a stop: x = x0 + a (T - s)^2/2.
+#[test]
+fn stops_at_a_jump_change_no_derivative() {
+    for condition in ["t < s", "t <= s", "s - t > 0 [s]", "sin(t*1 [rad/s]) < sin(s*1 [rad/s])"] {
+        let text = loaded(&format!("if {condition} then 0 [N] else a"), "");
+        for method in [Method::Dopri5, Method::Dop853, Method::Rk4] {
+            for stops in [&[][..], &[0.4], &[0.25, 0.4, 0.7], &[0.4 - 1e-15, 0.4 + 1e-15]] {
+                let settings = match method {
+                    Method::Rk4 => Settings::adaptive(Method::Dop853, 2.0, 1e-6),
+                    _ => Settings::adaptive(method, 1.0, 1e-10),
+                };
+                let ahead = settings.end - 0.4;
+                near(end(&text, 1, &settings, stops), [-2.0 * ahead, -2.0], 1e-12, condition);
+                near(end(&text, 0, &settings, stops), [ahead * ahead / 2.0, ahead], 1e-12, condition);
+            }
+        }
+        for steps in [10, 100] {
+            let why = refusal(interpreted(&text).unwrap(), &Settings::equal_steps(Method::Rk4, 1.0, steps));
+            assert!(why.contains("sudden change"), "{condition}: {why}");
+        }
+    }
+}
+
+/// Corners at ends of steps: of a table whose row is there, of an input's course, and of functions. From s = 0.4 s on the force grows,
+/// so that x = x0 + a (T - s)^3/6.
+#[test]
+fn corners_at_ends_of_steps_change_no_derivative() {
+    let ramp = "ramp over [s] = linear { 0, 0; 0.4, 0; 1, 0.6; 4, 3.6; }";
+    let loads = [
+        ("a*ramp(t - s + 0.4 [s])", ramp),
+        ("a*max(0, (t - s)/1 [s])", ""),
+        ("a*(abs(t - s) + t - s)/2 [s]", ""),
+        ("if t > s then a*(t - s)/1 [s] else 0 [N]", ""),
+    ];
+    for (load, tables) in loads {
+        let text = loaded(load, tables);
+        for method in [Method::Dopri5, Method::Dop853] {
+            for tolerance in [1e-6, 1e-12] {
+                for stops in [&[][..], &[0.4], &[0.1, 0.2, 0.3, 0.4, 0.5]] {
+                    let settings = Settings::adaptive(method, 1.0, tolerance);
+                    near(end(&text, 1, &settings, stops), [-0.36, -1.2], 1e-12, load);
+                }
+            }
+        }
+        for steps in [10, 1000] {
+            near(end(&text, 1, &Settings::equal_steps(Method::Rk4, 1.0, steps), &[]), [-0.36, -1.2], 1e-12, load);
+        }
+    }
+    // A corner at the start.
+    let at_once = loaded("a*max(0, (t - s)/1 [s])", "").replace("s [s] = 0.4", "s [s] = 0");
+    for settings in [Settings::adaptive(Method::Dop853, 1.0, 1e-10), Settings::equal_steps(Method::Rk4, 1.0, 10)] {
+        near(end(&at_once, 1, &settings, &[]), [-1.0, -2.0], 1e-12, "at the start");
+    }
+    // The course w goes through comes sooner by it: F = 2 sh(w t).
+    let text = loaded("a*sh(t*w)", "sh over [s] = linear { 0, 0; 0.1, 1; 0.3, 1; 0.5, 0; }");
+    for method in [Method::Dopri5, Method::Dop853] {
+        let settings = Settings::adaptive(method, 1.0, 1e-12);
+        // v = (2/w) times the area 0.35 until the end; x = 2 (0.35 (1/w) - (first moment)/w^2), with the moment 0.0808333.
+        let moment = 0.1 * 0.1 / 3.0 + 0.2 * 0.2 + 0.1 * (0.3 + 0.2 / 3.0);
+        near(end(&text, 2, &settings, &[]), [2.0 * (2.0 * moment - 0.35), -0.7], 1e-12, "course");
+    }
+}

@@ -6,10 +6,10 @@
 //! conditions, for a state that does not jump itself.) Of a jump at a position or speed, g depends on the state: what its
 //! derivative adds counts too, and g_t is the rate of g along the motion before the jump.
 
-use crate::integrate::form;
+use crate::integrate::{form, stays};
 use crate::numerics::signs::crosses;
 use crate::state::trajectory::{Sample, State};
-use sim_kernel::{Array, Dual, Mechanism};
+use sim_kernel::{Array, Dual, Mechanism, Switching};
 
 /// Why a jump is refused.
 pub(super) const TOGETHER: &str = "two sudden changes fall together here that do not move together";
@@ -45,6 +45,37 @@ pub(super) fn moved<M: Mechanism<Dual>>(
         true => Ok(first),
         false => Err(TOGETHER),
     }
+}
+
+/// Whether something changes its form between two times; what is smooth does not.
+pub(super) fn changes_between<M: Mechanism<Dual>>(mechanism: &M, times: [f64; 2]) -> bool {
+    let functions = mechanism.description().switching;
+    if functions.is_empty() {
+        return false;
+    }
+    let [before, after] = times.map(|time| mechanism.switching_functions(Dual::constant(time)));
+    let may_change = |function: &Switching| function.table.is_some() || !function.kind.is_smooth();
+    let changes = |k: usize| form(&functions[k], before[k].value) != form(&functions[k], after[k].value);
+    (0..functions.len()).any(|k| may_change(&functions[k]) && changes(k))
+}
+
+/// What rates differ by where nothing jumps, as a part of the largest.
+const ROUNDING: f64 = 1e-9;
+
+/// Whether accelerations or the power jump between two samples next to each other, beside two that are some times as far apart: what is
+/// continuous differs there by as many times as much.
+pub(super) fn rates_jump<M: Mechanism<Dual>>(near: &[Sample<M, Dual>; 2], far: &[Sample<M, Dual>; 2]) -> bool {
+    let jump = |[before, after]: [&[Dual]; 2], [earlier, later]: [&[Dual]; 2]| {
+        let largest = before.iter().chain(after).map(|rate| rate.value.abs()).fold(0.0, f64::max);
+        (0..before.len()).any(|k| {
+            let [near, far] = [[before, after], [earlier, later]].map(|[a, b]| (b[k].value - a[k].value).abs());
+            near > ROUNDING * largest && stays(near, far)
+        })
+    };
+    let [accelerations, far_accelerations] =
+        [near, far].map(|ends| ends.each_ref().map(|end| end.accelerations.as_ref()));
+    let [power, far_power] = [near, far].map(|ends| ends.each_ref().map(|end| std::slice::from_ref(&end.power)));
+    jump(accelerations, far_accelerations) || jump(power, far_power)
 }
 
 /// Whether moves differ by rounding, as one that is found in two ways.

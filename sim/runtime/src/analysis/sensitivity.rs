@@ -4,10 +4,13 @@
 //! times. So the derivative is that of the computed motion, to rounding, with its steps held (internal differentiation;
 //! Bock, Numerical treatment of inverse problems in chemical reaction kinetics, 1981). Decisions have no derivative:
 //! which steps are taken follows from values alone. Where they end beside a jump of what acts on the mechanism, as adaptive
-//! steps do, what the move of the jump adds is known ([`jumps`]).
+//! steps do, what the move of the jump adds is known ([`jumps`]). Where a step ends on a change of form itself, be it a jump or a corner,
+//! it is repeated up to right before that, and the next one begins right behind it: derivatives differ to either side.
 
 use super::jumps::{self, MovedJump};
-use crate::integrate::{ExplicitRungeKutta, attempt_plainly, leads_over_change, leads_over_row_that_jumps, tableau};
+use crate::integrate::{
+    ExplicitRungeKutta, FARTHER, around, attempt_plainly, leads_over_change, leads_over_row_that_jumps, tableau,
+};
 use crate::motion::field::Field;
 use crate::motion::plain::Plain;
 use crate::run::Simulation;
@@ -50,6 +53,8 @@ pub struct ForwardSensitivity<M: Mechanism> {
     stepping: Stepping,
     /// The end of the motion, in seconds.
     end: f64,
+    /// What changes its form until this time has been passed, in seconds: it may lie right behind the present time.
+    passed: f64,
 }
 
 impl<M: Mechanism> ForwardSensitivity<M> {
@@ -86,7 +91,12 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         let begun = along((mechanism, &lifted), start, &state, direction)?;
         let plain = Plain::new(lifted, measures);
         let sample = plain.sample(begun)?;
-        Ok(ForwardSensitivity { simulation, plain, method, sample, stepping: settings.stepping, end: settings.end })
+        let (stepping, end, passed) = (settings.stepping, settings.end, f64::NEG_INFINITY);
+        let mut begun = ForwardSensitivity { simulation, plain, method, sample, stepping, end, passed };
+        if let Some([_, after]) = begun.change_at(state.time) {
+            begun.pass(begun.sample.state.clone(), after)?;
+        }
+        Ok(begun)
     }
 
     /// The motion itself.
@@ -133,15 +143,11 @@ impl<M: Mechanism> ForwardSensitivity<M> {
 
     /// Repeats a step to this time on dual numbers; an equal one may lead over a row that is a jump.
     fn follow(&mut self, time: f64, row_jumps: bool) -> Result<(), Failure> {
-        let (plain, method) = (&self.plain, &mut self.method);
-        let ahead = attempt_plainly(plain, method, &self.sample, Dual::constant(time), None)?.to;
-        let (moved, jump) = (self.moved_jump(time, row_jumps)?, self.moved_jump_of_loads(&ahead)?);
-        self.sample = match (moved == 0.0, jump) {
-            (true, None) => ahead,
-            (true, Some(jump)) => self.plain.sample(jumps::behind_jump(&ahead.state, &jump))?,
-            (false, None) => self.plain.sample(jumps::behind(&self.sample, &ahead, moved))?,
-            (false, Some(_)) => return Err(self.not_differentiable(jumps::TOGETHER)),
-        };
+        if !self.ends_on_change(time)? {
+            let ahead = self.ahead(time)?;
+            let moved = self.moved_jump(time, row_jumps)?;
+            self.step_to([&self.sample.clone(), &ahead], moved)?;
+        }
         // The same to rounding.
         let state = self.simulation.state();
         set_values(&mut self.sample.state.positions, &state.positions);
@@ -158,10 +164,62 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         }
     }
 
+    /// A step to this time on dual numbers.
+    fn ahead(&mut self, time: f64) -> Result<Sample<Lifted<M>, Dual>, Failure> {
+        Ok(attempt_plainly(&self.plain, &mut self.method, &self.sample, Dual::constant(time), None)?.to)
+    }
+
+    /// Takes a sample for the present one, with what a jump that lies between it and one before adds to its derivative.
+    fn step_to(&mut self, [before, after]: [&Sample<Lifted<M>, Dual>; 2], moved: f64) -> Result<(), Failure> {
+        self.sample = match (moved == 0.0, self.moved_jump_of_loads(after)?) {
+            (true, None) => after.clone(),
+            (true, Some(jump)) => self.plain.sample(jumps::behind_jump(&after.state, &jump))?,
+            (false, None) => self.plain.sample(jumps::behind(before, after, moved))?,
+            (false, Some(_)) => return Err(self.not_differentiable(jumps::TOGETHER)),
+        };
+        Ok(())
+    }
+
+    /// The times right before and behind this one, if something changes its form between them.
+    fn change_at(&self, time: f64) -> Option<[f64; 2]> {
+        let around = around(time, self.end);
+        let times = [time - around, time + around];
+        jumps::changes_between(self.plain.mechanism(), times).then_some(times)
+    }
+
+    /// Repeats a step that ends on a change of form, if it does: up to there, and over the change. One of equal steps over a jump is left to
+    /// be repeated as it is.
+    fn ends_on_change(&mut self, time: f64) -> Result<bool, Failure> {
+        let Some([before, after]) = self.change_at(time) else { return Ok(false) };
+        let ahead = if before > self.sample.state.time.value { self.ahead(before)? } else { self.sample.clone() };
+        let at = |time: f64| self.plain.sample(State { time: Dual::constant(time), ..ahead.state.clone() });
+        let far = [at(time + FARTHER * (before - time))?, at(time + FARTHER * (after - time))?];
+        let near = [ahead.clone(), at(after)?];
+        let mut moved = 0.0;
+        if jumps::rates_jump(&near, &far) {
+            moved = self.moved_jump(after, true)?;
+            if matches!(self.stepping, Stepping::Equal(_)) {
+                return Ok(false);
+            }
+        }
+        self.step_to(near.each_ref(), moved)?;
+        let state = self.sample.state.clone();
+        self.pass(State { time: Dual::constant(time), ..state }, after)?;
+        Ok(true)
+    }
+
+    /// Goes on from a state with the rates right behind a change.
+    fn pass(&mut self, state: State<Lifted<M>, Dual>, after: f64) -> Result<(), Failure> {
+        let time = state.time;
+        self.sample = self.plain.sample(State { time: Dual::constant(after), ..state })?;
+        (self.sample.state.time, self.passed) = (time, after);
+        Ok(())
+    }
+
     /// How far a jump at a known time within a step to this time moves, in seconds. Rows of tables are jumps where steps lead over
     /// them as over jumps.
     fn moved_jump(&self, time: f64, row_jumps: bool) -> Result<f64, Failure> {
-        let times = [self.sample.state.time.value, time];
+        let times = [self.sample.state.time.value.max(self.passed), time];
         let row_jumps = row_jumps || leads_over_change(times, self.end);
         let moved = jumps::moved(self.plain.mechanism(), times, row_jumps);
         let moved = moved.map_err(|why| self.not_differentiable(why))?;

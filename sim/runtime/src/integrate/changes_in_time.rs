@@ -24,17 +24,22 @@ pub(super) fn tick(now: f64, until: f64) -> f64 {
 pub(super) const ASIDE: f64 = 4.0;
 
 /// How much farther from a time a difference is looked at once more, to tell a jump.
-pub(super) const FARTHER: f64 = 16.0;
+pub(crate) const FARTHER: f64 = 16.0;
 
 /// Whether a difference near a time is that of a jump, beside the one so much farther away: one that is continuous becomes less in
 /// proportion.
-pub(super) fn stays(near: f64, far: f64) -> bool {
+pub(crate) fn stays(near: f64, far: f64) -> bool {
     near > 0.5 * far
 }
 
 /// Whether a step between two times, in a motion until this end, is one of those that lead over a sudden change and nothing else.
 pub(crate) fn leads_over_change([from, to]: [f64; 2], end: f64) -> bool {
     to - from <= 3.0 * ASIDE * tick(from, end)
+}
+
+/// How far from a time a change still falls on it, but for rounding, in a motion until this end.
+pub(crate) fn around(time: f64, end: f64) -> f64 {
+    0.5 * ASIDE * tick(time, end)
 }
 
 /// The first thing that is found.

@@ -176,10 +176,10 @@ impl<M: Mechanism> Simulation<M> {
         self.advance(self.settings.end, &mut ())
     }
 
-    /// Advances to a time, at which a step ends, or to the end of the motion if that is earlier.
+    /// Advances to a time, at which a step ends, or to the end of the motion if that is earlier. One that is past changes nothing.
     ///
     /// # Errors
-    /// As [`step`](Simulation::step), and [`What::NotFinite`] if the time is not finite.
+    /// As [`step`](Simulation::step), and [`What::Unusable`] if the time is NaN.
     pub fn advance_to(&mut self, time: f64) -> Result<(), Failure> {
         self.advance_while(time, &mut || true)
     }
@@ -263,7 +263,7 @@ impl<M: Mechanism> Simulation<M> {
     /// A time to advance to, as far as the motion goes.
     pub(super) fn check_time(&self, time: f64) -> Result<f64, Failure> {
         if time.is_nan() {
-            let what = What::NotFinite { quantity: "the time to advance to".to_owned() };
+            let what = What::Unusable { setting: "the time to advance to is not a number".to_owned() };
             return Err(Failure::at(self.mechanism(), what, self.state.time, &self.state.positions));
         }
         Ok(time.min(self.settings.end))
