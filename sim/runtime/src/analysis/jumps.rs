@@ -9,21 +9,41 @@
 use crate::integrate::{form, stays};
 use crate::numerics::signs::crosses;
 use crate::state::trajectory::{Sample, State};
-use sim_kernel::{Array, Dual, Mechanism, Switching};
+use sim_kernel::{Array, Dual, Mechanism, Switching, Table};
 
 /// Why a jump is refused.
 pub(super) const TOGETHER: &str = "two sudden changes fall together here that do not move together";
 
+/// Which rows of tables count as changes of form.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Rows {
+    /// None: steps end there, and what tables say is continuous.
+    None,
+    /// Those at which a slope jumps.
+    Corners,
+    /// All.
+    All,
+}
+
+/// Whether a table has a row between two arguments at which its slope jumps.
+fn has_corner(table: &Table, [from, to]: [f64; 2]) -> bool {
+    let slope = |x: f64| table.at::<f64, 2>(x)[1];
+    let (from, to) = (from.min(to), from.max(to));
+    let rows = std::iter::successors(Some(table.next_row(from)), |row| Some(table.next_row(*row)));
+    rows.take_while(|row| *row <= to).any(|row| {
+        let [before, after] = [table.last_row(row).max(row - 1.0), table.next_row(row).min(row + 1.0)];
+        let [near, far] =
+            [1e-9, 0.5].map(|part| [slope(row + part * (before - row)), slope(row + part * (after - row))]);
+        (near[1] - near[0]).abs() > 1e-6 * (far[0].abs() + far[1].abs())
+    })
+}
+
 /// How far the time of what changes its form between two times moves, in seconds for a unit of the direction in which the
-/// mechanism is differentiated; 0 if nothing changes. Rows of tables may be jumps too.
+/// mechanism is differentiated; 0 if nothing changes.
 ///
 /// # Errors
 /// If changes that move apart fall together, as a sentence.
-pub(super) fn moved<M: Mechanism<Dual>>(
-    mechanism: &M,
-    [from, to]: [f64; 2],
-    rows_jump: bool,
-) -> Result<f64, &'static str> {
+pub(super) fn moved<M: Mechanism<Dual>>(mechanism: &M, [from, to]: [f64; 2], rows: Rows) -> Result<f64, &'static str> {
     let functions = mechanism.description().switching;
     if functions.is_empty() {
         return Ok(0.0);
@@ -34,7 +54,11 @@ pub(super) fn moved<M: Mechanism<Dual>>(
     let changes = |k: &usize| {
         let (function, values) = (&functions[*k], [before[*k].value, after[*k].value]);
         match function.table {
-            Some(_) => rows_jump && form(function, values[0]) != form(function, values[1]),
+            Some(table) => match rows {
+                Rows::None => false,
+                Rows::Corners => has_corner(table, values),
+                Rows::All => form(function, values[0]) != form(function, values[1]),
+            },
             None => !function.kind.is_smooth() && values[0] * values[1] < 0.0,
         }
     };

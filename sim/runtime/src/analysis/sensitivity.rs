@@ -7,7 +7,7 @@
 //! steps do, what the move of the jump adds is known ([`jumps`]). Where a step ends on a change of form itself, be it a jump or a corner,
 //! it is repeated up to right before that, and the next one begins right behind it: derivatives differ to either side.
 
-use super::jumps::{self, MovedJump};
+use super::jumps::{self, MovedJump, Rows};
 use crate::integrate::{
     ExplicitRungeKutta, FARTHER, around, attempt_plainly, leads_over_change, leads_over_row_that_jumps, tableau,
 };
@@ -143,10 +143,9 @@ impl<M: Mechanism> ForwardSensitivity<M> {
 
     /// Repeats a step to this time on dual numbers; an equal one may lead over a row that is a jump.
     fn follow(&mut self, time: f64, row_jumps: bool) -> Result<(), Failure> {
-        if !self.ends_on_change(time)? {
-            let ahead = self.ahead(time)?;
-            let moved = self.moved_jump(time, row_jumps)?;
-            self.step_to([&self.sample.clone(), &ahead], moved)?;
+        match self.change_at(time) {
+            Some(around) => self.step_onto_change(time, around, row_jumps)?,
+            None => self.step_until(time, row_jumps)?,
         }
         // The same to rounding.
         let state = self.simulation.state();
@@ -164,17 +163,19 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         }
     }
 
-    /// A step to this time on dual numbers.
-    fn ahead(&mut self, time: f64) -> Result<Sample<Lifted<M>, Dual>, Failure> {
-        Ok(attempt_plainly(&self.plain, &mut self.method, &self.sample, Dual::constant(time), None)?.to)
+    /// Repeats a step to this time, with what a jump within it adds.
+    fn step_until(&mut self, time: f64, row_jumps: bool) -> Result<(), Failure> {
+        let ahead = attempt_plainly(&self.plain, &mut self.method, &self.sample, Dual::constant(time), None)?.to;
+        let moved = self.moved_jump(time, row_jumps)?;
+        self.step_over(ahead, moved)
     }
 
-    /// Takes a sample for the present one, with what a jump that lies between it and one before adds to its derivative.
-    fn step_to(&mut self, [before, after]: [&Sample<Lifted<M>, Dual>; 2], moved: f64) -> Result<(), Failure> {
-        self.sample = match (moved == 0.0, self.moved_jump_of_loads(after)?) {
-            (true, None) => after.clone(),
-            (true, Some(jump)) => self.plain.sample(jumps::behind_jump(&after.state, &jump))?,
-            (false, None) => self.plain.sample(jumps::behind(before, after, moved))?,
+    /// Goes from the present sample to one behind it, with what jumps between them add.
+    fn step_over(&mut self, to: Sample<Lifted<M>, Dual>, moved: f64) -> Result<(), Failure> {
+        self.sample = match (moved == 0.0, self.moved_jump_of_loads(&to)?) {
+            (true, None) => to,
+            (true, Some(jump)) => self.plain.sample(jumps::behind_jump(&to.state, &jump))?,
+            (false, None) => self.plain.sample(jumps::behind(&self.sample, &to, moved))?,
             (false, Some(_)) => return Err(self.not_differentiable(jumps::TOGETHER)),
         };
         Ok(())
@@ -187,25 +188,26 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         jumps::changes_between(self.plain.mechanism(), times).then_some(times)
     }
 
-    /// Repeats a step that ends on a change of form, if it does: up to there, and over the change. One of equal steps over a jump is left to
-    /// be repeated as it is.
-    fn ends_on_change(&mut self, time: f64) -> Result<bool, Failure> {
-        let Some([before, after]) = self.change_at(time) else { return Ok(false) };
-        let ahead = if before > self.sample.state.time.value { self.ahead(before)? } else { self.sample.clone() };
-        let at = |time: f64| self.plain.sample(State { time: Dual::constant(time), ..ahead.state.clone() });
-        let far = [at(time + FARTHER * (before - time))?, at(time + FARTHER * (after - time))?];
-        let near = [ahead.clone(), at(after)?];
-        let mut moved = 0.0;
-        if jumps::rates_jump(&near, &far) {
-            moved = self.moved_jump(after, true)?;
-            if matches!(self.stepping, Stepping::Equal(_)) {
-                return Ok(false);
-            }
+    /// Repeats a step that ends on a change of form: until right before it, and over it. One of equal steps onto a jump that does not move
+    /// is repeated as it is.
+    fn step_onto_change(&mut self, time: f64, [before, after]: [f64; 2], row_jumps: bool) -> Result<(), Failure> {
+        let begun = self.sample.clone();
+        if before > begun.state.time.value {
+            self.step_until(before, row_jumps)?;
         }
-        self.step_to(near.each_ref(), moved)?;
+        let at = |time: f64| self.plain.sample(State { time: Dual::constant(time), ..self.sample.state.clone() });
+        let far = [at(time + FARTHER * (before - time))?, at(time + FARTHER * (after - time))?];
+        let near = [self.sample.clone(), at(after)?];
+        let is_jump = jumps::rates_jump(&near, &far);
+        let moved = if is_jump { self.moved_jump(after, true)? } else { 0.0 };
+        if is_jump && matches!(self.stepping, Stepping::Equal(_)) {
+            self.sample = begun;
+            return self.step_until(time, row_jumps);
+        }
+        let [_, behind] = near;
+        self.step_over(behind, moved)?;
         let state = self.sample.state.clone();
-        self.pass(State { time: Dual::constant(time), ..state }, after)?;
-        Ok(true)
+        self.pass(State { time: Dual::constant(time), ..state }, after)
     }
 
     /// Goes on from a state with the rates right behind a change.
@@ -220,8 +222,15 @@ impl<M: Mechanism> ForwardSensitivity<M> {
     /// them as over jumps.
     fn moved_jump(&self, time: f64, row_jumps: bool) -> Result<f64, Failure> {
         let times = [self.sample.state.time.value.max(self.passed), time];
-        let row_jumps = row_jumps || leads_over_change(times, self.end);
-        let moved = jumps::moved(self.plain.mechanism(), times, row_jumps);
+        if times[0] >= time {
+            return Ok(0.0);
+        }
+        let rows = match self.stepping {
+            _ if row_jumps || leads_over_change(times, self.end) => Rows::All,
+            Stepping::Equal(_) => Rows::Corners,
+            Stepping::Adaptive(_) => Rows::None,
+        };
+        let moved = jumps::moved(self.plain.mechanism(), times, rows);
         let moved = moved.map_err(|why| self.not_differentiable(why))?;
         self.check_move(moved)?;
         Ok(moved)
