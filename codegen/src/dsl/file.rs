@@ -126,7 +126,7 @@ fn rows(name: &str, folder: &Path, span: Span, count: &mut usize) -> std::result
                 [argument, value] => words.extend(row(quoted(argument), quoted(value))),
                 _ if line.contains(['[', ',', ';']) => {
                     return Err(format!(
-                        "{name}, line {}: a heading names the arguments and the values, as in `t [s], F [N]`",
+                        "{name}, line {}: a heading names the arguments and the values, as in `t [s], F [N]`; a title stands behind `#`",
                         at + 1
                     ));
                 }

@@ -180,8 +180,7 @@ impl Unit {
         self.rational.to_f64() * std::f64::consts::PI.powi(self.pi_power as i32)
     }
 
-    /// A decimal number in this unit in SI units, with the bits that a declaration gives it: exact, and then rounded. `None` if it is
-    /// none, or out of range.
+    /// A decimal number in this unit in SI units, with the bits that a declaration gives it. `None` if it is no number, or out of range.
     pub fn to_si(&self, decimal: &str) -> Option<f64> {
         let (sign, digits) = match decimal.strip_prefix('-') {
             Some(digits) => (-1.0, digits),
@@ -194,7 +193,7 @@ impl Unit {
         evaluate(&graph, &[value], |_| f64::NAN).first().map(|value| sign * value).filter(|value| value.is_finite())
     }
 
-    /// A value in SI units in this unit: the shortest of the numbers next to it that [`Unit::to_si`] makes the same again, if one does.
+    /// A value in SI units in this unit: with as few digits as [`Unit::to_si`] needs to give it back, or all if none do.
     pub fn from_si(&self, value: f64) -> f64 {
         let near = value / self.factor();
         let decimals = (14..=16).map(|digits| format!("{near:.digits$e}"));
@@ -359,6 +358,10 @@ mod tests {
 
     #[test]
     fn mistakes_name_the_nearest_unit() {
+        for bad in ["m^2s", "01/s", "m)", "(m", "m^+1", &"(".repeat(100_000)] {
+            assert!(Unit::parse(bad).is_err(), "{bad}");
+        }
+        assert_eq!(Unit::parse(&"m/m*".repeat(200).trim_end_matches('*')).unwrap().dimension(), &Dimension::none());
         assert_eq!(Unit::parse("kgg").unwrap_err(), "`kgg` is not a known unit (did you mean `kg`?)");
         assert_eq!(Unit::parse("Rpm").unwrap_err(), "`Rpm` is not a known unit (did you mean `rpm`?)");
         assert!(Unit::parse("m/").unwrap_err().contains("not a unit"));

@@ -281,7 +281,7 @@ fn files() {
     {
         refused(&format!("{heading}\n0,0\n1,1\n"), &format!("4:50 {said}"));
     }
-    let two = "a heading names the arguments and the values, as in `t [s], F [N]`";
+    let two = "a heading names the arguments and the values, as in `t [s], F [N]`; a title stands behind `#`";
     for heading in ["lift [mm]", "angle,rad,lift,mm", "angle;rad;lift"] {
         refused(&format!("{heading}\n0,0\n1,1\n"), &format!("{place}, line 1: {two}"));
     }

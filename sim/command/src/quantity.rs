@@ -92,7 +92,7 @@ mod tests {
         }
     }
 
-    /// A number and its unit are multiplied exactly and rounded once, as in a declaration.
+    /// A number and its unit give the bits of a declaration, and are read back from them.
     #[test]
     fn numbers_have_the_bits_of_their_decimals() {
         let unit = |text| Unit::parse(text).unwrap();

@@ -42,9 +42,6 @@ pub fn parse_unit(text: &str) -> Result<Unit> {
 
 /// The words of a unit. Read by proc_macro2, each text would be kept as long as its thread lives, to show its lines.
 fn words(text: &str) -> Option<TokenStream> {
-    if text.len() > LONGEST {
-        return None;
-    }
     let mut open: Vec<Vec<TokenTree>> = vec![Vec::new()];
     let mut rest = text.trim_start();
     while let Some(first) = rest.chars().next() {
@@ -56,6 +53,7 @@ fn words(text: &str) -> Option<TokenStream> {
         let length = rest.find(|c| !belongs(c)).unwrap_or(rest.len()).max(first.len_utf8());
         let (word, after) = rest.split_at(length);
         let tree = match first {
+            '(' if open.len() > DEEPEST => return None,
             '(' => {
                 open.push(Vec::new());
                 None
@@ -65,6 +63,7 @@ fn words(text: &str) -> Option<TokenStream> {
                 Some(TokenTree::from(Group::new(Delimiter::Parenthesis, inside)))
             }
             '*' | '/' | '^' | '-' => Some(Punct::new(first, Spacing::Alone).into()),
+            '0'..='9' if word.len() > 1 && first == '0' => return None,
             '0'..='9' => Some(Literal::u64_unsuffixed(word.parse().ok()?).into()),
             first if is_letter(first) => Some(Ident::new(word, Span::call_site()).into()),
             _ => return None,
@@ -76,12 +75,12 @@ fn words(text: &str) -> Option<TokenStream> {
     open.is_empty().then(|| whole.into_iter().collect())
 }
 
-/// Bytes of a unit in a text.
-const LONGEST: usize = 200;
+/// Parentheses within each other.
+const DEEPEST: usize = 100;
 
 /// Of the names of units, micro as its sign and as the Greek letter among them.
 fn is_letter(c: char) -> bool {
-    c.is_ascii_alphabetic() || ['\u{b5}', '\u{3bc}'].contains(&c)
+    c.is_ascii_alphabetic() || c == '_' || ['\u{b5}', '\u{3bc}'].contains(&c)
 }
 
 /// The text of a unit that stands without its brackets.
@@ -152,7 +151,7 @@ fn factor(input: ParseStream, sign: i32, unit: &mut Unit) -> Result<()> {
 fn exponent(input: ParseStream, unit: &mut Unit) -> Result<i32> {
     let negative = input.parse::<Option<Token![-]>>()?.is_some();
     let literal: LitInt = input.parse().map_err(|e| syn::Error::new(e.span(), "a unit's exponent is an integer"))?;
-    let size = literal.base10_parse::<i32>().ok().filter(|size| (1..=99).contains(size));
+    let size = literal.base10_parse::<i32>().ok().filter(|size| (1..=99).contains(size) && literal.suffix().is_empty());
     let size = size.ok_or_else(|| syn::Error::new(literal.span(), "a unit's exponent is an integer from -99 to 99"))?;
     let exponent = if negative { -size } else { size };
     unit.text += &format!("^{exponent}");

@@ -59,7 +59,8 @@ pub(super) fn moved<M: Mechanism<Dual>>(mechanism: &M, [from, to]: [f64; 2], row
                 Rows::Corners => has_corner(table, values),
                 Rows::All => form(function, values[0]) != form(function, values[1]),
             },
-            None => !function.kind.is_smooth() && values[0] * values[1] < 0.0,
+            // One that is zero at an end counts in both steps: it adds nothing where rates are of one side.
+            None => !function.kind.is_smooth() && form(function, values[0]) != form(function, values[1]),
         }
     };
     let move_of = |k: usize| -after[k].derivative / (with_time[k].derivative - after[k].derivative);
@@ -83,24 +84,30 @@ pub(super) fn changes_between<M: Mechanism<Dual>>(mechanism: &M, times: [f64; 2]
     (0..functions.len()).any(|k| may_change(&functions[k]) && changes(k))
 }
 
-/// What rates differ by where nothing jumps, as a part of the largest.
+/// What rates differ by where nothing jumps, as a part of them.
 const ROUNDING: f64 = 1e-9;
 
 /// Whether accelerations or the power jump between two samples next to each other, beside two that are some times as far apart: what is
-/// continuous differs there by as many times as much.
-pub(super) fn rates_jump<M: Mechanism<Dual>>(near: &[Sample<M, Dual>; 2], far: &[Sample<M, Dual>; 2]) -> bool {
-    let jump = |[before, after]: [&[Dual]; 2], [earlier, later]: [&[Dual]; 2]| {
-        let largest = before.iter().chain(after).map(|rate| rate.value.abs()).fold(0.0, f64::max);
-        (0..before.len()).any(|k| {
-            let [near, far] = [[before, after], [earlier, later]].map(|[a, b]| (b[k].value - a[k].value).abs());
-            near > ROUNDING * largest && stays(near, far)
-        })
+/// continuous differs there by as many times as much. Coordinates have these sizes.
+pub(super) fn rates_jump<M: Mechanism<Dual>>(
+    near: &[Sample<M, Dual>; 2],
+    far: &[Sample<M, Dual>; 2],
+    sizes: &M::Q,
+) -> bool {
+    let jumps = |of: &dyn Fn(&Sample<M, Dual>) -> f64, floor: f64| {
+        let [[before, after], [earlier, later]] = [near, far].map(|ends| ends.each_ref().map(of));
+        let difference = (after - before).abs();
+        difference > floor.max(ROUNDING * before.abs().max(after.abs())) && stays(difference, (later - earlier).abs())
     };
-    let [accelerations, far_accelerations] =
-        [near, far].map(|ends| ends.each_ref().map(|end| end.accelerations.as_ref()));
-    let [power, far_power] = [near, far].map(|ends| ends.each_ref().map(|end| std::slice::from_ref(&end.power)));
-    jump(accelerations, far_accelerations) || jump(power, far_power)
+    let scaled = |end: &Sample<M, Dual>, j: usize| (end.accelerations[j].value / sizes[j].value).abs();
+    let n = near[0].accelerations.as_ref().len();
+    let largest = (0..n).flat_map(|j| near.iter().map(move |end| scaled(end, j))).fold(0.0, f64::max);
+    (0..n).any(|j| jumps(&|end| end.accelerations[j].value, NOISE * largest * sizes[j].value))
+        || jumps(&|end| end.power.value, 0.0)
 }
+
+/// What accelerations differ by, as a part of the largest in the sizes of coordinates, where nothing acts on their coordinates.
+const NOISE: f64 = 1e-13;
 
 /// Whether moves differ by rounding, as one that is found in two ways.
 pub(super) fn are_same(first: f64, other: f64) -> bool {

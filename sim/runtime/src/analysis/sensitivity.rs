@@ -5,11 +5,11 @@
 //! Bock, Numerical treatment of inverse problems in chemical reaction kinetics, 1981). Decisions have no derivative:
 //! which steps are taken follows from values alone. Where they end beside a jump of what acts on the mechanism, as adaptive
 //! steps do, what the move of the jump adds is known ([`jumps`]). Where a step ends on a change of form itself, be it a jump or a corner,
-//! it is repeated up to right before that, and the next one begins right behind it: derivatives differ to either side.
+//! the step is repeated up to just before it, and the next one begins just behind it, since derivatives differ on the two sides.
 
 use super::jumps::{self, MovedJump, Rows};
 use crate::integrate::{
-    ExplicitRungeKutta, FARTHER, around, attempt_plainly, leads_over_change, leads_over_row_that_jumps, tableau,
+    ExplicitRungeKutta, FARTHER, around_end, attempt_plainly, leads_over_change, leads_over_row_that_jumps, tableau,
 };
 use crate::motion::field::Field;
 use crate::motion::plain::Plain;
@@ -53,7 +53,7 @@ pub struct ForwardSensitivity<M: Mechanism> {
     stepping: Stepping,
     /// The end of the motion, in seconds.
     end: f64,
-    /// What changes its form until this time has been passed, in seconds: it may lie right behind the present time.
+    /// Changes of form up to this time, in seconds, are behind us; it may be slightly later than the present time.
     passed: f64,
 }
 
@@ -92,11 +92,7 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         let plain = Plain::new(lifted, measures);
         let sample = plain.sample(begun)?;
         let (stepping, end, passed) = (settings.stepping, settings.end, f64::NEG_INFINITY);
-        let mut begun = ForwardSensitivity { simulation, plain, method, sample, stepping, end, passed };
-        if let Some([_, after]) = begun.change_at(state.time) {
-            begun.pass(begun.sample.state.clone(), after)?;
-        }
-        Ok(begun)
+        Ok(ForwardSensitivity { simulation, plain, method, sample, stepping, end, passed })
     }
 
     /// The motion itself.
@@ -114,7 +110,8 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         &self.sample
     }
 
-    /// Advances to a time, at which a step ends, or to the end of the motion if that is earlier.
+    /// Advances to a time, at which a step ends, or to the end of the motion if that is earlier. At a jump the derivative is that behind
+    /// it; at the start, that of a motion that begins behind it.
     ///
     /// # Errors
     /// As [`Simulation::advance_to`]; [`What::NotFinite`] where the state has no derivative; [`What::NotDifferentiable`] where
@@ -143,7 +140,14 @@ impl<M: Mechanism> ForwardSensitivity<M> {
 
     /// Repeats a step to this time on dual numbers; an equal one may lead over a row that is a jump.
     fn follow(&mut self, time: f64, row_jumps: bool) -> Result<(), Failure> {
-        match self.change_at(time) {
+        let from = self.sample.state.time.value;
+        if self.passed == f64::NEG_INFINITY {
+            self.passed = from;
+            if let Some([_, after]) = self.change_at(from, [from, time]) {
+                self.pass(self.sample.state.clone(), after)?;
+            }
+        }
+        match self.change_at(time, [from, time]) {
             Some(around) => self.step_onto_change(time, around, row_jumps)?,
             None => self.step_until(time, row_jumps)?,
         }
@@ -166,7 +170,7 @@ impl<M: Mechanism> ForwardSensitivity<M> {
     /// Repeats a step to this time, with what a jump within it adds.
     fn step_until(&mut self, time: f64, row_jumps: bool) -> Result<(), Failure> {
         let ahead = attempt_plainly(&self.plain, &mut self.method, &self.sample, Dual::constant(time), None)?.to;
-        let moved = self.moved_jump(time, row_jumps)?;
+        let moved = self.moved_jump(time, self.rows_until(time, row_jumps))?;
         self.step_over(ahead, moved)
     }
 
@@ -181,9 +185,9 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         Ok(())
     }
 
-    /// The times right before and behind this one, if something changes its form between them.
-    fn change_at(&self, time: f64) -> Option<[f64; 2]> {
-        let around = around(time, self.end);
+    /// The times just before and behind an end of a step, if something changes its form between them.
+    fn change_at(&self, time: f64, step: [f64; 2]) -> Option<[f64; 2]> {
+        let around = around_end(step);
         let times = [time - around, time + around];
         jumps::changes_between(self.plain.mechanism(), times).then_some(times)
     }
@@ -198,9 +202,12 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         let at = |time: f64| self.plain.sample(State { time: Dual::constant(time), ..self.sample.state.clone() });
         let far = [at(time + FARTHER * (before - time))?, at(time + FARTHER * (after - time))?];
         let near = [self.sample.clone(), at(after)?];
-        let is_jump = jumps::rates_jump(&near, &far);
-        let moved = if is_jump { self.moved_jump(after, true)? } else { 0.0 };
-        if is_jump && matches!(self.stepping, Stepping::Equal(_)) {
+        let is_jump = jumps::rates_jump(&near, &far, self.plain.measures().coordinates());
+        let is_equal = matches!(self.stepping, Stepping::Equal(_));
+        let rows = if is_jump { Rows::All } else { Rows::None };
+        // What is continuous adds nothing.
+        let moved = if is_jump || !is_equal { self.moved_jump(after, rows)? } else { 0.0 };
+        if is_jump && is_equal {
             self.sample = begun;
             return self.step_until(time, row_jumps);
         }
@@ -218,18 +225,21 @@ impl<M: Mechanism> ForwardSensitivity<M> {
         Ok(())
     }
 
-    /// How far a jump at a known time within a step to this time moves, in seconds. Rows of tables are jumps where steps lead over
-    /// them as over jumps.
-    fn moved_jump(&self, time: f64, row_jumps: bool) -> Result<f64, Failure> {
+    /// The rows of tables that count in a step to this time: those at which accelerations jump, and in an equal step corners.
+    fn rows_until(&self, time: f64, row_jumps: bool) -> Rows {
+        match self.stepping {
+            _ if row_jumps || leads_over_change([self.sample.state.time.value, time], self.end) => Rows::All,
+            Stepping::Equal(_) => Rows::Corners,
+            Stepping::Adaptive(_) => Rows::None,
+        }
+    }
+
+    /// How far a jump at a known time moves, in seconds, that lies before this time and is not behind us yet.
+    fn moved_jump(&self, time: f64, rows: Rows) -> Result<f64, Failure> {
         let times = [self.sample.state.time.value.max(self.passed), time];
         if times[0] >= time {
             return Ok(0.0);
         }
-        let rows = match self.stepping {
-            _ if row_jumps || leads_over_change(times, self.end) => Rows::All,
-            Stepping::Equal(_) => Rows::Corners,
-            Stepping::Adaptive(_) => Rows::None,
-        };
         let moved = jumps::moved(self.plain.mechanism(), times, rows);
         let moved = moved.map_err(|why| self.not_differentiable(why))?;
         self.check_move(moved)?;

@@ -37,9 +37,10 @@ pub(crate) fn leads_over_change([from, to]: [f64; 2], end: f64) -> bool {
     to - from <= 3.0 * ASIDE * tick(from, end)
 }
 
-/// How far from a time a change still falls on it, but for rounding, in a motion until this end.
-pub(crate) fn around(time: f64, end: f64) -> f64 {
-    0.5 * ASIDE * tick(time, end)
+/// Within this distance of its end a change counts as falling on the end of a step.
+pub(crate) fn around_end([from, to]: [f64; 2]) -> f64 {
+    // Steps look for changes farther ahead than they go.
+    0.5 * ASIDE * tick(to, to + 4.0 * (to - from))
 }
 
 /// The first thing that is found.

@@ -36,7 +36,7 @@ mod target;
 mod unseen_work;
 
 pub(crate) use beside::first_sample;
-pub(crate) use changes_in_time::{FARTHER, around, form, leads_over_change, stays};
+pub(crate) use changes_in_time::{FARTHER, around_end, form, leads_over_change, stays};
 pub use dop853::Dop853;
 pub use dop853_tableau::DOP853;
 pub use explicit::ExplicitRungeKutta;
