@@ -82,9 +82,10 @@ def import_robot(
     return text
 
 
-def warn(message: str) -> None:
+def warn(*messages: str) -> None:
     """Warn whoever called the method that calls this."""
-    warnings.warn(in_arguments(message), LinkwrightWarning, stacklevel=3)
+    for message in messages:
+        warnings.warn(in_arguments(message), LinkwrightWarning, stacklevel=3)
 
 
 def _restored(
@@ -211,8 +212,7 @@ class Model(_linkwright.Model):
         model = self._with_declared(None, inputs)
         compared = [] if comparison else ["--no-comparison"]
         found = model._motion("run", settings + compared + repeated("input", inputs), parameters, initial)
-        for message in found.summary["warnings"]:
-            warn(message)
+        warn(*found.summary["warnings"])
         event = found.summary["until"]
         if event is not None and event["happened"] < event["asked"]:
             happened, asked = event["happened"], event["asked"]
@@ -234,8 +234,7 @@ class Model(_linkwright.Model):
         A ``LinkwrightWarning`` says where it holds at one time alone, or at a corner of what acts. They stand in its ``"warnings"``.
         """
         found = self._summary("equilibrium", [], parameters, initial)
-        for message in found["warnings"]:
-            warn(message)
+        warn(*found["warnings"])
         return found
 
     def linearize(
@@ -257,8 +256,7 @@ class Model(_linkwright.Model):
         """
         words = options(at=at) + [f"--input={name}" for name in listed(inputs)]
         found = Linearization(self._asked("linearize", words, parameters, initial))
-        for message in found.summary["warnings"]:
-            warn(message)
+        warn(*found.summary["warnings"])
         return found
 
     def kinematics(

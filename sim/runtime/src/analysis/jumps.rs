@@ -88,7 +88,8 @@ pub(super) fn changes_between<M: Mechanism<Dual>>(mechanism: &M, times: [f64; 2]
 const ROUNDING: f64 = 1e-9;
 
 /// Whether accelerations or the power jump between two samples next to each other, beside two that are some times as far apart: what is
-/// continuous differs there by as many times as much. Coordinates have these sizes.
+/// continuous differs there by as many times as much. Coordinates have these sizes. Each is looked at for itself: unlike the next step, a
+/// derivative is wrong by a jump that is small beside the accelerations of others.
 pub(super) fn rates_jump<M: Mechanism<Dual>>(
     near: &[Sample<M, Dual>; 2],
     far: &[Sample<M, Dual>; 2],

@@ -115,8 +115,8 @@ impl<M: Mechanism> ForwardSensitivity<M> {
     ///
     /// # Errors
     /// As [`Simulation::advance_to`]; [`What::NotFinite`] where the state has no derivative; [`What::NotDifferentiable`] where
-    /// the motion passes a singular position, or an event or the corner of a drive changes it, and where an equal step leads over a jump whose time
-    /// moves.
+    /// the motion passes a singular position, or an event or the corner of a drive changes it, and where an equal step leads over a jump
+    /// or a corner whose time moves.
     pub fn advance_to(&mut self, time: f64) -> Result<(), Failure> {
         while let Some(target) = self.simulation.aim(time)? {
             self.check_followed()?;
