@@ -253,6 +253,42 @@ fn corners_are_told() {
     }
 }
 
+/// At a corner or a jump of an output its rows hold on one side at most; what is smooth, or bends elsewhere, is not told. In the plane
+/// of a mass on a spring, and of one on a rail by a constraint; small and large.
+#[test]
+fn corners_of_outputs_are_told() {
+    let cases = [
+        ("abs(x/l)", true),
+        ("abs(dot(x)/(1 [m/s]))", true),
+        ("max(x/l, 0)", true),
+        ("if x > 0 then 1 else 2", true),
+        ("f(x)/l", true),
+        ("(x/l)^2", false),
+        ("x*abs(x)/l^2", false),
+        ("abs(x - l)/l", false),
+        ("cos(x/l)", false),
+        ("sin(x/l)^2 + cos(x/l)^2", false),
+        ("1/cosh(x/l)", false),
+        ("dot(x)/(1 [m/s])", false),
+    ];
+    for size in [1e-3, 1.0, 100.0] {
+        for rail in ["", "constraints { rail: y = 0.3*x; }"] {
+            for (output, is_bent) in cases {
+                let place = if rail.is_empty() { "[x, 0]" } else { "[x, y]" };
+                let y = if rail.is_empty() { "" } else { "y [m];" };
+                let text = format!(
+                    "pub Bent; coordinates {{ x [m]; {y} }} parameters {{ k [N/m] = 100; l [m] = {size}; }}
+                     tables {{ f [m] over [m] = linear, continued {{ -1, -1; 0, 0; 1, 4; }} }} {rail}
+                     bodies {{ mass: mass 1 [kg] at {place}; }} loads {{ force -k*x on x; }} initial {{ x = 0; }}
+                     outputs {{ other = x/l; seen = {output}; }}"
+                );
+                let bent = about_interpreted(&text).bent_outputs;
+                assert_eq!(bent, if is_bent { vec![1] } else { vec![] }, "{output}, {size}, {rail}");
+            }
+        }
+    }
+}
+
 /// Laws that have a slope at rest but no second derivative, of a mass whose place is a coordinate twice: elimination refuses the pivot of
 /// the second, and derivatives are differences.
 #[test]

@@ -54,6 +54,7 @@ fn linearized<M: Mechanism, T>(
         unsteady,
         is_steady,
         has_corner,
+        bent_outputs,
         a,
         b,
         c,
@@ -62,6 +63,8 @@ fn linearized<M: Mechanism, T>(
         modes,
         ..
     } = linearize(&mechanism, &state, &inputs)?;
+    let undefined = undefined_outputs(description, [&c, &d]);
+    let bent = bent_outputs.iter().map(|i| description.outputs[*i].name);
     let found = Found {
         description,
         time: *time,
@@ -74,7 +77,8 @@ fn linearized<M: Mechanism, T>(
         unsteady: names(description, &unsteady),
         advice: advice(&mechanism, &state, &unsteady),
         inputs: inputs.iter().map(|input| input.name_in(description)).collect(),
-        undefined: undefined_outputs(description, [&c, &d]),
+        bent: bent.filter(|output| !undefined.contains(output)).collect(),
+        undefined,
         matrices: [("A", &a), ("B", &b), ("C", &c), ("D", &d)],
         eigenvalues: &eigenvalues,
         modes: &modes,
@@ -99,6 +103,8 @@ struct Found<'a> {
     unsteady: Vec<&'static str>,
     advice: Option<String>,
     inputs: Vec<&'static str>,
+    /// The outputs that have a corner or a jump here, but a derivative.
+    bent: Vec<&'static str>,
     /// The outputs that have no derivative here.
     undefined: Vec<&'static str>,
     matrices: [(&'static str, &'a DMatrix<f64>); 4],
@@ -209,6 +215,7 @@ fn summary(found: &Found, place: &str) -> Value {
         "inputs": found.inputs,
         "outputs": found.description.outputs.iter().map(|o| o.name).collect::<Vec<_>>(),
         "outputs_without_derivative": found.undefined,
+        "outputs_with_corner": found.bent,
         "events_without_effect": idle_events(found.description),
         "warnings": warnings(found),
     });
@@ -234,10 +241,13 @@ fn states(description: &Description, independent: &[usize], independent_speeds: 
 
 /// Why the matrices may not be what was asked for.
 fn warnings(found: &Found) -> Vec<String> {
-    let outputs = found.undefined.join(", ");
-    let undefined = format!("{outputs}: no derivative here, so rows of C and D are not numbers");
-    let warnings = [(found.has_corner, CORNER.to_owned()), (!outputs.is_empty(), undefined)];
-    warnings.into_iter().filter_map(|(is_so, warning)| is_so.then_some(warning)).collect()
+    let of = |outputs: &[&str], why: &str| (!outputs.is_empty()).then(|| format!("{}: {why}", outputs.join(", ")));
+    let warnings = [
+        found.has_corner.then(|| CORNER.to_owned()),
+        of(&found.bent, "a corner or a jump here, so rows of C and D hold on one side at most"),
+        of(&found.undefined, "no derivative here, so rows of C and D are not numbers"),
+    ];
+    warnings.into_iter().flatten().collect()
 }
 
 fn report(found: &Found) -> String {

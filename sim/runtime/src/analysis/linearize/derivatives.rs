@@ -175,8 +175,19 @@ pub(super) fn constraints_depend_on(mechanism: &dyn Differentiable, at: At<f64>,
 
 /// The change of the outputs with a change of all quantities, and with an input.
 pub(super) fn output_slopes(derivatives: &Derivatives, change: &Change, input: Option<Control>) -> Vec<f64> {
+    outputs_along(derivatives, (change, 0.0), input).iter().map(|value| value.derivative).collect()
+}
+
+/// The outputs where all quantities have changed by so many times a change, with their derivatives along it.
+pub(super) fn outputs_beside(derivatives: &Derivatives, change: &Change, by: f64) -> Vec<Dual> {
+    outputs_along(derivatives, (change, by), None)
+}
+
+fn outputs_along(derivatives: &Derivatives, (change, by): (&Change, f64), input: Option<Control>) -> Vec<Dual> {
     let moving = |values: &[f64], change: &DVector<f64>| -> Vec<Dual> {
-        values.iter().zip(change).map(|(value, derivative)| Dual { value: *value, derivative: *derivative }).collect()
+        let moved =
+            |(value, derivative): (&f64, &f64)| Dual { value: value + by * derivative, derivative: *derivative };
+        values.iter().zip(change).map(moved).collect()
     };
     let Derivatives { mechanism, at, solution, .. } = derivatives;
     let (accelerations, multipliers) = solution.as_slice().split_at(at.positions.len());
@@ -187,5 +198,5 @@ pub(super) fn output_slopes(derivatives: &Derivatives, change: &Change, input: O
         accelerations: &moving(accelerations, &change.accelerations),
         multipliers: &moving(multipliers, &change.multipliers),
     };
-    mechanism.outputs_along(moving, input).iter().map(|value| value.derivative).collect()
+    mechanism.outputs_along(moving, input)
 }

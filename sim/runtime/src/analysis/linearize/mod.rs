@@ -47,6 +47,9 @@ pub struct Linearization<M: Mechanism> {
     /// Whether what acts has a corner or a jump at the state, where the matrices are those of one side of it, or changes within so small
     /// a way that differences do not find its slope.
     pub has_corner: bool,
+    /// The outputs that have a corner or a jump at the state, by index: their rows of C and D hold on one side of it at most.
+    /// One by accelerations or multipliers is not seen.
+    pub bent_outputs: Vec<usize>,
     /// The quantities that u changes.
     pub inputs: Vec<Control>,
     /// A, h + f square with h independent coordinates and f independent speeds.
@@ -83,7 +86,7 @@ pub fn linearize<M: Mechanism>(
 ) -> Result<Linearization<M>, Failure> {
     check_bodies(mechanism, state.time, &state.positions)?;
     let found = linearize_any(&Any(mechanism), At::state(state), inputs)?;
-    let AnyLinearization { a, b, c, d, eigenvalues, modes, reduction, unsteady, has_corner } = found;
+    let AnyLinearization { a, b, c, d, eigenvalues, modes, reduction, unsteady, has_corner, bent_outputs } = found;
     let is_steady = unsteady.is_none();
     Ok(Linearization {
         state: state.clone(),
@@ -92,6 +95,7 @@ pub fn linearize<M: Mechanism>(
         unsteady: unsteady.unwrap_or_default(),
         is_steady,
         has_corner,
+        bent_outputs,
         inputs: inputs.to_vec(),
         a,
         b,
@@ -114,6 +118,7 @@ struct AnyLinearization {
     /// Nothing where A is constant.
     unsteady: Option<Vec<usize>>,
     has_corner: bool,
+    bent_outputs: Vec<usize>,
 }
 
 fn linearize_any(mechanism: &dyn Differentiable, at: At<f64>, inputs: &[Control]) -> Result<AnyLinearization, Failure> {
@@ -138,6 +143,7 @@ fn linearize_any(mechanism: &dyn Differentiable, at: At<f64>, inputs: &[Control]
         .map_err(|why| mechanism.failure(What::NoEigenvalues { why }, at.time, at.positions))?;
     Ok(AnyLinearization {
         has_corner: derivatives.are_unsettled() || corner::has_corner(mechanism, at, &sizes),
+        bent_outputs: corner::bent_outputs(&derivatives, &columns, &sizes),
         unsteady: steady::unsteady(&derivatives, &reduction, &a, &eigenvalues)?,
         b: matrix(&reduction, &forced),
         c: DMatrix::from_fn(outputs, a.ncols(), |i, k| by_state[k][i]),
